@@ -41,7 +41,8 @@ pub mod prelude {
     pub use kin_core::{
         Axis, Constraint, Coord, Coordinate, Dimension, Ends, EulerParameters, Ground, Law, Link, Marker,
         Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Route, Routed, Series, Spatial, SpatialBody,
-        SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law, linspace, pose, vec2, vec3,
+        SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law, linspace, pose, potential,
+        vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }

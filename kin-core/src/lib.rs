@@ -47,9 +47,10 @@ pub use data::Registry;
 pub use design::{ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity};
 pub use dimension::{Dimension, DimensionError, IntoNumber, IntoParameter};
 pub use error::{Error, Result};
-pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction};
+pub use forces::library as loads;
+pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};
 pub use joints::spatial;
-pub use kin_macros::{constraint, helper, law};
+pub use kin_macros::{constraint, helper, law, potential};
 pub use law::{Break, Ends, Law};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{

@@ -43,6 +43,14 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
+/// `#[potential]`: a constraint whose row is an energy.
+pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let name = syn::parse2::<syn::ItemFn>(item.clone()).ok().map(|function| function.sig.ident);
+    let marked = name.map(|name| quote!(impl ::kin::Potential for #name {}));
+    let emitted = constraint(attribute, item);
+    quote!(#emitted #marked)
+}
+
 /// `#[law]`
 pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
     let parsed = limits::check(&item).and_then(|()| parse::law(attribute, item.clone()));

@@ -107,6 +107,24 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::constraint(attribute.into(), item.into()).into()
 }
 
+/// Turns a function V(q, t) into an energy, which acts: its generalised forces are −V_qᵀ.
+///
+/// ```text
+/// /// Energy of a spring, ½ k (l − l0)².      [J]
+/// #[potential]
+/// fn spring(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64, free: f64) -> f64 {
+///     let stretch = (i.point(u_i) - j.point(u_j)).norm() - free;
+///     0.5 * k * stretch * stretch
+/// }
+/// ```
+///
+/// All that is said of `#[constraint]` holds for it, and the body is read by the same compiler; but it has
+/// one row, and is given to a mechanism by `m.load("closer", spring(…))`.
+#[proc_macro_attribute]
+pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    expand::potential(attribute.into(), item.into()).into()
+}
+
 /// Turns a function f(x) into a `Law` with its derivatives to third order.
 ///
 /// ```text

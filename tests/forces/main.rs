@@ -6,5 +6,9 @@
 mod data;
 mod errors;
 mod file;
+mod loads;
 mod newton_euler;
+#[path = "../data/own.rs"]
+mod own;
 mod references;
+mod unique;

@@ -7,6 +7,7 @@ use kin::{Forces, System};
 
 use super::data::{array, number, numbers, read, rows};
 use super::file::{Bodies, build, list};
+use super::own;
 
 /// The mass of a body as a test gives it.
 #[derive(Clone, Copy)]
@@ -63,9 +64,17 @@ pub fn planar(
         }
         let sign = if fault == Fault::GravityUpwards { -1.0 } else { 1.0 };
         let mut sums = vec![[Vec3::zeros(); 2]; motion.len()];
-        for name in names(system) {
-            let Ok(acted) = forces.reaction(&name).expect("a constraint").on(own.body) else { continue };
-            add_planar(acted.at(about), &mut sums, &mut largest);
+        let acting: Vec<String> = names(system)
+            .into_iter()
+            .filter(|name| forces.reaction(name).expect("a constraint").on(own.body).is_ok())
+            .collect();
+        for name in &acting {
+            raise(&forces.reaction(name).expect("a constraint").on(own.body).expect("on it"), &mut largest);
+        }
+        // Of redundant constraints the sum alone is unique.
+        if !acting.is_empty() {
+            let all = forces.sum(&acting).expect("constraints").on(own.body).expect("on it");
+            add_planar(all.at(about), &mut sums, &mut largest);
         }
         for name in system.load_names() {
             let Ok(acted) = forces.load(name).expect("a load").on(own.body) else { continue };
@@ -112,9 +121,17 @@ pub fn spatial(
         }
         let sign = if fault == Fault::GravityUpwards { -1.0 } else { 1.0 };
         let mut sums = vec![[Vec3::zeros(); 2]; motion.len()];
-        for name in names(system) {
-            let Ok(acted) = forces.reaction(&name).expect("a constraint").on(own.body) else { continue };
-            add_spatial(acted.at(about), &mut sums, &mut largest);
+        let acting: Vec<String> = names(system)
+            .into_iter()
+            .filter(|name| forces.reaction(name).expect("a constraint").on(own.body).is_ok())
+            .collect();
+        for name in &acting {
+            raise(&forces.reaction(name).expect("a constraint").on(own.body).expect("on it"), &mut largest);
+        }
+        // Of redundant constraints the sum alone is unique.
+        if !acting.is_empty() {
+            let all = forces.sum(&acting).expect("constraints").on(own.body).expect("on it");
+            add_spatial(all.at(about), &mut sums, &mut largest);
         }
         for name in system.load_names() {
             let Ok(acted) = forces.load(name).expect("a load").on(own.body) else { continue };
@@ -140,6 +157,13 @@ fn add_spatial(acted: kin::Acted<'_, Vec3>, sums: &mut [[Vec3; 2]], largest: &mu
         *largest = largest.max(f.norm()).max(m.norm());
         sum[0] += f;
         sum[1] += m;
+    }
+}
+
+/// Takes in how large the components are that are unique.
+fn raise<V: kin::Turning>(acted: &kin::Acted<'_, V>, largest: &mut f64) {
+    for component in acted.components() {
+        *largest = largest.max(component.max().abs()).max(component.min().abs());
     }
 }
 
@@ -209,4 +233,59 @@ fn every_body_of_the_files_is_in_balance_and_faults_show() {
         }
     }
     assert!(FAULTS.iter().all(|fault| seen.iter().filter(|seen| *seen == fault).count() >= 1), "{seen:?}");
+}
+
+/// The mechanisms of all examples, with masses of the test's own.
+#[test]
+fn every_body_of_every_example_is_in_balance() {
+    let registry =
+        kin::Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
+    let paths = std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path());
+    let (mut seen, mut bodies) = (0, 0);
+    for path in paths {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let mut m = Mechanism::read_json(&path, &registry).expect("reads");
+        let guess = m.data().expect("data").bodies;
+        let numbers = guess.iter().flat_map(|body| &body.guess).filter_map(|guess| match guess {
+            kin::data::NumberData::Number(x) => Some(x.abs().min(1e3)),
+            kin::data::NumberData::Expression(_) => None,
+        });
+        let size = numbers.fold(0.1_f64, f64::max);
+        let (mut flat, mut solid) = (Vec::new(), Vec::new());
+        for (k, body) in guess.iter().enumerate() {
+            let (x, c) = (1.0 + 0.3 * k as f64, vec3(0.03, -0.02, 0.01) * size);
+            let j = 0.02 * x * size * size;
+            if let Some(body) = m.planar_named(&body.name) {
+                m.mass(body, x, vec2(c.x, c.y), j).expect("a mass");
+                let inertia = Mat3::from([[0.0; 3], [0.0; 3], [0.0, 0.0, j]]);
+                flat.push(Massed { body, mass: x, centre: c, inertia });
+            } else if let Some(body) = m.spatial_named(&body.name) {
+                let rows =
+                    [[j, 0.1 * j, -0.05 * j], [0.1 * j, 1.2 * j, 0.07 * j], [-0.05 * j, 0.07 * j, 0.9 * j]];
+                m.mass(body, x, c, rows).expect("a mass");
+                solid.push(Massed { body, mass: x, centre: c, inertia: Mat3::from(rows) });
+            }
+        }
+        // Of bare coordinates there are no bodies.
+        if flat.is_empty() && solid.is_empty() {
+            continue;
+        }
+        let g = vec3(0.4, -9.81, 0.0) * size;
+        m.gravity(g);
+        let system = m.build().expect("builds");
+        let motion = system.run(linspace(0.05, 1.95, 41)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let forces = system.forces(&motion).unwrap_or_else(|error| panic!("{name}: {error}"));
+        for off in [
+            (!flat.is_empty()).then(|| planar(&forces, &system, &flat, vec2(g.x, g.y), Fault::None)),
+            (!solid.is_empty()).then(|| spatial(&forces, &system, &solid, g, Fault::None)),
+        ] {
+            let off = off.unwrap_or(0.0);
+            println!("{name}: {off:.1e} of the largest force; {}", forces.balance());
+            assert!(off <= 1e-11, "{name}: {off:e}");
+        }
+        assert!(forces.balance().worst() <= 1e-11, "{name}: {}", forces.balance());
+        (seen, bodies) = (seen + 1, bodies + flat.len() + solid.len());
+    }
+    assert!(seen >= 18 && bodies > 60, "{seen} mechanisms with {bodies} bodies");
 }

@@ -49,10 +49,13 @@ fn own_equations_as_text_are_the_compiled_ones() {
         Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
     for (name, [from, to], count) in OWN {
         let mechanism = Mechanism::read_json(example(name), &registry).expect("reads");
-        let motion = mechanism.build().expect("builds").run(linspace(from, to, count)).expect("runs");
+        let options = Options { engine: kin::Engine::Plain, ..Options::default() };
+        let times = linspace(from, to, count);
+        let motion = mechanism.build().expect("builds").run_with(times, &options).expect("runs");
         let compiled = numbers(&String::from_utf8(written(&motion, name)).expect("text"));
         let times = format!("{from}:{to}:{count}");
-        let read = numbers(&data(&["run", &example(name), "--times", &times, "--csv", "-"]));
+        let asked = ["--times", &times, "--engine", "plain", "--csv", "-"];
+        let read = numbers(&data(&[&["run", &example(name)][..], &asked].concat()));
         assert_eq!(read.len(), count);
         let columns = compiled[0].len();
         for column in 0..columns {

@@ -62,11 +62,14 @@ fn the_schema_has_every_member_that_is_written() {
     judge()(&value).unwrap_or_else(|error| panic!("{error}\n{value}"));
 }
 
+/// Words of the reader's error, and a slip that makes it.
+type Slip = (&'static str, fn(&mut Value));
+
 /// The schema and the reader refuse the same slips.
 #[test]
 fn slips_are_refused_by_the_schema_and_by_the_reader() {
     let judge = judge();
-    let slips: [(&str, fn(&mut Value)); 7] = [
+    let slips: [Slip; 7] = [
         ("unknown field `limit`", |file| file["limit"] = json!([])),
         ("unknown field `lenght`", |file| file["bodies"][0]["lenght"] = json!(1.0)),
         ("unknown field `parametres`", |file| file["constraints"][0]["parametres"] = json!({})),

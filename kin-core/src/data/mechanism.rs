@@ -1,156 +1,17 @@
 //! A mechanism as data.
 
-use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
-
-use super::dimensions::{DimensionData, NumberData, Texts};
+use super::dimensions::{NumberData, Texts};
+use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData};
 use super::names::plain;
-use super::{FORMAT, Registry, is_first};
+use super::{FORMAT, Registry};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
 use crate::model::dimension::{Bound, Dimension};
-use crate::model::dual_route::ArgumentKind;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Place};
 use crate::model::mechanism::{ConstraintId, Limit, Mechanism};
 use crate::model::units::Units;
-
-/// A mechanism as data: bodies, constraints with their parameters, laws.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct MechanismData {
-    /// Version of this format.
-    #[serde(default = "is_first")]
-    pub format: u32,
-    /// Name of the mechanism.
-    pub name: String,
-    /// Names of its units.
-    #[serde(default, skip_serializing_if = "Units::is_default")]
-    pub units: Units,
-    /// Equations of constraints of one's own, as text in the language of `#[constraint]`.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub equations: Vec<String>,
-    /// Named dimensions.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub dimensions: Vec<DimensionData>,
-    /// Bodies and bare coordinates in their order.
-    pub bodies: Vec<BodyData>,
-    /// Constraints in their order.
-    pub constraints: Vec<ConstraintData>,
-    /// Ranges that measures should keep to.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub limits: Vec<LimitData>,
-    /// Measures by whose values an assembly is preferred.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub preferred: Vec<PreferredData>,
-}
-
-/// The value that a measure of a joint should have in the assembly that is meant.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct PreferredData {
-    /// The measure, such as `elbow.angle`.
-    pub measure: String,
-    /// Its value, in its unit.
-    pub value: f64,
-}
-
-/// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct LimitData {
-    /// The measure or coordinate, such as `slot.slide`.
-    pub measure: String,
-    /// Its lower end, in its unit.
-    pub from: Option<f64>,
-    /// Its upper end.
-    pub to: Option<f64>,
-}
-
-/// A body or bare coordinate with its guess.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct BodyData {
-    /// Its name.
-    pub name: String,
-    /// Kind of the body.
-    pub kind: BodyKind,
-    /// Guess of its coordinates.
-    pub guess: Vec<NumberData>,
-    /// Preferred values of its coordinates, where there are any.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub preferred: Vec<Option<f64>>,
-    /// Length between the pins of a link.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub length: Option<NumberData>,
-}
-
-/// Kinds of bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum BodyKind {
-    /// R_x, R_y, θ
-    Planar,
-    /// R, e0..e3
-    Spatial,
-    /// A bare angle.
-    Angle,
-    /// A bare length.
-    Length,
-}
-
-/// A constraint by its kind, arguments and parameters.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct ConstraintData {
-    /// Its name.
-    pub name: String,
-    /// Name of its function.
-    pub kind: String,
-    /// The bodies and coordinates that it acts on, in the order of its signature.
-    pub arguments: Vec<ArgumentData>,
-    /// Its parameters by name.
-    #[serde(default)]
-    pub parameters: Map<String, Value>,
-    /// Names in the text of its equation that the text could not take along: the file does not stand alone,
-    /// and is read by the program that has the constraint.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub lacking: Vec<String>,
-}
-
-/// An argument of a constraint: `None` is the ground.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum ArgumentData {
-    /// A planar body.
-    Planar(Option<String>),
-    /// A spatial body.
-    Spatial(Option<String>),
-    /// A coordinate by its name, such as `crank.theta`.
-    Coord(String),
-    /// A coordinate of the ground as a planar body, by its number.
-    GroundCoord(usize),
-    /// A coordinate of the ground as a spatial body, by its number.
-    SpatialGroundCoord(usize),
-}
-
-impl ArgumentData {
-    pub(super) fn kind(&self) -> ArgumentKind {
-        match self {
-            ArgumentData::Planar(_) => ArgumentKind::Planar,
-            ArgumentData::Spatial(_) => ArgumentKind::Spatial,
-            _ => ArgumentKind::Coord,
-        }
-    }
-}
 
 impl Mechanism {
     /// The mechanism as data, to be written by serde.
@@ -184,13 +45,12 @@ impl Mechanism {
         };
         let limits = self.limits.iter().map(limit).collect();
         let units = self.layout.words.clone();
-        let preferred = self
-            .asked
-            .iter()
-            .map(|(measure, value)| PreferredData { measure: measure.clone(), value: *value })
-            .collect();
+        let preferred = self.preferred_data();
+        let (masses, gravity) = self.mass_data()?;
         Ok(MechanismData {
             format: FORMAT,
+            masses,
+            gravity,
             name: self.name.clone(),
             units,
             dimensions: self.dimension_data()?,
@@ -225,6 +85,13 @@ impl Mechanism {
             }
         });
         body.collect()
+    }
+
+    /// Preferred measures as data.
+    fn preferred_data(&self) -> Vec<PreferredData> {
+        let data =
+            |(measure, value): &(String, f64)| PreferredData { measure: measure.clone(), value: *value };
+        self.asked.iter().map(data).collect()
     }
 
     /// A constraint as data, and its equation where the file has to carry it.
@@ -304,6 +171,7 @@ impl Mechanism {
         for PreferredData { measure, value } in &data.preferred {
             mechanism.prefer(measure, *value);
         }
+        mechanism.take_masses(data)?;
         Ok(mechanism)
     }
 
@@ -384,28 +252,8 @@ fn without(reason: &str, lacking: &[String]) -> String {
 
 /// The words of a file. Errors: one that is empty.
 pub(super) fn read_units(units: &Units) -> Result<Units> {
-    [units.length(), units.time()].into_iter().try_for_each(|word| plain("unit", word).map(|_| ()))?;
+    [units.length(), units.time(), units.mass()]
+        .into_iter()
+        .try_for_each(|word| plain("unit", word).map(|_| ()))?;
     units.missing().map_or(Ok(units.clone()), |what| Err(Error::EmptyName { what }))
-}
-
-impl From<Kind> for BodyKind {
-    fn from(kind: Kind) -> Self {
-        match kind {
-            Kind::Planar => BodyKind::Planar,
-            Kind::Spatial => BodyKind::Spatial,
-            Kind::Angle => BodyKind::Angle,
-            Kind::Length => BodyKind::Length,
-        }
-    }
-}
-
-impl From<BodyKind> for Kind {
-    fn from(kind: BodyKind) -> Self {
-        match kind {
-            BodyKind::Planar => Kind::Planar,
-            BodyKind::Spatial => Kind::Spatial,
-            BodyKind::Angle => Kind::Angle,
-            BodyKind::Length => Kind::Length,
-        }
-    }
 }

@@ -5,8 +5,10 @@
 
 mod dimensions;
 mod expression;
+mod format;
 mod joints;
 mod law;
+mod masses;
 mod mechanism;
 mod motion;
 mod names;
@@ -21,10 +23,9 @@ use serde::de::DeserializeOwned;
 
 pub use crate::model::describer::Describer;
 pub use dimensions::{DimensionData, NumberData};
+pub use format::{ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData};
 pub use law::{LawData, LawReader};
-pub use mechanism::{
-    ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData,
-};
+pub use masses::MassData;
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use schema::schema;

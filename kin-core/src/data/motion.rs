@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mechanism::{BodyKind, read_units};
+use super::format::BodyKind;
+use super::mechanism::read_units;
 use super::names::plain;
 use super::{FORMAT, is_first};
 use crate::model::coordinates::MechanismId;

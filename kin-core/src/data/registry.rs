@@ -6,8 +6,8 @@ use std::sync::Arc;
 use serde_json::{Map, Value};
 
 use super::dimensions::{self, Found};
+use super::format::ArgumentData;
 use super::law::{LawData, LawReader, shipped};
-use super::mechanism::ArgumentData;
 use super::value::Datum;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody};

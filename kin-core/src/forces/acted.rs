@@ -165,6 +165,5 @@ impl<'f, V: Turning> Acted<'f, V> {
 
 /// One of the six components.
 fn part(wrench: &Wrench, number: usize) -> f64 {
-    let [force, torque] = [wrench.force.to_array(), wrench.torque.to_array()];
-    force.into_iter().chain(torque).nth(number).unwrap_or(f64::NAN)
+    wrench.components().get(number).copied().unwrap_or(f64::NAN)
 }

@@ -7,6 +7,7 @@ use super::body::{self, Moved};
 use super::drive::{self, Drive};
 use super::multipliers::{Multipliers, Solver};
 use super::reaction::{Reaction, Source};
+use super::sharing::Sharing;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::solve::motion::Motion;
@@ -37,6 +38,13 @@ impl System {
     /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system; a singular
     /// position, where forces are infinite; a load that is not finite, by name.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
+        self.forces_with(motion, &Sharing::NotGiven)
+    }
+
+    /// The same, where redundant constraints share forces by a rule.
+    ///
+    /// Errors: those of [`System::forces`]; equations that cannot be left out, by name.
+    pub fn forces_with<'a>(&'a self, motion: &'a Motion, sharing: &Sharing) -> Result<Forces<'a>> {
         self.own(motion)?;
         if self.loads.is_empty() {
             return Err(Error::InvalidParameters {
@@ -68,7 +76,9 @@ impl System {
             multipliers.push(found);
         }
         let (energy, balance) = powers.told(motion);
-        Ok(Forces { system: self, motion, multipliers, loads, energy, balance })
+        let mut forces = Forces { system: self, motion, multipliers, loads, energy, balance };
+        forces.share(sharing)?;
+        Ok(forces)
     }
 }
 

@@ -18,8 +18,11 @@ mod balance;
 mod body;
 mod calls;
 mod drive;
+pub mod library;
 mod multipliers;
 mod reaction;
+mod sharing;
+mod table;
 mod wrench;
 
 pub use acted::Acted;
@@ -27,3 +30,4 @@ pub use balance::{Balance, Energy};
 pub use calls::Forces;
 pub use drive::{Drive, Peak};
 pub use reaction::Reaction;
+pub use sharing::Sharing;

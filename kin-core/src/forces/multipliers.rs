@@ -82,13 +82,24 @@ impl<'a> Solver<'a> {
                 let unit = |(entry, value): (&Option<(usize, usize)>, &f64)| {
                     entry.map_or(0.0, |(row, column)| value * measures.sizes[column] / measures.norms[row])
                 };
-                if !rows.factor(equations.entries.iter().zip(values.iter()).map(unit)) {
+                let scaled_values: Vec<f64> = equations.entries.iter().zip(values.iter()).map(unit).collect();
+                if !rows.factor(scaled_values.iter().copied()) {
                     return Err(system.singular(now.t, now.q, None));
                 }
                 let scaled: Vec<f64> = by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
                 let mut lambda = rows.solved_transposed(&scaled);
                 let point = Point { c: Vec::new(), values: values.clone() };
                 let mut open = null_space(system, &point, measures);
+                for y in &mut open {
+                    // Entries that are all but zero were left out: their part of the balance comes back.
+                    let mut left = vec![0.0; system.n_coordinates()];
+                    for (entry, value) in equations.entries.iter().zip(&scaled_values) {
+                        if let Some((row, column)) = entry {
+                            left[*column] += value * y[*row];
+                        }
+                    }
+                    y.iter_mut().zip(rows.solved_transposed(&left)).for_each(|(y, part)| *y -= part);
+                }
                 for y in open.iter_mut().chain([&mut lambda]) {
                     y.iter_mut().zip(&measures.norms).for_each(|(y, norm)| *y /= norm);
                 }

@@ -95,8 +95,24 @@ impl<'f> Reaction<'f> {
         Series::new(format!("{}.power", self.name), unit, motion.clock(), values)
     }
 
+    /// Force and torque on the first of its bodies about its point at time k, and those of the vectors of the
+    /// null space; nothing where it acts on no body.
+    pub(super) fn at_its_point(&self, k: usize) -> Vec<Wrench> {
+        let (forces, touched) = (self.forces, self.touched());
+        let Some(item) = touched.first().copied() else { return Vec::new() };
+        let layout = forces.system.layout();
+        let target = layout.target(item);
+        let stand = stand(forces, Some(item), k);
+        let at = match self.point(&target) {
+            Some((holder, u)) => self::stand(forces, holder, k).point(u),
+            None => stand.r,
+        };
+        let all = self.generalised(k);
+        all.iter().map(|by_q| wrench(forces, Some(item), &touched, k, by_q).moved(stand.r, at)).collect()
+    }
+
     /// The bodies that it acts on, by their items.
-    fn touched(&self) -> Vec<usize> {
+    pub(super) fn touched(&self) -> Vec<usize> {
         let layout = self.forces.system.layout();
         let mut found = Vec::new();
         let mut touch = |target: &Target| {

@@ -67,6 +67,12 @@ impl Wrench {
         Wrench { force: back * self.force, torque: back * self.torque }
     }
 
+    /// Force, then torque.
+    pub(super) fn components(self) -> [f64; 6] {
+        let ([x, y, z], [a, b, c]) = (self.force.to_array(), self.torque.to_array());
+        [x, y, z, a, b, c]
+    }
+
     pub(super) fn plus(self, other: Wrench) -> Wrench {
         Wrench { force: self.force + other.force, torque: self.torque + other.torque }
     }

@@ -129,6 +129,15 @@ impl Layout {
         bodies.collect()
     }
 
+    /// The handle of a body by the number of its item.
+    pub(crate) fn target(&self, item: usize) -> Target {
+        let (mechanism, index) = (self.mechanism, Some(item));
+        match self.items.get(item).map(|item| item.kind) {
+            Some(Kind::Spatial) => Target::Spatial(SpatialBody { mechanism, index }),
+            _ => Target::Planar(PlanarBody { mechanism, index }),
+        }
+    }
+
     /// The unit of coordinate `column` (`order` 0) or of one of its rates, in the mechanism's words.
     pub(crate) fn unit(&self, column: usize, order: usize) -> String {
         self.units.get(column).map(|unit| self.words.text(*unit, order)).unwrap_or_default()

@@ -3,6 +3,7 @@
 
 mod csv;
 mod distance;
+mod given;
 mod planar;
 mod point;
 mod quantity;

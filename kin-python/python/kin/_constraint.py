@@ -213,12 +213,10 @@ def law(function: Callable[[Any], Any]) -> Law:
     rows, _ = _flat(function(Coord(trace, trace.atom(argument.written, "f64"))), place)
     if len(rows) != 1:
         _mistakes.at(place, f"a law gives one number, not {len(rows)}")
-    # A law that is constant reads its variable too, as an equation has to.
-    node = trace.op("{} + 0.0 * {}", "f64", trace.expression(rows[0])._node, trace.atom(argument.written, "f64"))
-    used = isinstance(rows[0], Expr) and argument.written in trace.inline(rows[0]._node)
+    if not isinstance(rows[0], Expr):
+        return Law.constant(float(rows[0]))
     trace.over = True
-    result = trace.number(rows[0]) if used else node
-    text, places = _written(trace, name, [argument], [result if result is not None else node], [0], function.__doc__)
+    text, places = _written(trace, name, [argument], [rows[0]._node], [0], function.__doc__)
     made = Law({"kind": text, "numbers": {}})
     try:
         made._native  # noqa: B018  the text is read now

@@ -239,6 +239,30 @@ class System:
         rows[:, : 1 if given.ndim == 1 else given.shape[1]] = given.reshape(len(motion), -1)
         return np.array(self._native.gradient(motion._native, list(names), self._what(what), as_bytes(rows)))
 
+    def objective(
+        self,
+        names: Sequence[str],
+        times: Any,
+        what: What,
+        cost: Callable[[Quantity], tuple[float, Any]],
+        **options: Any,
+    ) -> Callable[[Any], tuple[float, Any]]:
+        """A function of parameters with its exact gradient, as `scipy.optimize.minimize(…, jac=True)` takes one.
+
+        `cost` makes of a measure over the motion the number, and its derivatives by the values of the measure (a row, or
+        three columns with those by its rate and second rate). The function works on a copy of the system.
+        """
+        system, order = self.__copy__(), list(names)
+
+        def function(x: Any) -> tuple[float, Any]:
+            for name, value in zip(order, np.asarray(x, dtype=float).ravel().tolist()):
+                system.set(name, value)
+            motion = system.run(times, **options)
+            value, weights = cost(system.measure(motion, what))
+            return float(value), system.gradient(motion, order, what, weights)
+
+        return function
+
     def _what(self, what: What) -> str:
         return coordinate_name(self.names, what.name if isinstance(what, Coordinate) else what)
 

@@ -52,18 +52,17 @@ impl OnBody {
     }
 }
 
-/// A constraint of one row that is an energy V(q, t), and no equation: its generalised forces are −V_qᵀ.
+/// A constraint of one row that is an energy V(q, t), and no equation: a function with `#[potential]`. Its
+/// generalised forces are −V_qᵀ.
 ///
 /// ```
 /// # use kin::prelude::*;
-/// # use kin::Potential;
 /// /// Energy of a spring, ½ k (l − l0)².      [J]
-/// #[constraint]
+/// #[potential]
 /// fn spring(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64, free: f64) -> f64 {
 ///     let stretch = (i.point(u_i) - j.point(u_j)).norm() - free;
 ///     0.5 * k * stretch * stretch
 /// }
-/// impl Potential for spring {}
 ///
 /// # fn main() -> kin::Result<()> {
 /// # let mut m = Mechanism::new("door");
@@ -74,7 +73,7 @@ impl OnBody {
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no load",
-    label = "a mechanism's loads are energies (those with `impl Potential`) and a `Load`",
+    label = "a mechanism's loads are energies (functions with `#[potential]`) and a `Load`",
     note = "a constraint is added by `m.add(…)`"
 )]
 pub trait Potential: Constraint + 'static {}
@@ -82,7 +81,7 @@ pub trait Potential: Constraint + 'static {}
 /// Anything that acts: a [`Load`], or an energy.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no load",
-    label = "a mechanism's loads are energies (those with `impl Potential`) and a `Load`",
+    label = "a mechanism's loads are energies (functions with `#[potential]`) and a `Load`",
     note = "a constraint is added by `m.add(…)`"
 )]
 pub trait IntoLoad {

@@ -138,7 +138,7 @@ impl Mechanism {
     }
 
     /// Something that acts, under a name: an energy ([`crate::Potential`]), a force along a length or an
-    /// angle ([`crate::Load::along`]), a force or torque on a body.
+    /// angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the library.
     ///
     /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense.
     pub fn load(&mut self, name: &str, load: impl IntoLoad) -> Result<()> {
