@@ -133,7 +133,7 @@ impl Equations {
 #[cfg(test)]
 mod tests {
     use crate::joints::drivers::{drive, drive_angle};
-    use crate::joints::planar::{coupling, revolute};
+    use crate::joints::planar::revolute;
     use crate::{Ground, Law, Mechanism, System, constraint, vec2};
 
     fn chain(close: bool) -> System {
@@ -141,7 +141,7 @@ mod tests {
         let [a, b] = ["a", "b"].map(|name| m.link(name, 1.0).expect("a link"));
         m.add("O", revolute(Ground, a, vec2(0.0, 0.0), a.start())).expect("adds");
         m.add("A", revolute(a, b, a.end(), b.start())).expect("adds");
-        m.add("turn", coupling(a.theta(), b.theta(), 1.0, 0.5, 0.0)).expect("adds");
+        m.add("turn", drive_angle(b, Law::ramp(-2.0))).expect("adds");
         let motor = if close {
             m.add("motor", drive(b.x(), Law::ramp(0.1)))
         } else {

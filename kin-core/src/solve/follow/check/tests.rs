@@ -286,7 +286,11 @@ fn out_and_back_within_a_step() {
         let mut m = Mechanism::new("angle");
         let a = m.angle("a", 0.0).expect("a new name");
         m.add("c", led_angle(a, hill(0.0, height))).expect("adds");
-        assert_eq!(judge(&m.build().expect("builds"), &[0.0]), found, "{height}");
+        // The angle alone is given by its row; beside equations that are not straight it is looked at.
+        let [x, y] =
+            [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+        m.add("square", led_square(x, y, hill(1.0, 0.0))).expect("adds");
+        assert_eq!(judge(&m.build().expect("builds"), &[0.0, 1.0, -1.0]), found, "{height}");
     }
 }
 

@@ -77,7 +77,13 @@ fn the_outlook_at_a_position() {
         newton.solve(0.0, Steps::Full).expect("solves");
         let share = newton.shares()[0];
         let pivot = newton.linear.smallest_pivot();
-        super::super::outlook(Drive::new(system.equations()), &mut newton, [0.0, 1.0])
+        let told = super::super::outlook(Drive::new(system.equations()), &mut newton, [0.0, 1.0]);
+        // One coordinate that is driven is given by its row: there is no other branch to look for.
+        assert_eq!(told, Some([0.0; 4]));
+        let mut v = newton.q.clone();
+        let mut lever = Factored { newton: &mut newton, v: &mut v, turns: &Padded::default(), negative: &[] };
+        Drive::new(system.equations())
+            .outlook(system.equations(), [0.0, 1.0], pivot, &mut lever)
             .map(|e| (e, share, pivot))
     };
     let (e, share, pivot) = outlook(Law::sine(1.0, 0.5, 0.1)).expect("is known");
