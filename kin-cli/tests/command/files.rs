@@ -58,6 +58,10 @@ fn the_schema_has_every_member_that_is_written() {
     m.limit("O.angle", -1.0, f64::INFINITY).expect("a limit");
     m.prefer(link, 0.3);
     m.prefer("O.angle", 0.3);
+    let arm = m.dimension("arm", 2.0).expect("a dimension").within(1.0, 3.0).tolerance(0.1).unit("mm");
+    m.link("bent", arm / 2.0).expect("a link");
+    m.mass(link, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
+    m.gravity(vec2(0.0, -9.81));
     let value = serde_json::to_value(m.data().expect("data")).expect("JSON");
     judge()(&value).unwrap_or_else(|error| panic!("{error}\n{value}"));
 }
@@ -69,7 +73,7 @@ type Slip = (&'static str, fn(&mut Value));
 #[test]
 fn slips_are_refused_by_the_schema_and_by_the_reader() {
     let judge = judge();
-    let slips: [Slip; 7] = [
+    let slips: [Slip; 9] = [
         ("unknown field `limit`", |file| file["limit"] = json!([])),
         ("unknown field `lenght`", |file| file["bodies"][0]["lenght"] = json!(1.0)),
         ("unknown field `parametres`", |file| file["constraints"][0]["parametres"] = json!({})),
@@ -77,7 +81,15 @@ fn slips_are_refused_by_the_schema_and_by_the_reader() {
             drop(file["bodies"][0].as_object_mut().map(|body| body.remove("kind")))
         }),
         ("unknown variant `planer`", |file| file["bodies"][0]["kind"] = json!("planer")),
-        ("invalid type", |file| file["bodies"][0]["guess"][0] = json!("0")),
+        ("invalid type", |file| file["bodies"][0]["guess"][0] = json!(true)),
+        ("unknown field `tolerances`", |file| {
+            file["dimensions"] = json!([{ "name": "a", "value": 1.0, "tolerances": 0.1 }]);
+        }),
+        ("unknown field `center`", |file| {
+            let rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            file["masses"] =
+                json!([{ "body": "crank", "mass": 1.0, "center": [0.0, 0.0, 0.0], "inertia": rows }]);
+        }),
         ("unknown variant `body`", |file| file["constraints"][0]["arguments"][0] = json!({ "body": null })),
     ];
     for (told, slip) in slips {

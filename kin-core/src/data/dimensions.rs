@@ -15,6 +15,7 @@ use crate::model::mechanism::Mechanism;
 
 /// A dimension as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct DimensionData {
     /// Its name.

@@ -26,18 +26,25 @@ pub fn schema(registry: &Registry) -> Value {
             "units": object("Names of its units.", &["length", "time"], &[
                 ("length", text("The word for the unit of length, such as mm.")),
                 ("time", text("The word for the unit of time, such as s.")),
+                ("mass", text("The word for the unit of mass, such as kg.")),
             ]),
             "equations": {
                 "description": "Equations of constraints of one's own, as text in the language of `#[constraint]`.",
                 "type": "array", "items": { "type": "string" },
             },
+            "dimensions": list("dimension", "Named dimensions, which other numbers may be expressions of."),
             "bodies": list("body", "Bodies and bare coordinates in their order."),
             "constraints": list("constraint", "Constraints in their order."),
             "limits": list("limit", "Ranges that measures should keep to."),
             "preferred": list("preferred", "Measures by whose values an assembly is preferred."),
+            "masses": list("mass", "Masses of bodies."),
+            "gravity": vector("The acceleration of gravity; z is 0 in a plane."),
         },
         "$defs": {
             "body": body(),
+            "dimension": dimension(),
+            "mass": mass(),
+            "number": number(),
             "constraint": constraint(registry),
             "argument": argument(),
             "law": law(registry),
@@ -62,7 +69,7 @@ fn body() -> Value {
         &[
             ("name", text("Its name.")),
             ("kind", json!({ "enum": ["planar", "spatial", "angle", "length"] })),
-            ("guess", json!({ "description": guess, "type": "array", "items": { "type": "number" } })),
+            ("guess", json!({ "description": guess, "type": "array", "items": named("number") })),
             (
                 "preferred",
                 json!({
@@ -73,11 +80,54 @@ fn body() -> Value {
             (
                 "length",
                 json!({
-                    "description": "Length between the pins of a link.", "type": ["number", "null"], "exclusiveMinimum": 0,
+                    "description": "Length between the pins of a link.",
+                    "type": ["number", "string", "null"], "exclusiveMinimum": 0,
                 }),
             ),
         ],
     )
+}
+
+/// A number, or an expression of dimensions.
+fn number() -> Value {
+    let told = "A number, or an expression of dimensions such as crank / 2.";
+    json!({ "description": told, "type": ["number", "string"] })
+}
+
+fn dimension() -> Value {
+    let ends = json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
+    object(
+        "A named number that others hang on.",
+        &["name", "value"],
+        &[
+            ("name", text("Its name.")),
+            ("value", named("number")),
+            ("unit", text("The word for its unit.")),
+            ("within", json!({ "anyOf": [ends, { "type": "null" }] })),
+            ("tolerance", number_or_null("How far it may be off, to either side.")),
+        ],
+    )
+}
+
+fn mass() -> Value {
+    let rows = json!({ "type": "array", "items": vector("A row."), "minItems": 3, "maxItems": 3 });
+    object(
+        "The mass of a body, its centre and its inertia about the centre, in the body's axes.",
+        &["body", "mass", "centre", "inertia"],
+        &[
+            ("body", text("Name of the body.")),
+            ("mass", json!({ "type": "number", "minimum": 0 })),
+            ("centre", vector("The centre of mass; z is 0 in a plane.")),
+            ("inertia", rows),
+        ],
+    )
+}
+
+fn vector(told: &str) -> Value {
+    json!({
+        "description": told,
+        "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3,
+    })
 }
 
 fn constraint(registry: &Registry) -> Value {
