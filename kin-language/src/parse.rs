@@ -45,6 +45,8 @@ pub struct ConstraintFn {
     pub branches: Vec<Demand>,
     /// The measures of the constraint beside its equations.
     pub measures: Vec<Measure>,
+    /// True of an energy, whose generalised forces are asked for (`#[potential]`).
+    pub is_energy: bool,
     /// The function as it was handed in.
     pub item: TokenStream,
     /// Functions beside it whose texts its own text takes along.
@@ -117,6 +119,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         requirements,
         branches,
         measures,
+        is_energy: false,
         item,
         with,
     })

@@ -12,9 +12,17 @@ use crate::emit::DualReason;
 
 /// `#[constraint]`
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    compiled(attribute, item, false)
+}
+
+/// A constraint, or an energy, which is compiled like one.
+fn compiled(attribute: TokenStream, item: TokenStream, is_energy: bool) -> TokenStream {
     let parsed = limits::check(&item).and_then(|()| parse::constraint(attribute, item.clone()));
     let source = match parsed {
-        Ok(source) => source,
+        Ok(mut source) => {
+            source.is_energy = is_energy;
+            source
+        }
         Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::constraint_item(item)),
     };
     match (source.choice, lower::constraint(&source)) {
@@ -47,7 +55,7 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
 pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let name = syn::parse2::<syn::ItemFn>(item.clone()).ok().map(|function| function.sig.ident);
     let marked = name.map(|name| quote!(impl ::kin::Potential for #name {}));
-    let emitted = constraint(attribute, item);
+    let emitted = compiled(attribute, item, true);
     quote!(#emitted #marked)
 }
 

@@ -60,6 +60,17 @@ fn loads_that_make_no_sense() {
 }
 
 #[test]
+fn an_energy_is_no_constraint() {
+    let (mut m, arm) = arm();
+    let spring = kin::loads::spring(m.ground(), arm, vec2(0.0, 1.0), arm.end(), 10.0, 0.2);
+    assert_eq!(
+        told(m.add("closer", spring.clone())),
+        "`closer` (spring): it is an energy, which acts and holds nothing; give it to the mechanism by `m.load(…)`"
+    );
+    m.load("closer", spring).expect("a load");
+}
+
+#[test]
 fn gravity_that_is_not_finite_is_told_at_build() {
     let (mut m, arm) = arm();
     m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");

@@ -22,6 +22,7 @@ pub fn facts(
     });
     let is_driver = source.arguments.iter().any(|argument| argument.kind == Kind::Time);
     let has_branches = !source.branches.is_empty();
+    let energy = source.is_energy.then(|| quote!(is_energy: true,));
     quote! {
         ::kin::emitted::Facts {
             description: #description,
@@ -31,6 +32,7 @@ pub fn facts(
             #of_route
             #measures
             has_branches: #has_branches,
+            #energy
             ..::kin::emitted::Facts::of(#kind)
         }
     }

@@ -99,6 +99,8 @@ pub struct Facts<'a> {
     pub measures: &'a [Measured],
     /// False if [`Constraint::wrong_branch`] never has anything to say. `true` promises nothing.
     pub has_branches: bool,
+    /// True of an energy, a function under `#[potential]`: it acts as a load and holds nothing.
+    pub is_energy: bool,
 }
 
 impl<'a> Facts<'a> {
@@ -118,6 +120,7 @@ impl<'a> Facts<'a> {
             sides_of_time: None,
             measures: &[],
             has_branches: true,
+            is_energy: false,
         }
     }
 

@@ -18,6 +18,19 @@ pub(crate) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &d
     movable(name, constraint, &arguments, &places)
 }
 
+/// Refuses an energy where a constraint is meant: its row is no equation.
+pub(crate) fn holds(name: &str, constraint: &dyn Constraint) -> Result<()> {
+    if !constraint.facts().is_energy {
+        return Ok(());
+    }
+    let reason = "it is an energy, which acts and holds nothing; give it to the mechanism by `m.load(…)`";
+    Err(Error::InvalidParameters {
+        constraint: name.to_string(),
+        kind: constraint.facts().kind.to_string(),
+        reason: reason.to_string(),
+    })
+}
+
 fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     let mut bad = None;
     constraint.parameters(&mut |parameter, value| {

@@ -289,6 +289,7 @@ impl Mechanism {
         if self.names.contains(name) {
             return Err(Error::DuplicateName { what: "constraints", name: name.to_string() });
         }
+        admission::holds(name, constraint.as_ref())?;
         admission::admit(&self.name, &self.layout, name, constraint.as_ref())?;
         self.hang_parameters(name, bound, constraint.as_ref())?;
         self.names.insert(name.to_string());
