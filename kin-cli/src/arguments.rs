@@ -42,6 +42,8 @@ pub enum Command {
     Prove(Prove),
     /// How the motion changes with parameters, as CSV: exact derivatives
     Sensitivities(Sensitivities),
+    /// What drives must give and joints hold, as CSV: the file has masses
+    Forces(Forces),
     /// Many cases, a row each: what they are, and the extremes of what is kept of them
     Sweep(Sweep),
     /// The JSON Schema of mechanism files
@@ -185,6 +187,21 @@ pub struct Sensitivities {
     /// The parameters by which; `check --names` lists them
     #[arg(long = "by", value_name = "NAME", required = true)]
     pub parameters: Vec<String>,
+    /// Where the table goes
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Forces {
+    #[command(flatten)]
+    pub model: Model,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// Where redundant constraints share a force, the shares whose squares have the least sum; without it no
+    /// number is given for them
+    #[arg(long)]
+    pub least_norm: bool,
     /// Where the table goes
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,

@@ -1,8 +1,8 @@
 //! Questions about a mechanism and its motion.
 
-use kin::Motion;
+use kin::{Motion, Sharing};
 
-use crate::arguments::{Assemblies, Check, Diagnose, Measure, Prove, Sensitivities};
+use crate::arguments::{Assemblies, Check, Diagnose, Forces, Measure, Prove, Sensitivities};
 use crate::fault::Fault;
 use crate::model;
 use crate::output::{digits, put, table};
@@ -147,6 +147,28 @@ pub fn sensitivities(asked: &Sensitivities, say: &Say) -> Result<(), Fault> {
             columns.push(one.value);
         }
     }
+    columns_of(&asked.csv, &header, &columns)?;
+    early.map_or(Ok(()), Err)
+}
+
+/// Efforts of drives, forces of joints and energies over time, and the balance of powers in words.
+pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    let sharing = if asked.least_norm { Sharing::LeastNorm } else { Sharing::NotGiven };
+    let forces = system.forces_with(&motion, &sharing)?;
+    for name in forces.drives() {
+        match forces.drive(name) {
+            Ok(drive) => say.note(&format!("{name}: at most {}", drive.peak())),
+            Err(error) => say.note(&error.to_string()),
+        }
+    }
+    say.note(&forces.balance().to_string());
+    let all = forces.columns();
+    let names = all.iter().map(|column| format!("{} [{}]", column.name(), column.unit()));
+    let header: Vec<String> = std::iter::once(time_header(&motion)).chain(names).collect();
+    let values = all.iter().map(|column| column.values().to_vec());
+    let columns: Vec<Vec<f64>> = std::iter::once(motion.times().to_vec()).chain(values).collect();
     columns_of(&asked.csv, &header, &columns)?;
     early.map_or(Ok(()), Err)
 }

@@ -58,8 +58,8 @@ fn every_command_line_of_the_guide_does_what_it_says() {
     let mut count = 0;
     for page in ["command", "text"] {
         let folder = folder(page);
-        for json in blocks("text", "json") {
-            std::fs::write(folder.join("out/slot.json"), json).expect("written");
+        for (file, json) in [("slot", blocks("text", "json")), ("arm", blocks("command", "json"))] {
+            std::fs::write(folder.join(format!("out/{file}.json")), json.concat()).expect("written");
         }
         for line in blocks(page, "sh").iter().flat_map(|block| block.lines()) {
             count += 1;

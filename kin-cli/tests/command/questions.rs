@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::{data, done, example, words};
+use crate::{code, data, done, example, words};
 
 /// The numbers of a table below its header.
 fn numbers(table: &str) -> Vec<Vec<f64>> {
@@ -87,4 +87,33 @@ fn names_are_those_that_can_be_set_and_asked_for() {
         }
     }
     assert_eq!(kinds.into_iter().collect::<Vec<_>>(), [("coordinate", 9), ("measure", 4), ("parameter", 17)]);
+}
+
+/// An arm that turns at a constant rate under its weight: the motor holds m g l cos θ.
+#[test]
+fn forces_of_an_arm_are_those_of_its_weight() {
+    use kin::prelude::*;
+    let mut m = Mechanism::new("arm");
+    let arm = m.link("arm", 0.5).expect("a link");
+    m.add("O", revolute(m.ground(), arm, vec2(0.0, 0.0), arm.start())).expect("a joint");
+    m.add("motor", drive_angle(arm, Law::ramp(2.0))).expect("a driver");
+    m.mass(arm, 3.0, vec2(0.0, 0.0), 0.1).expect("a mass");
+    m.gravity(vec2(0.0, -9.81));
+    let file = crate::file("arm.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let arguments = ["forces", &file, "--times", "0:3:31"];
+    let table = data(&arguments);
+    let header: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
+    let column = |name: &str| header.iter().position(|known| *known == name).expect(name);
+    let (effort, up) = (column("motor [N m]"), column("O on arm.F_y [N]"));
+    for row in numbers(&table) {
+        let (theta, radius) = (2.0 * row[0], 0.25);
+        let exact = 3.0 * 9.81 * radius * theta.cos();
+        assert!((row[effort] - exact).abs() < 1e-11, "{} {exact}", row[effort]);
+        let exact = 3.0 * (9.81 - 4.0 * radius * theta.sin());
+        assert!((row[up] - exact).abs() < 1e-11, "{} {exact}", row[up]);
+    }
+    let told = words(&done(&arguments));
+    assert!(told.contains("motor: at most 7.3575 N m at 0 s") && told.contains("power balance"), "{told}");
+    let output = done(&["forces", &example("04_four_bar"), "--times", "0:1:3"]);
+    assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
 }
