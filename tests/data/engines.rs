@@ -90,12 +90,22 @@ fn differ_by_little(plain: &Motion, program: &Motion) {
 }
 
 fn same_end(plain: &Error, program: &Error) {
-    assert_eq!(words(&plain.to_string()), words(&program.to_string()));
+    assert_eq!(words(&verdict(&plain.to_string())), words(&verdict(&program.to_string())));
     if let (Error::Toggle { t, .. }, Error::Toggle { t: other, .. }) = (plain, program) {
         assert!((t - other).abs() < 1e-9 * (1.0 + t.abs()), "{t} {other}");
     }
     let lengths = [plain, program].map(|error| error.motion().map(Motion::len));
     assert_eq!(lengths[0], lengths[1], "{plain}");
+}
+
+/// A text without the others beside the equation that cannot be met: which of them are named at a singular
+/// position hangs on the last digits of the pose.
+fn verdict(text: &str) -> String {
+    let without = |line: &str| match (line.find("; with "), line.find(" it ")) {
+        (Some(from), Some(to)) if from < to => format!("{}{}\n", &line[..from], &line[to..]),
+        _ => format!("{line}\n"),
+    };
+    text.lines().map(without).collect()
 }
 
 /// A text without its numbers, the last digits of which may differ.
