@@ -42,7 +42,9 @@ pub enum Command {
     Prove(Prove),
     /// How the motion changes with parameters, as CSV: exact derivatives
     Sensitivities(Sensitivities),
-    /// What drives must give and joints hold, as CSV: the file has masses
+    /// How far a measure may be off where dimensions of the file have tolerances
+    Tolerance(Tolerance),
+    /// Efforts of drives and forces of joints, as CSV: the file has masses
     Forces(Forces),
     /// Many cases, a row each: what they are, and the extremes of what is kept of them
     Sweep(Sweep),
@@ -190,6 +192,30 @@ pub struct Sensitivities {
     /// Where the table goes
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Tolerance {
+    #[command(flatten)]
+    pub model: Model,
+    /// The measure or coordinate, such as `slot.slide` or `slider.R_x`; `check --names` lists them
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    #[command(flatten)]
+    pub motion: Motion,
+    /// Of this extreme of the measure, instead of the time at which it is worst
+    #[arg(long, value_enum)]
+    pub of: Option<End>,
+    /// Where the table goes: dimension, tolerance, derivative, how far that is off, both shares
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+}
+
+/// An extreme over all times.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum End {
+    Max,
+    Min,
 }
 
 #[derive(Clone, Debug, Args)]

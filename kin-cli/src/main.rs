@@ -41,6 +41,7 @@ fn done(command: &Command, say: &Say) -> Result<(), Fault> {
         Command::Measure(asked) => commands::measure(asked, say),
         Command::Prove(asked) => commands::prove(asked, say),
         Command::Sensitivities(asked) => commands::sensitivities(asked, say),
+        Command::Tolerance(asked) => commands::tolerance(asked, say),
         Command::Forces(asked) => commands::forces(asked, say),
         Command::Sweep(asked) => commands::sweep(asked, say),
         Command::Schema => commands::schema(),

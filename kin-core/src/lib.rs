@@ -44,7 +44,9 @@ pub use coordinates::{
     PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use data::Registry;
-pub use design::{ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity};
+pub use design::{
+    Contribution, ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity, Tolerance,
+};
 pub use dimension::{Dimension, DimensionError, IntoNumber, IntoParameter};
 pub use error::{Error, Result};
 pub use forces::library as loads;

@@ -4,6 +4,7 @@ mod files;
 mod mistakes;
 mod set;
 mod slopes;
+mod tolerance;
 
 use kin::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use kin::{Motion, Sharing};
 
-use crate::arguments::{Assemblies, Check, Diagnose, Forces, Measure, Prove, Sensitivities};
+use crate::arguments::{Assemblies, Check, Diagnose, End, Forces, Measure, Prove, Sensitivities, Tolerance};
 use crate::fault::Fault;
 use crate::model;
 use crate::output::{digits, put, table};
@@ -148,6 +148,33 @@ pub fn sensitivities(asked: &Sensitivities, say: &Say) -> Result<(), Fault> {
         }
     }
     columns_of(&asked.csv, &header, &columns)?;
+    early.map_or(Ok(()), Err)
+}
+
+/// How far a measure may be off, as words, and as a table by dimension.
+pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    let name = asked.name.as_str();
+    let found = match asked.of {
+        None => system.tolerance(&motion, name),
+        Some(end) => {
+            let extremes = system.extremes(&motion, name).map_err(Fault::asked)?;
+            let extreme = match end {
+                End::Max => extremes.max(),
+                End::Min => extremes.min(),
+            };
+            system.tolerance_of(&motion, name, &extreme)
+        }
+    };
+    let found = found.map_err(Fault::asked)?;
+    say.note(&found.to_string());
+    let header = ["dimension", "tolerance", "derivative", "off", "share", "share of variance"];
+    let rows = found.contributions.iter().map(|one| {
+        let numbers = [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)];
+        std::iter::once(one.name.clone()).chain(numbers.map(digits)).collect()
+    });
+    table(&asked.csv, &header.map(str::to_string), rows)?;
     early.map_or(Ok(()), Err)
 }
 

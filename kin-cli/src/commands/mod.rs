@@ -5,7 +5,7 @@ mod run;
 mod shell;
 mod sweep;
 
-pub use ask::{assemblies, check, diagnose, forces, measure, prove, sensitivities};
+pub use ask::{assemblies, check, diagnose, forces, measure, prove, sensitivities, tolerance};
 pub use run::{run, watch};
 pub use shell::{completions, manual, schema};
 pub use sweep::sweep;

@@ -117,3 +117,27 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     let output = done(&["forces", &example("04_four_bar"), "--times", "0:1:3"]);
     assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
 }
+
+/// The reach of an arm is off by half of what its length is off: its frame is in the middle.
+#[test]
+fn tolerances_of_an_arm_are_those_of_its_length() {
+    use kin::prelude::*;
+    let mut m = Mechanism::new("arm");
+    let reach = m.dimension("reach", 0.5).expect("a dimension").tolerance(0.001).unit("m");
+    let arm = m.link("arm", reach).expect("a link");
+    m.add("O", revolute(arm, Ground, arm.start(), (0.0, 0.0))).expect("a joint");
+    m.add("motor", drive_angle(arm, Law::linear(-1.0, 1.0))).expect("a driver");
+    let file = crate::file("reach.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let arguments = ["tolerance", &file, "arm.R_x", "--times", "0:3:31", "--of", "max"];
+    let table = data(&arguments);
+    let row: Vec<&str> = table.lines().nth(1).expect("a row").split(',').collect();
+    assert_eq!(row[0], "reach");
+    let numbers: Vec<f64> = row[1..].iter().map(|x| x.parse().expect("a number")).collect();
+    for (found, exact) in numbers.iter().zip([0.001, 0.5, 0.0005, 1.0, 1.0]) {
+        assert!((found - exact).abs() < 1e-12, "{found} {exact}");
+    }
+    let told = words(&done(&arguments));
+    assert!(told.contains("arm.R_x (0.25 m at 1 s): ± 0.0005 worst case, ± 0.0005 RSS."), "{told}");
+    let output = done(&["tolerance", &example("04_four_bar"), "rocker.theta", "--times", "0:1:3"]);
+    assert!(words(&output).contains("none of them has a tolerance"), "{}", words(&output));
+}

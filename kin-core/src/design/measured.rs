@@ -74,7 +74,7 @@ impl Sensitivities<'_> {
         there.each(&what)?.into_iter().map(found).collect()
     }
 
-    fn each(&self, what: &dyn Measure) -> Result<Vec<MeasureSensitivity>> {
+    pub(super) fn each(&self, what: &dyn Measure) -> Result<Vec<MeasureSensitivity>> {
         let by = |by: &Sensitivity| {
             refuse_own(self.system, what, by.name())?;
             along(self.system, self.motion, what, by)

@@ -8,7 +8,8 @@
 //!
 //! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇, J̈ and P,
 //! Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve every parameter
-//! forward (`sensitivities.rs`), and transposed every parameter at once (`adjoint.rs`).
+//! forward (`sensitivities.rs`), and transposed every parameter at once (`adjoint.rs`). With tolerances of
+//! dimensions they tell how far a measure may be off (`tolerance.rs`).
 
 mod adjoint;
 mod along;
@@ -17,6 +18,8 @@ mod equation;
 mod measured;
 mod sensitivities;
 mod smooth;
+mod tolerance;
 
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use sensitivities::{Sensitivities, Sensitivity};
+pub use tolerance::{Contribution, Tolerance};

@@ -23,6 +23,29 @@ impl System {
         all.entries.iter().map(|entry| entry.name.clone()).zip(all.named(values)).collect()
     }
 
+    /// Name, tolerance and unit of the dimensions that may be off.
+    pub(crate) fn toleranced(&self) -> Vec<(String, f64, String)> {
+        let entries = self.dimensions.iter().flat_map(|own| &own.all.entries);
+        let off = |entry: &Entry| {
+            let tolerance = entry.tolerance.filter(|tolerance| *tolerance > 0.0 && !entry.is_derived)?;
+            Some((entry.name.clone(), tolerance, entry.unit.clone()))
+        };
+        entries.filter_map(off).collect()
+    }
+
+    /// The system with dimensions that are off by so much, beyond their ranges too; `None` where that makes
+    /// no sense.
+    pub(crate) fn off<'a>(&self, by: impl IntoIterator<Item = (&'a String, f64)>) -> Option<System> {
+        let mut system = self.clone();
+        for (name, off) in by {
+            let k = system.dimension_number(name)?;
+            let value = system.dimensions.as_ref()?.values[k] + off;
+            let made = system.put_dimension(k, value) && system.check_dimension(k, value).is_ok();
+            made.then_some(())?;
+        }
+        Some(system)
+    }
+
     /// Takes the dimensions of the mechanism that it was built of.
     pub(crate) fn set_dimensions(&mut self, all: Option<Snapshot>) {
         self.dimensions = all.map(|all| Dimensions { values: all.nominal(), all: Arc::new(all) });
