@@ -61,7 +61,7 @@ pub enum Command {
 pub struct Model {
     /// The mechanism file; `-` is the standard input
     pub file: String,
-    /// Sets a parameter, or the guess of a coordinate
+    /// Sets a dimension, a parameter, or the guess of a coordinate
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub settings: Vec<Setting>,
 }
@@ -123,7 +123,8 @@ pub struct Check {
     /// The time at which it is assembled   [s]
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     pub at: f64,
-    /// Names and values of all parameters, names of coordinates and measures, as CSV on the standard output
+    /// Names and values of all dimensions, parameters and coordinates, names of measures, as CSV on the
+    /// standard output
     #[arg(long)]
     pub names: bool,
 }

@@ -25,12 +25,15 @@ pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
         return Ok(());
     }
     let row = |what: &str, name: String, value: String| vec![what.to_string(), name, value];
+    let dimensions =
+        system.dimensions().into_iter().map(|(name, value)| row("dimension", name, value.to_string()));
     let parameters =
         system.parameters().into_iter().map(|(name, value)| row("parameter", name, value.to_string()));
     let coordinates = system.coordinate_names().iter().zip(&found.q);
     let coordinates = coordinates.map(|(name, q)| row("coordinate", name.clone(), q.to_string()));
     let measures = system.measures().into_iter().map(|name| row("measure", name, String::new()));
-    table("-", &["what", "name", "value"].map(str::to_string), parameters.chain(coordinates).chain(measures))
+    let rows = dimensions.chain(parameters).chain(coordinates).chain(measures);
+    table("-", &["what", "name", "value"].map(str::to_string), rows)
 }
 
 fn largest(all: &[f64]) -> f64 {

@@ -138,6 +138,8 @@ fn tolerances_of_an_arm_are_those_of_its_length() {
     }
     let told = words(&done(&arguments));
     assert!(told.contains("arm.R_x (0.25 m at 1 s): ± 0.0005 worst case, ± 0.0005 RSS."), "{told}");
+    let names = data(&["check", &file, "--names"]);
+    assert!(names.lines().any(|line| line == "dimension,reach,0.5"), "{names}");
     let output = done(&["tolerance", &example("04_four_bar"), "rocker.theta", "--times", "0:1:3"]);
     assert!(words(&output).contains("none of them has a tolerance"), "{}", words(&output));
 }
