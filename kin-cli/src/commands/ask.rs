@@ -194,11 +194,6 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
         }
     }
     say.note(&forces.balance().to_string());
-    let all = forces.columns();
-    let names = all.iter().map(|column| format!("{} [{}]", column.name(), column.unit()));
-    let header: Vec<String> = std::iter::once(time_header(&motion)).chain(names).collect();
-    let values = all.iter().map(|column| column.values().to_vec());
-    let columns: Vec<Vec<f64>> = std::iter::once(motion.times().to_vec()).chain(values).collect();
-    columns_of(&asked.csv, &header, &columns)?;
+    put(&asked.csv, |to| forces.write_csv_to(to))?;
     early.map_or(Ok(()), Err)
 }

@@ -1,13 +1,15 @@
 //! All forces as columns, and as a table on disk.
 
+use std::io::Write;
 use std::path::Path;
 
 use super::calls::Forces;
 use super::reaction::{Reaction, Source};
 use crate::model::coordinates::{PlanarBody, SpatialBody};
-use crate::model::error::{Error, Result};
+use crate::model::error::Result;
 use crate::model::layout::Kind;
 use crate::model::motion::Series;
+use crate::solve::motion::csv::{reason, to_file};
 
 impl Forces<'_> {
     /// Everything that is unique as numbers over time: of each drive effort and power, of each constraint the
@@ -44,23 +46,23 @@ impl Forces<'_> {
     ///
     /// Errors: a folder or file that cannot be written, by its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
-        let path = path.as_ref();
-        self.try_csv(path).map_err(|source| Error::File { path: path.to_path_buf(), source })
+        to_file(path.as_ref(), |to| self.write_csv_to(to))
     }
 
-    fn try_csv(&self, path: &Path) -> std::io::Result<()> {
-        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            std::fs::create_dir_all(folder)?;
-        }
+    /// Writes the same table to anything that takes bytes, such as the standard output.
+    ///
+    /// Errors: what the writer reports.
+    pub fn write_csv_to(&self, to: impl Write) -> std::io::Result<()> {
         let columns = self.columns();
-        let mut table = csv::Writer::from_writer(std::io::BufWriter::new(std::fs::File::create(path)?));
+        let mut table = csv::Writer::from_writer(to);
         let time = format!("t [{}]", self.motion.unit_words().time());
         let names = columns.iter().map(|column| format!("{} [{}]", column.name(), column.unit()));
-        table.write_record(std::iter::once(time).chain(names))?;
+        table.write_record(std::iter::once(time).chain(names)).map_err(reason)?;
         for (k, t) in self.motion.times().iter().enumerate() {
             let values = columns.iter().map(|column| column.values()[k]);
             // −0 + 0 is 0, which reads better.
-            table.write_record(std::iter::once(*t).chain(values).map(|x| format!("{:.16e}", x + 0.0)))?;
+            let row = std::iter::once(*t).chain(values).map(|x| format!("{:.16e}", x + 0.0));
+            table.write_record(row).map_err(reason)?;
         }
         table.flush()
     }

@@ -1,7 +1,7 @@
 //! The motion that a run gives: position, velocity and acceleration over time, with names and units, and the
 //! quantities derived from them.
 
-mod csv;
+pub(crate) mod csv;
 mod distance;
 mod given;
 mod planar;

@@ -1,10 +1,24 @@
 //! The motion as a table on disk.
 
-use std::io::Write;
+use std::fs::File;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::{MARKS, Motion};
 use crate::model::error::{Error, Result};
+
+/// Has `write` write a file, making folders that are missing.
+///
+/// Errors: a folder or file that cannot be written, by its path.
+pub(crate) fn to_file(path: &Path, write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>) -> Result<()> {
+    let written = || {
+        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            std::fs::create_dir_all(folder)?;
+        }
+        write(BufWriter::new(File::create(path)?))
+    };
+    written().map_err(|source| Error::File { path: path.to_path_buf(), source })
+}
 
 impl Motion {
     /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈ (and all q⃛
@@ -14,15 +28,7 @@ impl Motion {
     ///
     /// Errors: a folder or file that cannot be written, by its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
-        let path = path.as_ref();
-        self.try_csv(path).map_err(|source| Error::File { path: path.to_path_buf(), source })
-    }
-
-    fn try_csv(&self, path: &Path) -> std::io::Result<()> {
-        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            std::fs::create_dir_all(folder)?;
-        }
-        self.write_csv_to(std::io::BufWriter::new(std::fs::File::create(path)?))
+        to_file(path.as_ref(), |to| self.write_csv_to(to))
     }
 
     /// Writes the same table to anything that takes bytes, such as the standard output.
@@ -76,7 +82,7 @@ impl Motion {
 }
 
 /// The system's own reason, of which the conversion that `csv` has would lose the kind.
-fn reason(error: csv::Error) -> std::io::Error {
+pub(crate) fn reason(error: csv::Error) -> std::io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(reason) => reason,
         other => std::io::Error::other(format!("{other:?}")),
