@@ -121,9 +121,43 @@ fn error(message: &Value) -> Error {
     let rendered = rendered.split("\nnote: inside `kin").next().unwrap_or_default().trim_end().to_owned();
     Error {
         message: format!("{}: {said}", places.join(", ")),
-        rendered: rendered + "\n",
+        rendered: without_foreign_notes(&rendered) + "\n",
         is_rustcs: code.is_some(),
     }
+}
+
+/// A picture without notes at places outside of the workspace. They show the text of the standard library
+/// where its sources are installed, in a gutter as wide as its line numbers, so that goes too.
+fn without_foreign_notes(rendered: &str) -> String {
+    let lines: Vec<&str> = rendered.lines().collect();
+    let begins = |k: usize| {
+        let at = lines.get(k + 1).map_or("", |line| line.trim_start());
+        lines[k].starts_with("note: ") && at.starts_with("--> /")
+    };
+    let goes_on = |line: &str| line.starts_with(|c: char| c == ' ' || c.is_ascii_digit());
+    let (mut kept, mut inside) = (Vec::new(), false);
+    for (k, line) in lines.iter().enumerate() {
+        inside = begins(k) || inside && goes_on(line);
+        if !inside {
+            kept.push(*line);
+        }
+    }
+    if kept.len() == lines.len() {
+        return rendered.to_owned();
+    }
+    kept.iter().map(|line| line.trim_start()).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn notes_of_the_standard_library_are_left_out_with_and_without_its_sources() {
+    let head = "error: e\n    --> tests/ui/a.rs:5:1\n     |\n   5 | x\n     | ^\nnote: n\n";
+    let with = format!("{head}    --> /std.rs:1224:18\n     |\n1224 | fn f\n     |    ^\nhelp: h");
+    let without =
+        "error: e\n --> tests/ui/a.rs:5:1\n  |\n5 | x\n  | ^\nnote: n\n --> /std.rs:1224:17\nhelp: h";
+    assert_eq!(without_foreign_notes(&with), without_foreign_notes(without));
+    assert!(without_foreign_notes(&with).ends_with("| ^\nhelp: h"));
+    let own = "error: e\nnote: n\n --> tests/ui/a.rs:1:1";
+    assert_eq!(without_foreign_notes(own), own);
 }
 
 /// `line:column `token``
