@@ -66,7 +66,7 @@ pub struct Model {
     pub settings: Vec<Setting>,
 }
 
-/// How a motion is computed.
+/// The times of a motion and the engine that computes it.
 #[derive(Clone, Debug, Args)]
 pub struct Motion {
     /// `FROM:TO:COUNT`, such as 0:1:361, or a list, such as 0,0.5,1   [s]
