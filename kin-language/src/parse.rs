@@ -149,6 +149,8 @@ fn bodies(written: Block) -> (Block, Option<Block>) {
 
 /// A function under `#[law]`.
 pub struct LawFn {
+    /// The function as it was written.
+    pub item: TokenStream,
     pub attributes: Vec<Attribute>,
     pub visibility: Visibility,
     pub name: Ident,
@@ -166,7 +168,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     if !attribute.is_empty() {
         return Err(syn::Error::new_spanned(attribute, "`#[law]` takes nothing"));
     }
-    let mut function = item_fn(item)?;
+    let mut function = item_fn(item.clone())?;
     let mut mistakes = Mistakes::default();
     refuse_qualifiers(&function, &mut mistakes);
     let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
@@ -197,6 +199,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     let variable = arguments.remove(0).name;
     let (body, named) = bodies(*function.block);
     Ok(LawFn {
+        item,
         attributes: function.attrs,
         visibility: function.vis,
         name: function.sig.ident,

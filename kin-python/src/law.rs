@@ -3,11 +3,9 @@
 use kin::Axis;
 use kin::data::{Datum, LawData};
 use pyo3::prelude::*;
-use serde_json::Value;
 
 use crate::fault::{unreadable, value};
 use crate::numbers::vec3;
-use crate::written::registry;
 
 /// A law.
 #[pyclass(frozen, module = "kin._native")]
@@ -19,10 +17,8 @@ impl Law {
     /// The law that this JSON says.
     #[new]
     fn new(json: &str) -> PyResult<Law> {
-        let described: Value = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
-        let registry = registry(&described).map_err(value)?;
-        let data: LawData = serde_json::from_value(described).map_err(|error| unreadable(&error))?;
-        let law = registry.law(&data).map_err(value)?;
+        let data: LawData = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
+        let law = kin::text::registry().law(&data).map_err(value)?;
         law.refusal().map_or(Ok(Law(law)), |why| Err(value(why)))
     }
 

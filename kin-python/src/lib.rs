@@ -14,7 +14,6 @@ mod options;
 mod sweep;
 mod system;
 mod watch;
-mod written;
 
 #[pyo3::pymodule]
 mod _native {

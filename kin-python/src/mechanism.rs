@@ -5,13 +5,11 @@ use kin::data::{ConstraintData, MechanismData};
 use kin::text::{Making, On};
 use kin::{Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
-use serde_json::Value;
 
 use crate::equation::{Equation, Given, Terms, terms};
-use crate::fault::{told, unreadable, value, wrong_type};
+use crate::fault::{told, unreadable, wrong_type};
 use crate::numbers::{vec2, vec3};
 use crate::system::System;
-use crate::written::registry;
 
 /// A mechanism.
 #[pyclass(module = "kin._native")]
@@ -29,10 +27,8 @@ impl Mechanism {
 
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Mechanism> {
-        let described: Value = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
-        let registry = registry(&described).map_err(value)?;
-        let data: MechanismData = serde_json::from_value(described).map_err(|error| unreadable(&error))?;
-        let made = py.detach(|| kin::Mechanism::from_data(&data, &registry));
+        let data: MechanismData = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
+        let made = py.detach(|| kin::Mechanism::from_data(&data, &kin::text::registry()));
         told(py, made).map(Mechanism)
     }
 
@@ -88,10 +84,8 @@ impl Mechanism {
 
     /// Adds a constraint of the library, described as in a file.
     fn add(&mut self, py: Python<'_>, json: &str) -> PyResult<()> {
-        let described: Value = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
-        let registry = registry(&described).map_err(value)?;
-        let data: ConstraintData = serde_json::from_value(described).map_err(|error| unreadable(&error))?;
-        told(py, self.0.add_data(&data, &registry)).map(|_| ())
+        let data: ConstraintData = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
+        told(py, self.0.add_data(&data, &kin::text::registry())).map(|_| ())
     }
 
     /// Adds a constraint of an equation.

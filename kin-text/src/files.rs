@@ -10,12 +10,14 @@ use serde_json::Value;
 
 use crate::constraint::{Body, ReadConstraint, count};
 use crate::equation::Equation;
+use crate::law;
 use crate::signature::ParameterKind;
 
-/// All joints, drivers and laws that ship, and the reader of equations that mechanism files carry as text:
+/// All joints, drivers and laws that ship, and the reader of equations and laws that mechanism files carry as
+/// text:
 /// `Mechanism::read_json("slot.json", &kin::text::registry())`.
 pub fn registry() -> Registry {
-    Registry::new().reading_equations(with_text)
+    Registry::new().reading_equations(with_text).reading_laws(law::of_file)
 }
 
 /// The registry with the constraint of a text.

@@ -3,13 +3,14 @@
 //!
 //! The rooms, in the order in which they stand on one another: `mistake`, `names`, `plain` and `stage` →
 //! `signature` → `read` (text → graph with every derivative) → `constraint` (one on bodies of a mechanism) →
-//! `equation` (what users hold) → `files`.
+//! `equation` and `law` (what users hold) → `files`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 mod constraint;
 mod equation;
 mod files;
+mod law;
 mod mistake;
 mod names;
 mod plain;
@@ -20,4 +21,5 @@ mod stage;
 pub use constraint::ReadConstraint;
 pub use equation::{Equation, Making, On, Parameter};
 pub use files::registry;
+pub use law::LawText;
 pub use mistake::{Mistake, Mistakes};

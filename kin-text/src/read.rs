@@ -6,9 +6,9 @@ use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
 use kin_language::formula::{Outside, Written, local_column, parameter_name};
 use kin_language::lower::{Attachment, Failure, Lowered};
-use kin_language::parse::{self, ConstraintFn, Demand, Kind};
+use kin_language::parse::{self, Argument, ConstraintFn, Demand, Kind};
 use kin_language::{constants, limits, lower};
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
 use syn::{Attribute, Expr, File, Item, ItemFn, Stmt};
 
@@ -72,20 +72,28 @@ const LONGEST: usize = 1 << 16;
 /// The stack of the thread that reads: what limits let through takes less.
 const STACK: usize = 64 << 20;
 
-/// Reads a text. What is remembered of its tokens goes with a thread of its own.
+/// Reads the equation of a text.
 pub fn read(text: &str) -> Result<Read, Mistakes> {
+    Ok(Read { text: text.to_owned(), ..read_with(text, of_item)? })
+}
+
+/// Reads a text by `of_item`, which is shown its function. Memory of its tokens goes with a thread of its
+/// own.
+pub fn read_with<T: Send>(
+    text: &str,
+    of_item: impl Fn((TokenStream, ItemFn)) -> syn::Result<T> + Sync,
+) -> Result<T, Mistakes> {
     if text.len() > LONGEST {
         return Err(Mistakes::whole(format!(
             "the text has {} bytes; {LONGEST} are read at most",
             text.len()
         )));
     }
-    let work = || item(text).and_then(of_item).map_err(|error| Mistakes::of(error, text));
-    let read = std::thread::scope(|scope| {
+    let work = || item(text).and_then(&of_item).map_err(|error| Mistakes::of(error, text));
+    std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
         thread.map_or_else(|_| work(), |thread| thread.join().unwrap_or_else(|_| Err(lost())))
-    })?;
-    Ok(Read { text: text.to_owned(), ..read })
+    })
 }
 
 fn lost() -> Mistakes {
@@ -138,18 +146,19 @@ const NO_TOKENS: &str =
 const NO_FUNCTION: &str = "write the equation as a function, `fn name(i: Planar, …) -> f64 { … }`";
 
 fn is_mark(attribute: &Attribute) -> bool {
-    attribute.path().segments.last().is_some_and(|last| last.ident == "constraint")
+    attribute.path().segments.last().is_some_and(|last| last.ident == "constraint" || last.ident == "law")
 }
 
 fn of_item((said, item): (TokenStream, ItemFn)) -> syn::Result<Read> {
     let source = parse::constraint(said, item.to_token_stream())?;
-    let signature = Signature::of(&source)?;
+    let signature = Signature::of(&source.arguments)?;
     let mut lowered = understood(lower::constraint(&source))?;
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let local = |column| local_column(&source.arguments, column);
     let derived = Derivatives::new(&mut lowered.graph, &rows, local);
     let promises = derived.promises(&lowered.graph, &rows);
-    let places = Places { signature: &signature, source: &source };
+    let places = || Places { signature: &signature, name: &source.name, arguments: &source.arguments };
+    let (attributes, places) = (Attributes { places: places(), source: &source }, places());
     let formula = places.asked(&lowered)?;
     let stage = |nodes: &[Node]| places.stage(&lowered, nodes);
     let values: Vec<Node> =
@@ -182,10 +191,10 @@ fn of_item((said, item): (TokenStream, ItemFn)) -> syn::Result<Read> {
         asked_laws: laws.iter().map(|(law, _)| places.law(&lowered, *law)).collect::<syn::Result<_>>()?,
         local: stage(&points)?,
         formula,
-        measures: places.measures()?,
-        measured: places.measured()?,
-        requirements: places.demands(&source.requirements)?,
-        branches: places.demands(&source.branches)?,
+        measures: attributes.measures()?,
+        measured: attributes.measured()?,
+        requirements: attributes.demands(&source.requirements)?,
+        branches: attributes.demands(&source.branches)?,
         attachments: lowered.attachments,
         signature: signature.clone(),
     };
@@ -193,7 +202,7 @@ fn of_item((said, item): (TokenStream, ItemFn)) -> syn::Result<Read> {
 }
 
 /// The lowered function, if nothing in it is known to rustc alone.
-fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
+pub fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
     let lowered = read.map_err(|failure| match failure {
         Failure::Mistakes(mistakes) => mistakes,
         Failure::Unreadable(why) => {
@@ -208,15 +217,16 @@ fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
 
 const UNKNOWN: &str = "this is not known here: what an equation calls stands in its text too, as a function or constant beside it";
 
-/// The places that names of parameters have in the signature.
-struct Places<'a> {
-    signature: &'a Signature,
-    source: &'a ConstraintFn,
+/// The places that names of parameters have in the signature of a function.
+pub struct Places<'a> {
+    pub signature: &'a Signature,
+    pub name: &'a Ident,
+    pub arguments: &'a [Argument],
 }
 
 impl Places<'_> {
     fn number(&self, lowered: &Lowered, k: usize) -> syn::Result<usize> {
-        let name = parameter_name(&lowered.parameters[k], &self.source.arguments);
+        let name = parameter_name(&lowered.parameters[k], self.arguments);
         self.signature.number(&name).ok_or_else(|| self.unknown(&name))
     }
 
@@ -227,7 +237,7 @@ impl Places<'_> {
     }
 
     fn unknown(&self, name: &str) -> syn::Error {
-        syn::Error::new(self.source.name.span(), format!("`{name}` is no number or law of the signature"))
+        syn::Error::new(self.name.span(), format!("`{name}` is no number or law of the signature"))
     }
 
     fn stage(&self, lowered: &Lowered, nodes: &[Node]) -> syn::Result<Stage> {
@@ -238,21 +248,30 @@ impl Places<'_> {
         Ok(Stage::of(&lowered.graph, nodes, |k| numbers[k], |k| laws[k]))
     }
 
-    fn asked(&self, folded: &Lowered) -> syn::Result<Asked> {
-        let written = Written::of(&self.source.arguments, folded);
+    /// The formula of a function that was read.
+    pub fn asked(&self, folded: &Lowered) -> syn::Result<Asked> {
+        let written = Written::of(self.arguments, folded);
         let lowered = written.lowered;
         let numbers = written.parameters.iter().map(|&k| self.number(lowered, k));
         let laws = written.outside.iter().map(|outside| match outside {
             Outside::Law(k) => self.law(lowered, *k),
-            Outside::Opaque(_) | Outside::Leaf(_) => Err(self.unknown(&self.source.name.to_string())),
+            Outside::Opaque(_) | Outside::Leaf(_) => Err(self.unknown(&self.name.to_string())),
         });
         let (numbers, laws) = (numbers.collect::<syn::Result<_>>()?, laws.collect::<syn::Result<_>>()?);
         Ok(Asked { numbers, laws, table: Table::read(written.formula) })
     }
+}
 
+/// The attributes of a constraint.
+struct Attributes<'a> {
+    places: Places<'a>,
+    source: &'a ConstraintFn,
+}
+
+impl Attributes<'_> {
     /// An expression of an attribute.
     fn value(&self, expression: &Expr) -> syn::Result<Asked> {
-        self.asked(&understood(lower::value(self.source, &constants::put_into(expression)))?)
+        self.places.asked(&understood(lower::value(self.source, &constants::put_into(expression)))?)
     }
 
     fn demands(&self, all: &[Demand]) -> syn::Result<Vec<(Condition, String)>> {
@@ -261,7 +280,7 @@ impl Places<'_> {
 
     fn condition(&self, condition: &Expr) -> syn::Result<Condition> {
         if let Expr::MethodCall(call) = condition
-            && let Some(law) = self.signature.law(&call.receiver.to_token_stream().to_string())
+            && let Some(law) = self.places.signature.law(&call.receiver.to_token_stream().to_string())
         {
             match (call.method.to_string().as_str(), call.args.len()) {
                 ("is_periodic", 1) => return Ok(Condition::Periodic(law, self.value(&call.args[0])?)),

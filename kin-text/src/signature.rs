@@ -3,7 +3,7 @@
 use kin::dual_route::ArgumentKind;
 use kin_language::formula::parameter_name;
 use kin_language::lower::component_paths;
-use kin_language::parse::{Argument, ConstraintFn, Kind, Shape};
+use kin_language::parse::{Argument, Kind, Shape};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -43,10 +43,10 @@ pub enum ParameterKind {
 
 impl Signature {
     /// Errors: parameters of types that only rustc knows, at the type.
-    pub fn of(source: &ConstraintFn) -> syn::Result<Self> {
+    pub fn of(arguments: &[Argument]) -> syn::Result<Self> {
         let mut all = Signature { slots: vec![], parameters: vec![], numbers: vec![] };
         let mut laws = 0;
-        for argument in &source.arguments {
+        for argument in arguments {
             let name = syn::ext::IdentExt::unraw(&argument.name).to_string();
             if argument.kind.slots() > 0 {
                 let interned = interned(&name).map_err(|text| syn::Error::new(argument.name.span(), text))?;
@@ -57,13 +57,13 @@ impl Signature {
             let kind = match &argument.kind {
                 Kind::Time => continue,
                 Kind::Numbers(shape) => {
-                    all.declare(component_paths(&path(argument), shape), &source.arguments);
+                    all.declare(component_paths(&path(argument), shape), arguments);
                     ParameterKind::Numbers { shape: shape.clone(), first }
                 }
                 Kind::Axis => {
                     let own = path(argument);
                     for field in [quote!(#own.h), quote!(#own.f), quote!(#own.g)] {
-                        all.declare(component_paths(&field, &Shape::Vector(3)), &source.arguments);
+                        all.declare(component_paths(&field, &Shape::Vector(3)), arguments);
                     }
                     ParameterKind::Axis { first }
                 }
@@ -85,6 +85,12 @@ impl Signature {
     /// The place of the number that a path reads.
     pub fn number(&self, name: &str) -> Option<usize> {
         self.numbers.iter().position(|known| known == name)
+    }
+
+    /// Names of the laws, in order.
+    pub fn laws(&self) -> impl Iterator<Item = &str> {
+        let laws = self.parameters.iter().filter(|parameter| matches!(parameter.kind, ParameterKind::Law(_)));
+        laws.map(|parameter| parameter.name.as_str())
     }
 
     /// The number of the law of that name.

@@ -2,4 +2,5 @@
 //! place of the text.
 
 mod files;
+mod laws;
 mod mistakes;

@@ -12,8 +12,12 @@ use crate::model::law::{Ends, Law};
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LawData {
-    /// Its kind, such as `ramp`: what a [`Registry`] looks up.
+    /// Its kind, such as `ramp`: what a [`Registry`] looks up first.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub kind: String,
+    /// Its function as text, `fn lift(x: f64, h: f64) -> f64 { … }`: what it is where its kind is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
     /// Its own numbers by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub numbers: BTreeMap<String, f64>,
@@ -36,7 +40,15 @@ impl LawData {
             }
         });
         let parts = parts.iter().map(|(name, part)| (name.clone(), LawData::of(part))).collect();
-        LawData { kind: law.kind().to_string(), numbers, parts }
+        LawData { kind: law.kind().to_string(), text: law.text().map(str::to_string), numbers, parts }
+    }
+}
+
+impl LawData {
+    /// Its name in messages: its kind, of a text without one its first line.
+    fn name(&self) -> &str {
+        let text = self.text.as_deref().unwrap_or_default();
+        if self.kind.is_empty() { text.lines().next().unwrap_or_default() } else { &self.kind }
     }
 }
 
@@ -53,7 +65,17 @@ impl LawReader<'_> {
             .numbers
             .get(name)
             .copied()
-            .ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.kind))
+            .ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.name()))
+    }
+
+    /// Its function as text; empty where it has none.
+    pub fn text(&self) -> &str {
+        self.data.text.as_deref().unwrap_or_default()
+    }
+
+    /// Names of all its numbers and parts.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.data.numbers.keys().chain(self.data.parts.keys()).map(String::as_str)
     }
 
     /// The numbers `name[first]`, `name[first + 1]`, … as far as they go.
@@ -67,7 +89,7 @@ impl LawReader<'_> {
             .data
             .parts
             .get(name)
-            .ok_or_else(|| format!("the law `{}` lacks its part `{name}`", self.data.kind))?;
+            .ok_or_else(|| format!("the law `{}` lacks its part `{name}`", self.data.name()))?;
         self.registry.law(part)
     }
 }

@@ -31,6 +31,7 @@ type Make = Arc<dyn Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + 
 /// A constraint, and which of its parameters are expressions of dimensions.
 type Made = (Box<dyn Constraint>, Vec<(String, Dimension)>);
 type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
+type ReadLaw = fn(&LawReader<'_>) -> Result<Law, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
 /// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments
@@ -41,6 +42,7 @@ pub struct Registry {
     constraints: HashMap<(String, Vec<ArgumentKind>), Make>,
     laws: HashMap<String, MakeLaw>,
     equations: Option<ReadEquation>,
+    law_texts: Option<ReadLaw>,
     /// There are equations as text, and no reader of them.
     unread: bool,
 }
@@ -54,8 +56,13 @@ impl Default for Registry {
 impl Registry {
     /// All joints, drivers and laws that ship.
     pub fn new() -> Registry {
-        let empty =
-            Registry { constraints: HashMap::new(), laws: HashMap::new(), equations: None, unread: false };
+        let empty = Registry {
+            constraints: HashMap::new(),
+            laws: HashMap::new(),
+            equations: None,
+            law_texts: None,
+            unread: false,
+        };
         super::joints::registered(shipped(empty))
     }
 
@@ -85,6 +92,13 @@ impl Registry {
     /// constraint of a text. `kin::text::registry()` is one with the reader that ships.
     pub fn reading_equations(mut self, read: fn(Registry, &str) -> Result<Registry, String>) -> Registry {
         self.equations = Some(read);
+        self
+    }
+
+    /// The same registry, able to make laws of the texts that mechanism files carry: `read` makes one of the
+    /// text, numbers and parts that it is shown.
+    pub fn reading_laws(mut self, read: fn(&LawReader<'_>) -> Result<Law, String>) -> Registry {
+        self.law_texts = Some(read);
         self
     }
 
@@ -122,13 +136,19 @@ impl Registry {
         all
     }
 
-    /// The law that the data say. Errors: unknown kind, numbers or parts that are missing.
+    /// The law that the data say: by its kind, where that is known, else by its text. Errors: unknown kind,
+    /// numbers or parts that are missing, mistakes in the text.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
-        let make = self
-            .laws
-            .get(&data.kind)
-            .ok_or_else(|| format!("unknown law `{}`: add it with `Registry::with_law`", data.kind))?;
-        make(&LawReader { data, registry: self })
+        let law = LawReader { data, registry: self };
+        match (self.laws.get(&data.kind), &data.text, self.law_texts) {
+            (Some(make), ..) => make(&law),
+            (None, Some(_), Some(read)) => read(&law),
+            (None, Some(_), None) => Err(format!(
+                "unknown law `{}`: add it with `Registry::with_law`, or read its text with `kin::text::registry()`, of the feature `text`",
+                data.kind
+            )),
+            (None, None, _) => Err(format!("unknown law `{}`: add it with `Registry::with_law`", data.kind)),
+        }
     }
 
     /// The constraint of that kind, and which of its parameters are expressions of dimensions. Errors:

@@ -185,11 +185,17 @@ fn argument() -> Value {
 
 fn law(registry: &Registry) -> Value {
     object(
-        "A law: its kind, its own numbers, the laws that it is made of.",
-        &["kind"],
+        "A law: its kind, or its function as text; its own numbers, the laws that it is made of.",
+        &[],
         &[
             ("kind", json!({ "anyOf": [{ "enum": registry.law_kinds() }, { "type": "string" }] })),
-            ("numbers", json!({ "type": "object", "additionalProperties": { "type": "number" } })),
+            (
+                "text",
+                text(
+                    "Its function, fn lift(x: f64, h: f64) -> f64 { … }, for readers that do not know its kind.",
+                ),
+            ),
+            ("numbers", json!({ "type": "object", "additionalProperties": named("number") })),
             ("parts", json!({ "type": "object", "additionalProperties": named("law") })),
         ],
     )

@@ -182,7 +182,7 @@ impl Whole {
             }
             Op::Opaque(number, component) => {
                 let operands: Option<Vec<f64>> =
-                    from.opaques[number].iter().map(|operand| known(to, of(*operand))).collect();
+                    from.opaques[number].iter().map(|operand| to.known_value(of(*operand))).collect();
                 let value = (leaves.foreign)(number, component, &operands.ok_or(FOREIGN)?);
                 to.constant(value)
             }
@@ -218,9 +218,4 @@ fn put_in(to: &mut Graph, from: &Graph, f: Node, x: Node) -> Node {
         places[node.index()] = to.rebuilt(from.op(node), of).unwrap_or(x);
     }
     places[f.index()]
-}
-
-/// The number of a node that is known already; of a condition 1 or 0.
-fn known(graph: &Graph, node: Node) -> Option<f64> {
-    graph.constant_value(node).or_else(|| graph.truth(node).map(|holds| f64::from(u8::from(holds))))
 }

@@ -139,6 +139,11 @@ impl Graph {
         bursts && !has_poles
     }
 
+    /// The number that a node always is; of a condition 1 if it always holds, 0 if it never does.
+    pub fn known_value(&self, node: Node) -> Option<f64> {
+        self.constant_value(node).or_else(|| self.truth(node).map(|holds| f64::from(u8::from(holds))))
+    }
+
     pub fn constant_value(&self, node: Node) -> Option<f64> {
         match self.op(node) {
             Op::Constant(bits) => Some(f64::from_bits(bits)),

@@ -4,12 +4,12 @@
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::visit::{self, Visit};
-use syn::{Expr, ExprPath};
+use syn::{Block, Expr, ExprPath};
 
 use super::Lowered;
 use super::template::Template;
 use crate::constants;
-use crate::parse::{ConstraintFn, Kind};
+use crate::parse::{Argument, ConstraintFn, Kind, LawFn};
 use crate::vocabulary::{is_kin_function, is_std_function};
 
 /// The names from beside a function.
@@ -26,21 +26,32 @@ pub struct Beside {
 impl Beside {
     /// Those of a function and its attributes.
     pub fn of(source: &ConstraintFn, lowered: &Lowered) -> Self {
+        let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
+        let ends = source.measures.iter().filter_map(|measure| measure.ends.as_ref());
+        let ends = ends.flat_map(|(from, to)| [from, to]);
+        let asked = demands.chain(source.measures.iter().map(|measure| &measure.value)).chain(ends);
+        Beside::read(&source.arguments, &asked.collect::<Vec<_>>(), source.written(), lowered)
+    }
+
+    /// Those of a law.
+    pub fn of_law(source: &LawFn, lowered: &Lowered) -> Self {
+        let asked: Vec<&Expr> = source.requirements.iter().map(|demand| &demand.condition).collect();
+        Beside::read(&source.parameters, &asked, source.written(), lowered)
+    }
+
+    /// The names in a body, in what was made of it, and in the expressions of its attributes.
+    fn read(arguments: &[Argument], asked: &[&Expr], body: &Block, lowered: &Lowered) -> Self {
         let mut beside = Beside::default();
-        for argument in source.arguments.iter().filter(|argument| argument.kind == Kind::Other) {
+        for argument in arguments.iter().filter(|argument| argument.kind == Kind::Other) {
             let ty = argument.ty.to_token_stream().to_string();
             beside.unknown.push(format!("the type `{ty}` of `{}`", argument.name));
         }
         let values = lowered.opaques.iter().chain(&lowered.leaves).map(|value| &value.template);
         values.chain(&lowered.laws).for_each(|template| beside.template(template));
-        let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
-        let ends = source.measures.iter().filter_map(|measure| measure.ends.as_ref());
-        let ends = ends.flat_map(|(from, to)| [from, to]);
-        let asked = demands.chain(source.measures.iter().map(|measure| &measure.value)).chain(ends);
-        asked.for_each(|expression| beside.visit_expr(expression));
+        asked.iter().for_each(|expression| beside.visit_expr(expression));
         let mut inside = Inside::default();
-        inside.visit_block(source.written());
-        let own = |name: &Ident| source.arguments.iter().any(|argument| argument.name == *name);
+        inside.visit_block(body);
+        let own = |name: &Ident| arguments.iter().any(|argument| argument.name == *name);
         beside.constants.retain(|name| !own(name) && !inside.declared.contains(name));
         // Names that the body brings in are known to it alone, but for constants of the standard library.
         let (brought, others) = std::mem::take(&mut beside.constants)

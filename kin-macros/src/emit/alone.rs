@@ -10,7 +10,7 @@ use syn::{
 use kin_language::error::tidy;
 use kin_language::lower::Lowered;
 use kin_language::lower::alone::Beside;
-use kin_language::parse::ConstraintFn;
+use kin_language::parse::{ConstraintFn, LawFn};
 
 /// The statements of `describe` that put the text of a function that was read.
 pub fn told(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
@@ -34,6 +34,28 @@ pub fn told(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
         #(#with::put(to);)*
         #(to.lacks(#lacking);)*
     }
+}
+
+/// `text` of a law that speaks of nothing beside it but constants.
+pub fn law_text(source: &LawFn, lowered: &Lowered) -> Option<TokenStream> {
+    let Beside { constants, functions, unknown } = Beside::of_law(source, lowered);
+    let text = (functions.is_empty() && unknown.is_empty()).then(|| text(&source.item))?;
+    let constants = put_constants(&constants);
+    Some(quote! {
+        #[cold]
+        fn text(&self) -> ::core::option::Option<&str> {
+            use ::kin::emitted::{ToldConstant as _, UntoldConstant as _};
+            static TEXT: ::std::sync::OnceLock<::core::option::Option<::std::string::String>> = ::std::sync::OnceLock::new();
+            let made = || {
+                let mut all = <::kin::emitted::Describer as ::core::default::Default>::default();
+                let to = &mut all;
+                to.put_equation(#text);
+                #constants
+                all.equation()
+            };
+            TEXT.get_or_init(made).as_deref()
+        }
+    })
 }
 
 fn put_constants(constants: &[Ident]) -> TokenStream {
@@ -107,7 +129,9 @@ fn text(item: &TokenStream) -> String {
     let Ok(function) = syn::parse2::<ItemFn>(item.clone()) else { return item.to_string() };
     let attributes: String = function.attrs.iter().map(attribute).collect();
     let (visibility, signature) = (&function.vis, &function.sig);
-    let head = tidy(&quote!(#visibility #signature).to_string().replace('\n', " ")).replace(" : ", ": ");
+    let head = tidy(&quote!(#visibility #signature).to_string().replace('\n', " "))
+        .replace(" : ", ": ")
+        .replace(" :[", ": [");
     let head = head.replace(" < ", "<").replace(" >", ">");
     format!("{attributes}{head} {}", body(item))
 }

@@ -36,28 +36,43 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// `over` of a law: its steps, its variable being column 0.
-pub fn law(parameters: &[Argument], lowered: &Lowered) -> TokenStream {
+/// A law's own function that has its formula, in which its variable is column 0; and what the law says of
+/// itself by it: bounds, the laws on whose word they rest, itself within the graph of a mechanism, and its
+/// derivatives by parameters.
+pub fn law(parameters: &[Argument], lowered: &Lowered) -> [TokenStream; 2] {
     let found = Table::of(parameters, lowered);
     let (table, values, outside) = (found.table(), found.values(), found.outside());
     let [number, x, to] = outside_names();
-    let (count, laws) = (literal(lowered.laws.len()), lowered.laws.iter().map(template::place));
     let outside = outside.map_or_else(
         || quote!(::kin::emitted::graph::nothing_outside),
         |outside| quote!(|#number, #x, #to| #outside),
     );
-    quote! {
-        #[cold]
-        fn over(&self, #x: &::kin::emitted::graph::Series) -> ::core::option::Option<::kin::emitted::graph::Series> {
+    let asked = quote!(&#values, &#outside);
+    let formula = quote! {
+        fn formula() -> &'static ::kin::emitted::graph::Table {
             static TABLE: ::kin::emitted::graph::Table = #table;
-            TABLE.law_over(#x, &#values, &#outside)
+            &TABLE
+        }
+    };
+    let methods = quote! {
+        #[cold]
+        fn over(&self, x: &::kin::emitted::graph::Series) -> ::core::option::Option<::kin::emitted::graph::Series> {
+            Self::formula().law_over(x, #asked)
+        }
+        #[cold]
+        fn written(&self, graph: &mut ::kin::emitted::graph::Graph, x: ::kin::emitted::graph::Node) -> ::core::option::Option<::kin::emitted::graph::Node> {
+            Self::formula().law_in(graph, x, #asked)
+        }
+        #[cold]
+        fn by_parameter(&self, name: &str) -> ::core::option::Option<::kin::Law> {
+            Self::formula().law_by(name, #asked)
         }
         #[cold]
         fn trusted(&self) -> ::std::vec::Vec<::std::string::String> {
-            let all: [::std::vec::Vec<::std::string::String>; #count] = [#(#laws.trusted()),*];
-            all.concat()
+            Self::formula().law_trusted(&#outside)
         }
-    }
+    };
+    [formula, methods]
 }
 
 /// The table of an equation, the values of its parameters, and what computes what the table cannot.

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::Block;
 
 use super::kernel::Kernel;
-use super::{blame, demands, editor, rewrite, template, unlinted, written};
+use super::{alone, blame, demands, editor, rewrite, template, unlinted, written};
 use kin_graph::differentiate::Partial;
 use kin_language::lower::Lowered;
 use kin_language::parse::LawFn;
@@ -14,12 +14,16 @@ use kin_language::parse::LawFn;
 pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
     let body = rewrite::plain_law(source.written(), &source.parameters, &source.variable);
     let (written, edited) = (written(source, &body, lowered.as_ref()), editor::law(source, &body));
-    let over = lowered.as_ref().map(|lowered| blame::law(&source.parameters, lowered));
+    let text = lowered.as_ref().and_then(|lowered| alone::law_text(source, lowered));
+    let formula = lowered.as_ref().map(|lowered| blame::law(&source.parameters, lowered));
     let (jet, leaves) = match lowered {
         Some(lowered) => symbolic(source, lowered),
         None => (quote!(::kin::emitted::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
     };
-    let emitted = emit(source, [&jet, &over.unwrap_or_default()], &written, &leaves, &evaluate(source));
+    let ([formula, known], evaluate) = (formula.unwrap_or_default(), evaluate(source));
+    let own = quote!(#(#leaves)* #formula #evaluate);
+    let methods = quote!(fn jet(&self, x: f64) -> [f64; 4] { #jet } #known #text);
+    let emitted = emit(source, &written, &own, &methods);
     let shown = super::stand_in::law_function(source);
     quote! {
         #edited
@@ -82,13 +86,7 @@ fn evaluate(source: &LawFn) -> TokenStream {
     }
 }
 
-fn emit(
-    source: &LawFn,
-    [jet, over]: [&TokenStream; 2],
-    written: &TokenStream,
-    leaves: &[TokenStream],
-    evaluate: &TokenStream,
-) -> TokenStream {
+fn emit(source: &LawFn, written: &TokenStream, own: &TokenStream, methods: &TokenStream) -> TokenStream {
     let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
     let (types, values): (Vec<_>, Vec<_>) = source.parameters.iter().map(super::constructor_input).unzip();
@@ -114,8 +112,7 @@ fn emit(
                 #written
                 #unlinted
                 impl __Law {
-                    #(#leaves)*
-                    #evaluate
+                    #own
                     #set
                 }
                 #unlinted
@@ -123,13 +120,10 @@ fn emit(
                     fn kind(&self) -> &str {
                         #text
                     }
-                    fn jet(&self, x: f64) -> [f64; 4] {
-                        #jet
-                    }
                     fn description(&self) -> &str {
                         #description
                     }
-                    #over
+                    #methods
                     #visit
                     #refusal
                     fn with_parameter(&self, name: &str, value: f64) -> ::core::option::Option<::kin::Law> {

@@ -209,15 +209,15 @@ def law(function: Callable[[Any], Any]) -> Law:
     name = function.__name__ if function.__name__.isidentifier() else "law"
     if len(parameters) != 1:
         _mistakes.at(place, f"a law is a function of one variable; `{name}` has {len(parameters)}")
-    trace, argument = Trace(name), Argument(parameters[0], "Coord")
-    rows, _ = _flat(function(Coord(trace, trace.atom(argument.written, "f64"))), place)
+    trace, argument = Trace(name), Argument(parameters[0], "f64")
+    rows, _ = _flat(function(Expr(trace, trace.atom(argument.written, "f64"))), place)
     if len(rows) != 1:
         _mistakes.at(place, f"a law gives one number, not {len(rows)}")
     if not isinstance(rows[0], Expr):
         return Law.constant(float(rows[0]))
     trace.over = True
     text, places = _written(trace, name, [argument], [rows[0]._node], [0], function.__doc__)
-    made = Law({"kind": text, "numbers": {}})
+    made = Law({"kind": name, "text": text, "numbers": {}})
     try:
         made._native  # noqa: B018  the text is read now
     except ValueError as error:

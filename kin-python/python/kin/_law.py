@@ -38,7 +38,7 @@ class Law:
 
     @property
     def kind(self) -> str:
-        """Its kind, such as `ramp`; of a law from a function its text."""
+        """Its kind, such as `ramp`; of a law from a function the name of that."""
         return str(self._data["kind"])
 
     # The laws, in the order of docs/library.md.
@@ -202,8 +202,8 @@ class Law:
         return np.array([law.jet(one)[order] for one in array.ravel().tolist()]).reshape(array.shape)
 
     def __repr__(self) -> str:
-        if "fn " in self.kind:
-            return f"<law {self.kind.split('fn ')[-1].split('(')[0]}>"
+        if "text" in self._data:
+            return f"<law {self.kind}>"
         numbers = ", ".join(f"{name}={value:g}" for name, value in list(self._data["numbers"].items())[:6])
         return f"Law.{self.kind}({numbers})"
 

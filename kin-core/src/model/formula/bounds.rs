@@ -1,7 +1,7 @@
 //! A formula on series: bounds of an equation's rows over a box, and of a law over an interval.
 
 use crate::numbers::real::Dual3_64;
-use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source, evaluate};
+use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source};
 
 use crate::model::blame;
 use crate::model::formula::{Given, Outside, Table};
@@ -178,16 +178,6 @@ impl Table {
         }
         let expression = formula.expression(node)?;
         Some((expression.text.clone(), Some(self.source(expression))))
-    }
-
-    /// A law that is written as an expression of column 0.
-    pub fn law_over(&self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
-        let formula = self.formula();
-        if opaque(formula, outside).is_some() {
-            return None;
-        }
-        let inputs = Inputs { columns: &[*x], t: Series::constant(ZERO), parameters, outside };
-        Some(row(formula, 0, &evaluate(&formula.graph, &formula.rows, &inputs)))
     }
 }
 

@@ -41,6 +41,12 @@ impl<'a> Along<'a> {
         Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)), parameters, outside }
     }
 
+    /// A variable that is x, and moves at the rate 1.
+    pub(super) fn variable(x: f64, parameters: &'a [f64], outside: Outside<'a>) -> Self {
+        let x = Real(Dual3_64::new(x, 1.0, 0.0, 0.0));
+        Along { columns: vec![x], t: Number::from(f64::NAN), parameters, outside }
+    }
+
     /// The value of row 0 and its first three derivatives by s.
     pub(crate) fn first(&self, formula: &Formula) -> [f64; 4] {
         let Some(row) = formula.rows.first() else { return [f64::NAN; 4] };

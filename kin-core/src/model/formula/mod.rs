@@ -3,6 +3,7 @@
 
 pub(crate) mod bounds;
 pub(crate) mod jerk;
+mod law;
 pub(crate) mod time;
 
 use std::borrow::Cow;

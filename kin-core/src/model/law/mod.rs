@@ -44,6 +44,12 @@ pub trait LawFunction: Send + Sync {
         ""
     }
 
+    /// Its function as text in Kin's language, `fn lift(x: f64, h: f64) -> f64 { … }`, where that is all it
+    /// is: mechanism files carry it, for readers that do not know its kind.
+    fn text(&self) -> Option<&str> {
+        None
+    }
+
     /// f⁗(x), where it is known; not a number where it is not. Only the jerk of an equation that reads a
     /// law's slope asks for it.
     fn fourth(&self, x: f64) -> f64 {
@@ -217,7 +223,7 @@ impl Law {
     }
 
     /// ∂f/∂p as a law of x, p being the parameter of that name, where it is known.
-    pub(crate) fn by_parameter(&self, name: &str) -> Option<Law> {
+    pub fn by_parameter(&self, name: &str) -> Option<Law> {
         self.0.by_parameter(name)
     }
 
@@ -245,6 +251,11 @@ impl Law {
     #[doc(hidden)]
     pub fn trusted(&self) -> Vec<String> {
         self.0.trusted()
+    }
+
+    /// Its function as text in Kin's language, if it has one.
+    pub fn text(&self) -> Option<&str> {
+        self.0.text()
     }
 
     /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of
