@@ -144,7 +144,7 @@ fn comes_back(system: &kin::System, options: &kin::Options) -> kin::Result<()> {
 fn a_mechanism_comes_back_and_moves_the_same_to_the_last_bit() -> kin::Result<()> {
     let folder = std::env::temp_dir().join(format!("kin-data-{}", std::process::id()));
     let path = folder.join("mechanism.json");
-    model()?.write_json(&path)?;
+    model()?.write_json_for(&path, &registry())?;
     let back = Mechanism::read_json(&path, &registry())?;
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!(back.data()?, model()?.data()?);

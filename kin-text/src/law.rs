@@ -90,7 +90,7 @@ impl LawText {
         let lacks = |number: &String| format!("the law `{name}` lacks its number `{number}`");
         let of = |wanted: &String| number(wanted).ok_or_else(|| lacks(wanted));
         let numbers = signature.numbers.iter().map(of).collect::<Result<Vec<f64>, _>>()?;
-        let parts = signature.laws().map(|name| part(name)).collect::<Result<Vec<Law>, _>>()?;
+        let parts = signature.laws().map(part).collect::<Result<Vec<Law>, _>>()?;
         match names.find(|given| signature.number(given).is_none() && signature.law(given).is_none()) {
             Some(other) => Err(format!("the law `{name}` has no number `{other}`")),
             None => Ok(Law::new(WrittenLaw { read: self.0.clone(), numbers, parts })),

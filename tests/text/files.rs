@@ -118,6 +118,12 @@ fn lost_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
     s.y - k * lost(s.x)
 }
 
+#[constraint(dual)]
+fn dual_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k * s.x * s.x
+}
+
 /// The compiled mechanism, and the one that its file says to who has nothing but the file.
 fn compiled_and_read(name: &str, m: Mechanism) -> [Mechanism; 2] {
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.json"));
@@ -165,6 +171,26 @@ fn a_text_that_lacks_something_is_told_when_it_is_wanted() {
     let error = error.unwrap_or_default();
     assert!(error.contains("`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)"), "{error}");
     assert!(Mechanism::from_data(&data, &Registry::new().with::<lost_slot>()).is_ok());
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("lost_slot.json");
+    let error = m.write_json(&path).err().map(|error| error.to_string()).unwrap_or_default();
+    for part in
+        ["`slot`", "`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)", "`write_json_for("]
+    {
+        assert!(error.contains(part), "{error}");
+    }
+    assert!(!path.exists());
+}
+
+#[test]
+fn a_body_that_only_rustc_can_read_is_for_programs_that_have_it() {
+    let m = with_slot(|slider, ground| Box::new(dual_slot(slider, ground, vec2(0.1, 0.0), 2.0))).unwrap();
+    let data = m.data().unwrap();
+    assert!(Mechanism::from_data(&data, &Registry::new().with::<dual_slot>()).is_ok());
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("dual_slot.json");
+    let error = m.write_json(&path).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("`slot`") && error.contains("the dual route"), "{error}");
+    let error = Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string());
+    assert!(error.unwrap_or_default().contains("the dual route"));
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! A mechanism as data.
 
+use std::path::Path;
+
 use super::dimensions::{NumberData, Texts};
 use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData};
 use super::names::plain;
@@ -14,6 +16,22 @@ use crate::model::mechanism::{ConstraintId, Limit, Mechanism};
 use crate::model::units::Units;
 
 impl Mechanism {
+    /// Writes the mechanism as a JSON file that stands alone, making folders that are missing: whoever has
+    /// the file and a reader of texts has the mechanism.
+    ///
+    /// Errors: a constraint that cannot be described, or whose equation speaks of what the file cannot take
+    /// along, by name; a file that cannot be written.
+    pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
+        self.write_json_for(path, &Registry::new())
+    }
+
+    /// The same for programs with this registry: the constraints that it knows need no text.
+    pub fn write_json_for(&self, path: impl AsRef<Path>, registry: &Registry) -> Result<()> {
+        let data = self.data()?;
+        data.is_readable(registry)?;
+        super::write(path.as_ref(), &data)
+    }
+
     /// The mechanism as data, to be written by serde.
     ///
     /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type that serde
@@ -242,6 +260,24 @@ impl Mechanism {
                 Coordinate::Own { mechanism: self.layout.mechanism, index }
             }
         })
+    }
+}
+
+impl MechanismData {
+    /// Errors: the first constraint whose equation is not all there, and that the registry does not know.
+    pub(super) fn is_readable(&self, registry: &Registry) -> Result<()> {
+        let unread = |constraint: &&ConstraintData| {
+            !constraint.lacking.is_empty() && !registry.knows(&constraint.kind, &constraint.arguments)
+        };
+        let Some(ConstraintData { name, kind, lacking, .. }) = self.constraints.iter().find(unread) else {
+            return Ok(());
+        };
+        let reason = format!(
+            "a file cannot take its equation along, which speaks of {}; put that there, or write the file for programs that have \
+             `{kind}`, by `write_json_for(path, &Registry::new().with::<{kind}>())`",
+            lacking.join(" and of ")
+        );
+        Err(Error::Data { place: format!("constraint `{name}`"), reason })
     }
 }
 

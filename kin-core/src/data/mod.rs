@@ -47,13 +47,6 @@ fn is_first() -> u32 {
 }
 
 impl Mechanism {
-    /// Writes the mechanism as JSON ([`Mechanism::data`]), making folders that are missing.
-    ///
-    /// Errors: a constraint that cannot be described, a file that cannot be written.
-    pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
-        write(path.as_ref(), &self.data()?)
-    }
-
     /// The mechanism that such a file describes.
     ///
     /// Errors: a file that cannot be read, and those of [`Mechanism::from_data`].

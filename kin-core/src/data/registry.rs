@@ -187,6 +187,12 @@ impl Registry {
         }
     }
 
+    /// True if there is a constraint of that kind with these arguments.
+    pub(super) fn knows(&self, kind: &str, arguments: &[ArgumentData]) -> bool {
+        let kinds = arguments.iter().map(ArgumentData::kind).collect();
+        self.constraints.contains_key(&(kind.to_string(), kinds))
+    }
+
     fn unknown(&self, kind: &str, arguments: usize) -> String {
         match self.constraints.keys().any(|(known, _)| known == kind) {
             true => format!("no `{kind}` is known with these {arguments} arguments"),

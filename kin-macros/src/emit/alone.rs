@@ -58,6 +58,14 @@ pub fn law_text(source: &LawFn, lowered: &Lowered) -> Option<TokenStream> {
     })
 }
 
+/// The same of a function that only rustc has read.
+pub fn unread() -> TokenStream {
+    quote! {
+        to.put_text(::core::module_path!(), "");
+        to.lacks("a body that takes the dual route, which only its program can read");
+    }
+}
+
 fn put_constants(constants: &[Ident]) -> TokenStream {
     let names = constants.iter().map(Ident::to_string);
     quote! {

@@ -20,7 +20,10 @@ pub fn describe(source: &ConstraintFn, lowered: Option<&Lowered>) -> TokenStream
             _ => quote!(to.put(#text, &self.#name);),
         }
     });
-    let text = lowered.map(|lowered| super::alone::told(source, lowered));
+    let text = match lowered {
+        Some(lowered) => super::alone::told(source, lowered),
+        None => super::alone::unread(),
+    };
     quote! {
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _};
