@@ -31,6 +31,13 @@ fn damped(x: f64, rate: f64) -> f64 {
     (-rate * x * x).exp()
 }
 "#;
+/// Texts of laws, to be spoilt.
+pub const TEXTS: [&str; 4] = [
+    TEXT,
+    "fn lift(x: f64, h: f64) -> f64 { h * (1.0 - x.cos()) / 2.0 }",
+    "#[law]\nfn doubled(x: f64, inner: Law, k: f64) -> f64 { k * inner.at(2.0 * x) }",
+    "const A: f64 = 0.3;\nfn wave(x: f64, c: [f64; 3]) -> f64 { let mut s = A; for k in 0..3 { s += c[k] * x.powi(k as i32); } s }",
+];
 const NUMBERS: [(&str, f64); 4] = [("h", 0.04), ("beta", 1.5), ("c[0]", 0.2), ("c[1]", 0.7)];
 
 /// The whole text: the function that is meant is marked, since another one follows it.

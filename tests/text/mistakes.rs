@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use kin_text::Equation;
+use kin_text::{Equation, LawText};
 
 /// Places and messages of a text's mistakes, ``line:column message``.
 fn told(text: &str) -> Vec<String> {
@@ -79,6 +79,10 @@ fn texts() -> Vec<String> {
         });
         all.extend(pieces);
     }
+    // Laws, a tenth of all.
+    let laws = crate::laws::TEXTS.iter().map(|text| (*text).to_string());
+    let count = all.len() / 10;
+    all.extend(laws.cycle().take(count));
     all
 }
 
@@ -122,8 +126,8 @@ fn mutated_texts_are_read_or_refused_at_a_place() {
     for _ in 0..wanted {
         let text = mutated(&texts, &mut random);
         let start = std::time::Instant::now();
-        match Equation::read(&text) {
-            Ok(_) => read += 1,
+        match Equation::read(&text).map(drop).or_else(|_| LawText::read(&text).map(drop)) {
+            Ok(()) => read += 1,
             Err(mistakes) => {
                 assert!(!mistakes.0.is_empty(), "{text}");
                 for one in &mistakes.0 {
