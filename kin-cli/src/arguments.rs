@@ -204,19 +204,45 @@ pub struct Tolerance {
     pub name: String,
     #[command(flatten)]
     pub motion: Motion,
-    /// Of this extreme of the measure, instead of the time at which it is worst
+    /// Of this extreme of the measure, or of its stroke, instead of the time at which it is worst
     #[arg(long, value_enum)]
-    pub of: Option<End>,
+    pub of: Option<Asked>,
+    /// Makes so many mechanisms at random too, and tells mean, σ, quantiles and how many cannot be assembled
+    #[arg(long, value_name = "COUNT")]
+    pub samples: Option<usize>,
+    /// The same seed gives the same samples
+    #[arg(long, default_value_t = 1, requires = "samples")]
+    pub seed: u64,
+    /// The distribution of dimensions for which the file names none
+    #[arg(long, value_enum, default_value = "normal", requires = "samples")]
+    pub distribution: Distribution,
+    /// The values of the samples as CSV, the smallest first
+    #[arg(long, value_name = "FILE", requires = "samples")]
+    pub samples_csv: Option<String>,
     /// Where the table goes: dimension, tolerance, derivative, how far that is off, both shares
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
 }
 
-/// An extreme over all times.
+/// A number that a measure has over all times.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum End {
+pub enum Asked {
+    /// Its largest value
     Max,
+    /// Its smallest value
     Min,
+    /// The largest less the smallest
+    Stroke,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Distribution {
+    /// Normal, three σ being the tolerance
+    Normal,
+    /// The same without those that are off by more
+    TruncatedNormal,
+    /// Uniform within the tolerance
+    Uniform,
 }
 
 #[derive(Clone, Debug, Args)]

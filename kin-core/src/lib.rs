@@ -45,9 +45,10 @@ pub use coordinates::{
 };
 pub use data::Registry;
 pub use design::{
-    Contribution, ExtremeSensitivity, MeasureSensitivity, Sensitivities, Sensitivity, Tolerance,
+    Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Samples, Sampling, SecondOrder,
+    Sensitivities, Sensitivity, Tolerance,
 };
-pub use dimension::{Dimension, DimensionError, IntoNumber, IntoParameter};
+pub use dimension::{Dimension, DimensionError, Distribution, IntoNumber, IntoParameter};
 pub use error::{Error, Result};
 pub use forces::library as loads;
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};

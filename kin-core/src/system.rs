@@ -1,6 +1,6 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
-mod dimensions;
+pub(crate) mod dimensions;
 pub(crate) mod evaluate;
 mod kept;
 pub(crate) mod measures;

@@ -34,6 +34,26 @@ fn a_mechanism_comes_back_with_what_hangs_on_its_dimensions() {
 }
 
 #[test]
+fn distributions_and_clearances_come_back() {
+    let mut m = Mechanism::new("loose");
+    let a = m.dimension("a", 0.3).unwrap().tolerance(0.1).distributed(kin::Distribution::TruncatedNormal);
+    let gap = m.clearance("gap", 0.01).unwrap();
+    let crank = m.link("crank", a).unwrap();
+    m.add("O", revolute(crank, Ground, crank.start(), gap)).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
+    let text = serde_json::to_string(&m.data().unwrap()).unwrap();
+    for part in [r#""distribution":"truncated_normal""#, r#""name":"gap.x""#, r#""clearance":"gap""#] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+    let (one, other) = (m.clone().build().unwrap(), through_text(&m).build().unwrap());
+    let tolerance = |system: &System| {
+        let motion = system.run([0.5]).unwrap();
+        system.tolerance(&motion, "crank.R_x").unwrap()
+    };
+    assert_eq!(tolerance(&one), tolerance(&other));
+}
+
+#[test]
 fn laws_lists_and_odd_names_come_back() {
     let mut m = Mechanism::new("odd");
     let (a, b) = (m.dimension("link 2", 3.0).unwrap(), m.dimension("sin", 4.0).unwrap());

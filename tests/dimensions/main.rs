@@ -2,6 +2,7 @@
 
 mod files;
 mod mistakes;
+mod samples;
 mod set;
 mod slopes;
 mod tolerance;

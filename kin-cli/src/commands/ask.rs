@@ -1,8 +1,10 @@
 //! Questions about a mechanism and its motion.
 
-use kin::{Motion, Sharing};
+use kin::{Feature, Motion, Sampling, Sharing, System};
 
-use crate::arguments::{Assemblies, Check, Diagnose, End, Forces, Measure, Prove, Sensitivities, Tolerance};
+use crate::arguments::{
+    Asked, Assemblies, Check, Diagnose, Distribution, Forces, Measure, Prove, Sensitivities, Tolerance,
+};
 use crate::fault::Fault;
 use crate::model;
 use crate::output::{digits, put, table};
@@ -161,13 +163,14 @@ pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
     let name = asked.name.as_str();
     let found = match asked.of {
         None => system.tolerance(&motion, name),
-        Some(end) => {
+        Some(of) => {
             let extremes = system.extremes(&motion, name).map_err(Fault::asked)?;
-            let extreme = match end {
-                End::Max => extremes.max(),
-                End::Min => extremes.min(),
+            let feature: Feature = match of {
+                Asked::Max => extremes.max().into(),
+                Asked::Min => extremes.min().into(),
+                Asked::Stroke => (&extremes).into(),
             };
-            system.tolerance_of(&motion, name, &extreme)
+            system.tolerance_of(&motion, name, feature)
         }
     };
     let found = found.map_err(Fault::asked)?;
@@ -178,7 +181,24 @@ pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
         std::iter::once(one.name.clone()).chain(numbers.map(digits)).collect()
     });
     table(&asked.csv, &header.map(str::to_string), rows)?;
+    samples(asked, &system, &motion, found.feature, say)?;
     early.map_or(Ok(()), Err)
+}
+
+/// The same feature in mechanisms made at random, if it is asked for.
+fn samples(asked: &Tolerance, system: &System, motion: &Motion, of: Feature, say: &Say) -> Result<(), Fault> {
+    let Some(count) = asked.samples else { return Ok(()) };
+    let distribution = match asked.distribution {
+        Distribution::Normal => kin::Distribution::Normal,
+        Distribution::TruncatedNormal => kin::Distribution::TruncatedNormal,
+        Distribution::Uniform => kin::Distribution::Uniform,
+    };
+    let sampling = Sampling { count, seed: asked.seed, distribution };
+    let found = system.samples(motion, asked.name.as_str(), of, &sampling).map_err(Fault::asked)?;
+    say.note(&found.to_string());
+    let Some(to) = &asked.samples_csv else { return Ok(()) };
+    let header = [format!("{} [{}]", found.name(), found.unit())];
+    table(to, &header, found.values().iter().map(|value| vec![digits(*value)]))
 }
 
 /// Efforts of drives, forces of joints and energies over time, and the balance of powers in words.

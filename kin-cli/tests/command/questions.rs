@@ -138,6 +138,20 @@ fn tolerances_of_an_arm_are_those_of_its_length() {
     }
     let told = words(&done(&arguments));
     assert!(told.contains("arm.R_x (0.25 m at 1 s): ± 0.0005 worst case, ± 0.0005 RSS."), "{told}");
+    let stroke = ["tolerance", &file, "arm.R_x", "--times", "0:3:31", "--of", "stroke"];
+    let told = words(&done(&stroke));
+    assert!(told.contains("stroke of arm.R_x (0.35404 m): ± 0.000708 worst case"), "{told}"); // 0.25 (1 − cos 2)
+    let samples = ["--samples", "3000", "--seed", "5", "--distribution", "uniform"];
+    let told = words(&done(&[&arguments[..], &samples[..]].concat()));
+    assert!(told.contains("arm.R_x (m), 3000 samples of seed 5: mean 0.2"), "{told}");
+    assert!(told.contains("All of them can be assembled."), "{told}");
+    let out = format!("{file}.csv");
+    done(&[&arguments[..], &samples[..], &["--samples-csv", &out]].concat());
+    let table = std::fs::read_to_string(&out).expect("a file");
+    let values: Vec<f64> = table.lines().skip(1).map(|x| x.parse().expect("a number")).collect();
+    assert_eq!(values.len(), 3000);
+    let within = |x: &f64| (x - 0.25).abs() < 0.0005;
+    assert!(values.is_sorted() && values.iter().all(within) && values[2999] - values[0] > 0.00099);
     let names = data(&["check", &file, "--names"]);
     assert!(names.lines().any(|line| line == "dimension,reach,0.5"), "{names}");
     let output = done(&["tolerance", &example("04_four_bar"), "rocker.theta", "--times", "0:1:3"]);

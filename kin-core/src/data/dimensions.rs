@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use super::expression;
 use super::names::plain;
 use crate::model::constraint::Constraint;
-use crate::model::dimension::{Bound, Dimension, Entry, text_of};
+use crate::model::dimension::{Bound, Dimension, Distribution, Entry, text_of};
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::Mechanism;
 
@@ -31,6 +31,12 @@ pub struct DimensionData {
     /// How far it may be off.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
+    /// How it is distributed; normal if nothing is said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distribution: Option<Distribution>,
+    /// The clearance that it is one of the two dimensions of; its distribution is a disc.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<String>,
 }
 
 /// A number, or an expression of dimensions such as `"crank / 2"`.
@@ -291,8 +297,12 @@ impl Mechanism {
                 true => NumberData::Expression(expression()?),
                 false => NumberData::Number(entry.value),
             };
-            let Entry { name, unit, range: within, tolerance, .. } = entry.clone();
-            Ok(DimensionData { name, value, unit, within, tolerance })
+            let Entry { name, unit, range: within, tolerance, mut distribution, clearance, .. } =
+                entry.clone();
+            if clearance.is_some() {
+                distribution = None;
+            }
+            Ok(DimensionData { name, value, unit, within, tolerance, distribution, clearance })
         };
         store.entries.iter().enumerate().map(data).collect()
     }
@@ -327,6 +337,12 @@ impl Mechanism {
         }
         if let Some(tolerance) = data.tolerance {
             made = made.tolerance(tolerance);
+        }
+        if let Some(distribution) = data.distribution {
+            made = made.distributed(distribution);
+        }
+        if let Some(clearance) = &data.clearance {
+            made = made.in_clearance(plain("clearance", clearance)?);
         }
         if !data.unit.is_empty() {
             made.unit(plain("unit", &data.unit)?);

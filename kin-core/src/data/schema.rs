@@ -105,6 +105,11 @@ fn dimension() -> Value {
             ("unit", text("The word for its unit.")),
             ("within", json!({ "anyOf": [ends, { "type": "null" }] })),
             ("tolerance", number_or_null("How far it may be off, to either side.")),
+            ("distribution", json!({ "enum": ["normal", "truncated_normal", "uniform", "disc", null] })),
+            (
+                "clearance",
+                json!({ "type": ["string", "null"], "description": "The clearance that it is one of two dimensions of." }),
+            ),
         ],
     )
 }

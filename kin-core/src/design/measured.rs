@@ -55,6 +55,10 @@ impl Sensitivities<'_> {
     /// Errors: those of [`Sensitivities::of`] and [`crate::System::at`]; an extreme at which the second rate
     /// vanishes too.
     pub fn extreme(&self, what: impl Measure, extreme: &Extreme) -> Result<Vec<ExtremeSensitivity>> {
+        self.turning(&what, extreme)
+    }
+
+    fn turning(&self, what: &dyn Measure, extreme: &Extreme) -> Result<Vec<ExtremeSensitivity>> {
         self.all().iter().try_for_each(|by| smooth::kink(self.motion, extreme.t, by.name()))?;
         let pose = self.system.at(self.motion, extreme.t)?;
         let names = self.all().iter().map(Sensitivity::name);
@@ -71,7 +75,27 @@ impl Sensitivities<'_> {
             let reason = "the second rate vanishes at the extreme too: its time has no derivative";
             Err(NoDerivative::error(&by.name, reason))
         };
-        there.each(&what)?.into_iter().map(found).collect()
+        there.each(what)?.into_iter().map(found).collect()
+    }
+
+    /// How the difference of two extremes of a measure, the first less the second, changes with each
+    /// parameter: of the values (a stroke, a swing) and of the times (between dead centres).
+    ///
+    /// Errors: those of [`Sensitivities::extreme`].
+    pub fn between(
+        &self,
+        what: impl Measure,
+        first: &Extreme,
+        second: &Extreme,
+    ) -> Result<Vec<ExtremeSensitivity>> {
+        let [first, second] = [first, second].map(|extreme| self.turning(&what, extreme));
+        let both = first?.into_iter().zip(second?);
+        let less = |(a, b): (ExtremeSensitivity, ExtremeSensitivity)| ExtremeSensitivity {
+            name: a.name,
+            t: a.t - b.t,
+            value: a.value - b.value,
+        };
+        Ok(both.map(less).collect())
     }
 
     pub(super) fn each(&self, what: &dyn Measure) -> Result<Vec<MeasureSensitivity>> {

@@ -9,17 +9,20 @@
 //! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇, J̈ and P,
 //! Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve every parameter
 //! forward (`sensitivities.rs`), and transposed every parameter at once (`adjoint.rs`). With tolerances of
-//! dimensions they tell how far a measure may be off (`tolerance.rs`).
+//! dimensions they tell how far a measure, or an extreme or a stroke of it (`feature.rs`), may be off
+//! (`tolerance/`).
 
 mod adjoint;
 mod along;
 mod asked;
 mod equation;
+mod feature;
 mod measured;
 mod sensitivities;
 mod smooth;
 mod tolerance;
 
+pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use sensitivities::{Sensitivities, Sensitivity};
-pub use tolerance::{Contribution, Tolerance};
+pub use tolerance::{Contribution, Samples, Sampling, SecondOrder, Tolerance};

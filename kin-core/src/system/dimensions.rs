@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::System;
 use super::parameters::CasePlace;
-use crate::model::dimension::{Bound, DimensionError, Entry, Snapshot};
+use crate::model::dimension::{Bound, DimensionError, Distribution, Entry, Snapshot};
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::admission::sensible_parameters;
 
@@ -15,6 +15,16 @@ pub(super) struct Dimensions {
     values: Vec<f64>,
 }
 
+/// A dimension that may be off.
+#[derive(Clone)]
+pub(crate) struct Toleranced {
+    pub name: String,
+    pub unit: String,
+    pub tolerance: f64,
+    pub distribution: Option<Distribution>,
+    pub clearance: Option<String>,
+}
+
 impl System {
     /// Names and values of the dimensions, in the order in which they were made; an expression that was given
     /// a name is one of them.
@@ -23,14 +33,33 @@ impl System {
         all.entries.iter().map(|entry| entry.name.clone()).zip(all.named(values)).collect()
     }
 
-    /// Name, tolerance and unit of the dimensions that may be off.
-    pub(crate) fn toleranced(&self) -> Vec<(String, f64, String)> {
+    /// The dimensions that may be off.
+    pub(crate) fn toleranced(&self) -> Vec<Toleranced> {
         let entries = self.dimensions.iter().flat_map(|own| &own.all.entries);
         let off = |entry: &Entry| {
             let tolerance = entry.tolerance.filter(|tolerance| *tolerance > 0.0 && !entry.is_derived)?;
-            Some((entry.name.clone(), tolerance, entry.unit.clone()))
+            Some(Toleranced {
+                name: entry.name.clone(),
+                unit: entry.unit.clone(),
+                tolerance,
+                distribution: entry.distribution,
+                clearance: entry.clearance.clone(),
+            })
         };
         entries.filter_map(off).collect()
+    }
+
+    /// The system with this pose for a guess: no other one is preferred, and it hangs on no dimensions.
+    pub(crate) fn guessed(&self, q: &[f64]) -> System {
+        let mut system = self.clone();
+        system.forget();
+        system.initial.copy_from_slice(q);
+        system.preferred.clear();
+        system.asked.clear();
+        if let Some(own) = &mut system.dimensions {
+            own.all = Arc::new(own.all.without_guesses());
+        }
+        system
     }
 
     /// The system with dimensions that are off by so much, beyond their ranges too; `None` where that makes

@@ -19,6 +19,14 @@ impl System {
         Ok(pose)
     }
 
+    /// The pose at t next to q, with its rates: a motion of that time alone. Nothing that is preferred is
+    /// asked for.
+    pub(crate) fn next_to(&self, t: f64, q: &[f64]) -> Result<Motion> {
+        let mut pose = Motion::new(self, 1);
+        self.append_solved(t, q, false, &mut pose)?;
+        Ok(pose)
+    }
+
     /// Appends the pose at t, which lies between time k of a motion and the next, to another motion.
     pub(super) fn add_between(&self, motion: &Motion, k: usize, t: f64, to: &mut Motion) -> Result<()> {
         let all = 0..self.n_coordinates();
@@ -27,9 +35,13 @@ impl System {
             to.append(t, motion.orders(same, all), outcome, 0);
             return Ok(());
         }
-        let q = interpolated(motion, k, t);
-        let Solution { q, qd, qdd, report, .. } = self.solve_at(t, &q)?;
-        let qddd = if motion.has_jerk() { self.jerk(&q, &qd, &qdd, t)? } else { Vec::new() };
+        self.append_solved(t, &interpolated(motion, k, t), motion.has_jerk(), to)
+    }
+
+    /// Appends the pose at t next to q.
+    fn append_solved(&self, t: f64, q: &[f64], jerk: bool, to: &mut Motion) -> Result<()> {
+        let Solution { q, qd, qdd, report, .. } = self.solve_at(t, q)?;
+        let qddd = if jerk { self.jerk(&q, &qd, &qdd, t)? } else { Vec::new() };
         let worst = self.names_of_equations().iter().position(|name| *name == report.worst).unwrap_or(0);
         to.append(
             t,
@@ -84,7 +96,7 @@ impl Motion {
 
 /// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its ends
 /// (quintic Hermite interpolation).
-fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2]) -> [f64; 6] {
+pub(crate) fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2]) -> [f64; 6] {
     let (x, v, a) = (x1 - (x0 + v0 + 0.5 * a0), v1 - (v0 + a0), a1 - a0);
     [x0, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, -15.0 * x + 7.0 * v - a, 6.0 * x - 3.0 * v + 0.5 * a]
 }

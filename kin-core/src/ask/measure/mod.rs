@@ -13,6 +13,7 @@ pub(crate) mod kinks;
 mod limits;
 mod roots;
 
+pub(crate) use between::quintic;
 pub use extremes::{Extreme, Extremes};
 pub use roots::Crossing;
 

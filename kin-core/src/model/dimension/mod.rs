@@ -2,6 +2,7 @@
 
 mod arithmetic;
 mod bindings;
+mod distribution;
 mod error;
 mod given;
 mod invalid;
@@ -14,6 +15,7 @@ use kin_graph::Node;
 use crate::model::coordinates::MechanismId;
 
 pub use bindings::{Bindings, Name};
+pub use distribution::Distribution;
 pub use error::DimensionError;
 pub use given::{IntoNumber, IntoParameter, vector};
 pub(crate) use snapshot::{Bound, Hung, Snapshot};
@@ -86,9 +88,20 @@ impl Dimension {
         self.describe(|entry| entry.tolerance = Some(tolerance))
     }
 
+    /// How it is distributed where it has a tolerance; normal if nothing is said. [`Distribution::Disc`] is
+    /// that of clearances alone: of another dimension it is told when the mechanism is built.
+    pub fn distributed(self, distribution: Distribution) -> Self {
+        self.describe(|entry| entry.distribution = Some(distribution))
+    }
+
     /// Its unit, for tables and files: a word, nothing is converted.
     pub fn unit(self, unit: &str) -> Self {
         self.describe(|entry| entry.unit = unit.to_string())
+    }
+
+    /// One of the two dimensions of a clearance.
+    pub(crate) fn in_clearance(self, name: &str) -> Self {
+        self.distributed(Distribution::Disc).describe(|entry| entry.clearance = Some(name.to_string()))
     }
 
     /// Writes down what is known of a named dimension; of anything else it is told at build.

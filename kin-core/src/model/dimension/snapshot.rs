@@ -47,6 +47,12 @@ impl Snapshot {
         Snapshot { graph: graph.clone(), entries: entries.to_vec(), hung, behind }
     }
 
+    /// The same where no guess hangs on them.
+    pub(crate) fn without_guesses(&self) -> Snapshot {
+        let hung = self.hung.iter().filter(|hung| !matches!(hung.at, Bound::Guess(_)));
+        Snapshot::new(&self.graph, &self.entries, hung.cloned().collect())
+    }
+
     /// The values that the dimensions were made with.
     pub(crate) fn nominal(&self) -> Vec<f64> {
         self.entries.iter().map(|entry| entry.value).collect()

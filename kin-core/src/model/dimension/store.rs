@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use kin_graph::{Graph, Node};
 
-use super::Of;
+use super::{Distribution, Of};
 use crate::model::coordinates::MechanismId;
 
 /// The dimensions of one mechanism and of its copies.
@@ -30,6 +30,9 @@ pub(crate) struct Entry {
     pub unit: String,
     pub range: Option<[f64; 2]>,
     pub tolerance: Option<f64>,
+    pub distribution: Option<Distribution>,
+    /// The clearance that it is one of the two dimensions of.
+    pub clearance: Option<String>,
 }
 
 /// A store that can be found by the number of its mechanism as long as somebody holds it.

@@ -5,10 +5,11 @@ use kin_graph::{Input, Op};
 use super::Mechanism;
 use crate::model::constraint::Constraint;
 use crate::model::dimension::{
-    Bound, Dimension, DimensionError, Entry, Hung, IntoNumber, Of, Shared, Snapshot, text_of,
+    Bound, Dimension, DimensionError, Distribution, Entry, Hung, IntoNumber, Of, Shared, Snapshot, text_of,
 };
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
+use crate::numbers::algebra::Vec2;
 
 impl Mechanism {
     /// A named number that others hang on, with its nominal value: a length, an angle, a rate. See
@@ -41,10 +42,34 @@ impl Mechanism {
             }
         };
         let (value, unit) = (number.value(), String::new());
-        let entry =
-            Entry { name: name.to_string(), node, is_derived, value, unit, range: None, tolerance: None };
+        let entry = Entry {
+            name: name.to_string(),
+            node,
+            is_derived,
+            value,
+            unit,
+            range: None,
+            tolerance: None,
+            distribution: None,
+            clearance: None,
+        };
         store.entries.push(entry);
         Ok(Dimension::new(value, mechanism, node))
+    }
+
+    /// The clearance of a joint, a dimension of two numbers: where its pin is in its hole, which is wider by
+    /// `radius` on every side. Both are zero, and may be off, uniformly in the disc of that radius. It is
+    /// added to a point of the joint: `revolute(crank, rod, crank.end() + gap, rod.start())`.
+    ///
+    /// Errors: those of [`Mechanism::dimension`] for `NAME.x` and `NAME.y`; a radius that is negative or not
+    /// finite is told when the mechanism is built.
+    pub fn clearance(&mut self, name: &str, radius: f64) -> Result<Vec2<Dimension>> {
+        if name.trim().is_empty() {
+            return Err(Error::EmptyName { what: "clearance" });
+        }
+        let [x, y] = ["x", "y"].map(|axis| self.dimension(&format!("{name}.{axis}"), 0.0));
+        let own = |part: Dimension| part.tolerance(radius).in_clearance(name);
+        Ok(Vec2 { x: own(x?), y: own(y?) })
     }
 
     /// An error by name unless a number is a constant or of this mechanism's dimensions.
@@ -132,6 +157,7 @@ impl Mechanism {
         }
         for (k, entry) in store.entries.iter().enumerate() {
             entry.check()?;
+            entry.check_clearance(&store.entries)?;
             self.check_name(&entry.name)?;
             if !entry.is_derived && snapshot.on(k).next().is_none() {
                 return Err(Box::new(DimensionError::Unused { name: entry.name.clone() }).into());
@@ -171,6 +197,28 @@ impl Entry {
                 fail(format!("its tolerance is ± {tolerance}; give a finite number that is not negative"))
             }
             _ => Ok(()),
+        }
+    }
+    /// An error unless a disc is that of a clearance, which has two dimensions with one tolerance.
+    fn check_clearance(&self, all: &[Entry]) -> Result<()> {
+        let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
+        match (&self.clearance, self.distribution) {
+            (None, Some(Distribution::Disc)) => {
+                fail("a disc is the distribution of a clearance: make it by `m.clearance(…)`".to_string())
+            }
+            (None, _) => Ok(()),
+            (Some(name), Some(Distribution::Disc)) => {
+                let own: Vec<&Entry> = all.iter().filter(|other| other.clearance == self.clearance).collect();
+                match own[..] {
+                    [a, b] if a.tolerance == b.tolerance && a.tolerance.is_some() => Ok(()),
+                    _ => fail(format!(
+                        "the clearance `{name}` has two dimensions, and one tolerance for both of them"
+                    )),
+                }
+            }
+            (Some(name), _) => {
+                fail(format!("it is one of the clearance `{name}`, which is uniform in its disc"))
+            }
         }
     }
 }

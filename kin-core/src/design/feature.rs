@@ -1,0 +1,210 @@
+//! Numbers that a measure has over a motion, and what they are in the same mechanism with other dimensions.
+
+use std::f64::consts::TAU;
+
+use crate::ask::measure::{Extreme, Extremes, Measure};
+use crate::model::error::Result;
+use crate::solve::motion::Motion;
+use crate::solve::newton::Options;
+use crate::system::System;
+
+/// Steps of time in which an extreme is followed to where it has moved.
+const STEPS: usize = 40;
+
+/// A number that a measure has over a motion: its value at a time, an extreme, its stroke.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Feature {
+    /// Its value at this time.   \[s\]
+    At(f64),
+    /// The value of an extreme, wherever in time that moves.
+    Extreme(Extreme),
+    /// Its largest less its smallest value, wherever in time these move: a stroke, a swing, a lift.
+    Stroke([Extreme; 2]),
+}
+
+impl From<f64> for Feature {
+    fn from(t: f64) -> Self {
+        Feature::At(t)
+    }
+}
+
+impl From<Extreme> for Feature {
+    fn from(extreme: Extreme) -> Self {
+        Feature::Extreme(extreme)
+    }
+}
+
+impl From<&Extreme> for Feature {
+    fn from(extreme: &Extreme) -> Self {
+        Feature::Extreme(*extreme)
+    }
+}
+
+impl From<&Extremes> for Feature {
+    /// The stroke.
+    fn from(extremes: &Extremes) -> Self {
+        Feature::Stroke([extremes.max(), extremes.min()])
+    }
+}
+
+impl Feature {
+    /// Its time; of a stroke that of the largest value.   \[s\]
+    pub fn t(&self) -> f64 {
+        match self {
+            Feature::At(t) => *t,
+            Feature::Extreme(extreme) | Feature::Stroke([extreme, _]) => extreme.t,
+        }
+    }
+}
+
+/// One value in a feature, which is a sum of them.
+pub(super) struct Term {
+    pub sign: f64,
+    pub t: f64,
+    /// Of a place where the measure turns round, true for a maximum; `None` of a fixed time.
+    pub turn: Option<bool>,
+    /// The pose there.
+    pub pose: Motion,
+    /// The measure of that pose alone, without turns that only a motion counts.
+    pub here: f64,
+}
+
+/// A feature of a measure, with all that is needed to find it again where dimensions are other ones.
+pub(super) struct Followed<'a, M> {
+    pub system: &'a System,
+    pub motion: &'a Motion,
+    pub what: &'a M,
+    pub terms: Vec<Term>,
+    pub name: String,
+    pub unit: String,
+    /// Its value with the dimensions as they are.
+    pub nominal: f64,
+}
+
+impl<'a, M: Measure> Followed<'a, M> {
+    /// Errors: those of [`System::at`] and of the measure.
+    pub(super) fn new(
+        system: &'a System,
+        motion: &'a Motion,
+        what: &'a M,
+        feature: &Feature,
+    ) -> Result<Self> {
+        let ends = [motion.times().first(), motion.times().last()];
+        let turn = |extreme: &Extreme| (!ends.contains(&Some(&extreme.t))).then_some(extreme.is_max);
+        let places = match feature {
+            Feature::At(t) => vec![(1.0, *t, None)],
+            Feature::Extreme(extreme) => vec![(1.0, extreme.t, turn(extreme))],
+            Feature::Stroke([most, least]) => {
+                vec![(1.0, most.t, turn(most)), (-1.0, least.t, turn(least))]
+            }
+        };
+        let (mut terms, mut named) = (Vec::new(), (String::new(), String::new()));
+        for (sign, t, turn) in places {
+            let pose = system.at(motion, t)?;
+            let value = what.of(system, &pose)?.value;
+            named = (value.name().to_string(), value.unit().to_string());
+            terms.push(Term { sign, t, turn, pose, here: first(value.values()) });
+        }
+        let grid = |t: f64| motion.times().iter().position(|known| *known == t);
+        let nominal = match feature {
+            Feature::At(t) => match grid(*t) {
+                Some(k) => what.of(system, motion)?.value.values().get(k).copied().unwrap_or(f64::NAN),
+                None => terms[0].here,
+            },
+            Feature::Extreme(extreme) => extreme.value,
+            Feature::Stroke([most, least]) => most.value - least.value,
+        };
+        let (name, unit) = named;
+        let name = if matches!(feature, Feature::Stroke(_)) { format!("stroke of {name}") } else { name };
+        Ok(Followed { system, motion, what, terms, name, unit, nominal })
+    }
+
+    /// Its value in the same mechanism with other dimensions; `None` where it cannot be assembled.
+    pub(super) fn value(&self, other: &System) -> Option<f64> {
+        self.terms.iter().try_fold(self.nominal, |sum, term| {
+            let pose = self.pose(term, other)?;
+            let there = first(self.what.of(other, &pose).ok()?.value.values());
+            Some(sum + term.sign * self.change(term, there))
+        })
+    }
+
+    /// How far a term is from its value here. One pose alone does not count turns.
+    pub(super) fn change(&self, term: &Term, there: f64) -> f64 {
+        let change = there - term.here;
+        if self.unit == "rad" { change - TAU * (change / TAU).round() } else { change }
+    }
+
+    /// Its exact derivatives by dimensions and parameters, in the same mechanism with other dimensions. As
+    /// the rate vanishes at an extreme, its value changes as the measure does at that time.
+    ///
+    /// Errors: those of [`System::sensitivities`] and of the measure; `None` where it cannot be assembled.
+    pub(super) fn gradient(&self, other: &System, names: &[String]) -> Result<Option<Vec<f64>>> {
+        let mut sum = vec![0.0; names.len()];
+        for term in &self.terms {
+            let Some(pose) = self.pose(term, other) else { return Ok(None) };
+            let by = other.sensitivities(&pose, names)?.each(self.what)?;
+            sum.iter_mut().zip(&by).for_each(|(sum, by)| *sum += term.sign * first(&by.value));
+        }
+        Ok(Some(sum))
+    }
+
+    /// The pose of a term in the same mechanism with other dimensions.
+    pub(super) fn pose(&self, term: &Term, other: &System) -> Option<Motion> {
+        let found = match term.turn {
+            None => other.next_to(term.t, term.pose.q(0)).ok(),
+            Some(is_max) => self.turned(term, other, is_max).or_else(|| self.searched(term, other, is_max)),
+        };
+        let orientation = |system: &System, pose: &Motion| orientation(system, pose.times()[0], pose.q(0));
+        found.filter(|pose| orientation(self.system, &term.pose) == orientation(other, pose))
+    }
+
+    /// The extreme next to that of the term, by Newton's method on the rate.
+    fn turned(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
+        let [from, to] = [self.motion.times().first()?, self.motion.times().last()?];
+        let (span, mut pose) = ((to - from).abs(), other.next_to(term.t, term.pose.q(0)).ok()?);
+        for _ in 0..STEPS {
+            let t = pose.times()[0];
+            let here = self.what.of(other, &pose).ok()?;
+            let (rate, second) = (first(here.rate.values()), first(here.second_rate.values()));
+            let step = -rate / second;
+            if !step.is_finite() || step.abs() > 0.1 * span || (t - term.t).abs() > 0.25 * span {
+                return None;
+            }
+            if step.abs() <= 4.0 * f64::EPSILON * (t.abs() + span) {
+                return ((second < 0.0) == is_max).then_some(pose);
+            }
+            let next = |j: usize| pose.q(0)[j] + step * (pose.qd(0)[j] + 0.5 * step * pose.qdd(0)[j]);
+            let q: Vec<f64> = (0..other.n_coordinates()).map(next).collect();
+            let next = other.next_to(t + step, &q).ok()?;
+            pose = next;
+        }
+        None
+    }
+
+    /// The extreme of the same kind that is next in time, of a whole run.
+    fn searched(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
+        let motion = other.guessed(self.motion.q(0)).run_with(self.motion.times(), &unrescued()).ok()?;
+        let extremes = other.extremes(&motion, |motion: &Motion| self.what.of(other, motion)).ok()?;
+        let same = extremes.all().iter().filter(|extreme| extreme.is_max == is_max);
+        let near = same.min_by(|a, b| (a.t - term.t).abs().total_cmp(&(b.t - term.t).abs()))?;
+        other.at(&motion, near.t).ok()
+    }
+}
+
+/// True if det C_q > 0, which changes at singular positions only; `None` where there is no sign.
+pub(super) fn orientation(system: &System, t: f64, q: &[f64]) -> Option<bool> {
+    let c_q = system.jacobian(q, t).ok().filter(|c_q| c_q.is_square())?;
+    let lu = c_q.lu();
+    let minus = (0..lu.u().nrows()).filter(|k| lu.u()[(*k, *k)] < 0.0).count();
+    Some((minus % 2 == 0) == (lu.p().determinant::<f64>() > 0.0))
+}
+
+/// No search of the whole space where there is no position next to the guess.
+pub(super) fn unrescued() -> Options {
+    Options { rescue: false, ..Options::default() }
+}
+
+pub(super) fn first(all: &[f64]) -> f64 {
+    all.first().copied().unwrap_or(f64::NAN)
+}
