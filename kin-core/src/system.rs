@@ -9,6 +9,7 @@ pub(crate) mod scale;
 pub(crate) mod scaled;
 pub(crate) mod singular;
 mod states;
+pub(crate) mod stop;
 mod terms;
 
 use std::f64::consts::TAU;

@@ -7,6 +7,7 @@
 //! through `dyn` is never inlined into a caller with wider registers.
 
 mod kernel;
+pub(crate) mod lanewise;
 mod level;
 mod number;
 mod trig;

@@ -5,6 +5,8 @@ use std::ops::{Deref, DerefMut};
 
 use wide::f64x4;
 
+use super::lanes::lanewise::misses;
+
 /// Quad numbers that are computed together.
 pub(crate) type Quad = [f64; 4];
 
@@ -130,8 +132,7 @@ pub(crate) fn miss(
     shares: &Padded,
     turns: &Padded,
 ) -> [f64; 2] {
-    let (h, half, mut miss, mut reach, mut all) =
-        (f64x4::splat(h), f64x4::splat(0.5 * h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
+    let (h, mut miss, mut reach, mut all) = (f64x4::splat(h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
     let [q, qd, qdd] = from.map(|x| x.whole().iter());
     let [r, rd, rdd] = to.map(|x| x.whole().iter());
     let ends = q.zip(qd).zip(qdd).zip(r).zip(rd).zip(rdd);
@@ -140,8 +141,7 @@ pub(crate) fn miss(
     {
         let [q, qd, qdd, r, rd, rdd, share, turn] =
             [q, qd, qdd, r, rd, rdd, share, turn].map(|four| f64x4::new(*four));
-        let d = r - q;
-        let (forward, back) = (d - h * (qd + half * qdd), d - h * (rd - half * rdd));
+        let [forward, back, d] = misses(h, [q, qd, qdd], [r, rd, rdd]);
         miss = miss.fast_max(forward.abs().fast_max(back.abs()) * share);
         reach = reach.fast_max(d.abs() * turn);
         all += forward + back;

@@ -1,9 +1,16 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
+//!
+//! One iteration ([`iterate`]) serves single positions, redundant mechanisms ([`redundant`]) and cases in
+//! lanes ([`lanes`]), and one loop ([`advance`]) the smaller steps of time. Vectors alone are there twice, in
+//! whole fours and over lanes: through the vectors of lanes a single case takes 10 690 instructions a step
+//! of a four-bar instead of 8270, and eight cases one by one take 66 000 instead of 10 690.
 
 mod advance;
 pub(crate) mod compiled;
 mod driven;
 pub(crate) mod first_position;
+mod iterate;
+pub(crate) mod lanes;
 mod law_breaks;
 mod options;
 pub(crate) mod predictor;
@@ -21,10 +28,8 @@ use crate::linear::{Linear, RANK};
 use crate::numbers::padded::{self, Padded};
 use crate::system::System;
 use crate::system::evaluate::{Bad, Instant};
-
-/// A correction that stalls above this share of its coordinate is no rounding but a singular
-/// position.   \[-\]
-pub(crate) const STALL: f64 = 1e-9;
+use crate::system::stop;
+use iterate::single::Single;
 
 /// A position with a pivot below this cannot be told from a singular one.   \[-\]
 pub(crate) const DOUBTFUL: f64 = RANK;
@@ -87,8 +92,8 @@ pub(crate) struct Newton<'a> {
     pub sizes: Vec<f64>,
     /// 1 / s_j
     shares: Padded,
-    /// Tolerance of each row less its error.
-    left: Vec<f64>,
+    /// How far each row may be off.
+    allowed: Vec<f64>,
     /// max |C_i| at the last linearization.
     residual: f64,
     /// Newton steps of all attempts, and how many there were before this time.
@@ -114,7 +119,7 @@ impl<'a> Newton<'a> {
             linear: system.linear(),
             sizes: vec![1.0; n],
             shares: Padded::new(n, 1.0),
-            left: vec![0.0; n],
+            allowed: vec![0.0; n],
             residual: 0.0,
             steps: 0,
             steps_before: 0,
@@ -131,50 +136,21 @@ impl<'a> Newton<'a> {
 
     /// Newton's method from the point in hand; on success the matrix at the solution is factored.
     pub(crate) fn solve(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
-        self.linearize(t)?;
-        self.iterate(t, steps, true)
+        self.iterate(t, steps, false)
     }
 
     /// The same where the point in hand is the solution of another time: only what depends on the time is
     /// evaluated at first.
     pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
-        let equations = self.system.equations();
-        equations.set_time(t, &mut self.instant);
-        let changed = equations.relinearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
-        self.measure(changed)?;
-        self.iterate(t, steps, changed)
+        self.iterate(t, steps, true)
     }
 
-    /// Newton's method from what was evaluated at the point in hand; `changed` tells whether C_q has to be
-    /// factored yet.
-    fn iterate(&mut self, t: f64, steps: Steps, mut changed: bool) -> Result<Outcome, Failure> {
-        let (mut previous, mut iteration) = (f64::INFINITY, 0);
-        loop {
-            if changed && !self.linear.factor() {
-                return Err(Failure::Singular);
-            }
-            if let Stop::ResidualOnly(bound) = self.options.stop
-                && self.residual < bound
-            {
-                return self.regular(iteration);
-            }
-            self.linear.solve();
-            let correction = self.correction();
-            if self.converged(correction, previous) {
-                // The correction costs nothing any more, and keeps errors of predictions from adding up.
-                if self.options.predict {
-                    self.correct_last();
-                }
-                return self.regular(iteration);
-            }
-            if iteration == self.options.max_iterations || (steps == Steps::Near && correction > previous) {
-                return Err(self.failure());
-            }
-            previous = correction;
-            self.step(if correction <= STALL { Steps::Full } else { steps })?;
-            (self.steps, iteration, changed) = (self.steps + 1, iteration + 1, true);
-            self.linearize(t)?;
-        }
+    fn iterate(&mut self, t: f64, steps: Steps, still: bool) -> Result<Outcome, Failure> {
+        let (options, near) = (self.options, steps == Steps::Near);
+        let mut single = Single { newton: self, t, steps, still, iterations: 0, failure: None };
+        let found = iterate::newton(&mut single, options, near, (true, 0.0));
+        let Single { iterations, failure, .. } = single;
+        if found { self.regular(iterations) } else { Err(failure.unwrap_or_else(|| self.failure())) }
     }
 
     /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is
@@ -230,6 +206,14 @@ impl<'a> Newton<'a> {
         self.measure(true)
     }
 
+    /// The same where the point in hand is what it was at another time; true if C_q has changed.
+    fn relinearize(&mut self, t: f64) -> Result<bool, Failure> {
+        let equations = self.system.equations();
+        equations.set_time(t, &mut self.instant);
+        let changed = equations.relinearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
+        self.measure(changed).map(|()| changed)
+    }
+
     /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not
     /// finite.
     #[inline(always)]
@@ -248,63 +232,31 @@ impl<'a> Newton<'a> {
         self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
-    /// max |dq_j| of the correction in hand, each against what may be asked of it, or more if that is within
-    /// the tolerance.
-    fn correction(&self) -> f64 {
-        let tolerance = match self.options.stop {
-            Stop::Converged { tolerance } => tolerance,
-            // The correction is not needed where steps are taken as they come.
-            Stop::ResidualOnly(_) if !self.options.rescue => return f64::INFINITY,
-            Stop::ResidualOnly(_) => f64::INFINITY,
-        };
-        let shares = padded::largest_share(self.linear.whole_solution(), self.shares.whole());
-        if shares <= tolerance { shares } else { self.correction_but_for_rounding(rounding(tolerance)) }
-    }
-
-    /// The same where rounding of q is allowed for.
-    fn correction_but_for_rounding(&self, rounding: f64) -> f64 {
-        let all = self.linear.solution().iter().zip(self.q.iter()).zip(&self.sizes);
-        largest(all.map(|((dq, q), size)| dq.abs() / (size + rounding * q.abs())))
-    }
-
-    /// The stop rule that tests the correction too.
-    fn converged(&mut self, correction: f64, previous: f64) -> bool {
-        let Stop::Converged { tolerance } = self.options.stop else { return false };
-        // Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no
-        // more can be had.
-        (self.met() && correction <= tolerance) || (correction > 0.5 * previous && correction <= STALL)
-    }
-
-    /// True if C = 0 holds to the tolerance, each row by its own measure.
+    /// True if C = 0 holds to the tolerance, each row by its own measure; by the residual alone where that is
+    /// the stop rule.
     fn met(&mut self) -> bool {
-        let tolerance = match self.options.stop {
-            Stop::Converged { tolerance } => tolerance,
-            Stop::ResidualOnly(bound) => return self.residual < bound,
-        };
-        padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance
-            || self.met_but_for_rounding(tolerance)
+        match self.options.stop {
+            Stop::Converged { tolerance } => self.is_within(tolerance),
+            Stop::ResidualOnly(bound) => self.residual < bound,
+        }
     }
 
-    /// The same where rounding of q, which makes Σ_j |∂C_i/∂q_j| |q_j| ε of row i, is allowed for.
-    fn met_but_for_rounding(&mut self, tolerance: f64) -> bool {
-        for ((left, c), norm) in self.left.iter_mut().zip(self.c.iter()).zip(self.linear.norms()) {
-            *left = tolerance * norm - c.abs();
+    /// True if C = 0 holds to the tolerance, each row by its own measure, where rounding of q is allowed for.
+    fn is_within(&mut self, tolerance: f64) -> bool {
+        padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || {
+            let mut allowed = std::mem::take(&mut self.allowed);
+            self.allow(tolerance, &mut allowed);
+            let within = self.c.iter().zip(&allowed).all(|(c, allowed)| c.abs() <= *allowed);
+            self.allowed = allowed;
+            within
         }
-        for (entry, value) in self.system.equations().entries.iter().zip(self.linear.values()) {
-            if let Some((row, column)) = *entry {
-                self.left[row] += tolerance * rounding(tolerance) * (value * self.q[column]).abs();
-            }
-        }
-        self.left.iter().all(|left| *left >= 0.0)
     }
 
-    /// q += dq, or less of it.
-    fn step(&mut self, steps: Steps) -> Result<(), Failure> {
-        if steps == Steps::Damped && !self.met() {
-            return self.damped();
-        }
-        self.correct();
-        Ok(())
+    /// How far each row may be off at the point in hand.
+    pub(crate) fn allow(&self, tolerance: f64, allowed: &mut Vec<f64>) {
+        let entries = self.system.equations().entries.iter().zip(self.linear.values());
+        let entries = entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)));
+        stop::allowances(tolerance, self.linear.norms(), entries, &self.q, allowed);
     }
 
     /// q += dq
@@ -324,7 +276,7 @@ impl<'a> Newton<'a> {
         self.before.copy_from_slice(&self.q);
         self.correct();
         let equations = self.system.equations();
-        if equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.left) {
+        if equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.allowed) {
             self.q.copy_from_slice(&self.before);
             equations.set_position(&self.q, &mut self.instant);
         }
@@ -368,11 +320,6 @@ impl<'a> Newton<'a> {
     pub(crate) fn shares(&self) -> &Padded {
         &self.shares
     }
-}
-
-/// Quad roundings of a number in units of the tolerance: a number that large may be off by that much.
-pub(crate) fn rounding(tolerance: f64) -> f64 {
-    4.0 * f64::EPSILON / tolerance
 }
 
 /// The largest of non-negative numbers, 0 of none; NaN counts as infinite.

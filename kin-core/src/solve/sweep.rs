@@ -1,11 +1,6 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the
 //! machine.
 
-mod check;
-mod lockstep;
-mod pending;
-mod predictor;
-
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -15,11 +10,11 @@ use crate::model::error::{Error, Result};
 use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
+use crate::solve::newton::lanes::Lockstep;
 use crate::solve::newton::{self, Engine, Options};
 use crate::system::System;
 use crate::system::evaluate::lanes::LaneSystems;
 use crate::system::parameters::CasePlace;
-use lockstep::Lockstep;
 
 /// Cases that are handed to a thread at once: as many as there are lanes, or a multiple.
 const BATCH: usize = 16;

@@ -11,7 +11,9 @@ use pulp::NullaryFnOnce;
 
 use super::replay::Replay;
 use super::{Stage, Tape};
+use crate::numbers::lanes::lanewise::misses;
 use crate::numbers::lanes::{Level, Mask, Wide};
+use crate::system::stop;
 
 /// A coordinate as a polynomial of time.
 pub(crate) type Curve = [f64; 7];
@@ -26,9 +28,7 @@ pub(crate) struct Limits {
     pub correction: Vec<f64>,
     /// Beside this share of the coordinate itself.
     pub rounding: f64,
-    /// A correction up to this share of its coordinate's size that does not shrink any more is rounding;
-    /// sizes of torn coordinates.
-    pub stall: f64,
+    /// Sizes of torn coordinates.
     pub sizes: Vec<f64>,
     /// How far each row may be off.
     pub rows: Vec<f64>,
@@ -237,9 +237,7 @@ impl<S: Level> Times<'_, S> {
         for _ in 0..=limits.steps {
             self.replay(&tape.correct);
             let (within, largest) = self.within(limits);
-            let stalled =
-                largest.gt(Wide::splat(simd, 0.5) * previous) & largest.le(Wide::splat(simd, limits.stall));
-            open = open & !(within | stalled);
+            open = open & !(within | stop::has_stalled(largest, previous));
             if !open.any() {
                 break;
             }
@@ -352,7 +350,6 @@ impl<S: Level> Times<'_, S> {
         let simd = self.simd;
         let zero = Wide::splat(simd, 0.0);
         let (mut miss, mut reach, mut all) = (zero, zero, zero);
-        let half = Wide::splat(simd, 0.5) * h;
         for column in 0..self.tape.values.len() {
             let at = |order: usize, place: usize| {
                 let (first, mut wide) = (Self::line(column, order) + place, zero);
@@ -361,8 +358,7 @@ impl<S: Level> Times<'_, S> {
             };
             let [q, qd, qdd] = [at(0, 0), at(1, 0), at(2, 0)];
             let [r, rd, rdd] = [at(0, 1), at(1, 1), at(2, 1)];
-            let d = r - q;
-            let (forward, back) = (d - h * half.mul_add(qdd, qd), d - h * half.negative_mul_add(rdd, rd));
+            let [forward, back, d] = misses(h, [q, qd, qdd], [r, rd, rdd]);
             let share = Wide::splat(simd, limits.shares[column]);
             miss = miss.or_larger(forward.abs().or_larger(back.abs()) * share);
             reach = reach.or_larger(d.abs() * Wide::splat(simd, limits.turns[column]));

@@ -10,13 +10,14 @@
 
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
+use crate::numbers::lanes::lanewise::Judged;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
 /// A prediction may miss by this share of the smallest pivot.   \[-\]
-pub(crate) const EASY: f64 = 0.05;
+pub(super) const EASY: f64 = 0.05;
 
 /// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would
 /// still do.   \[-\]
@@ -27,7 +28,20 @@ pub(super) const SAFE: f64 = 0.25;
 const FADED: f64 = 0.5;
 
 /// No body turns by more than this in one step.   \[rad\]
-pub(crate) const REACH: f64 = 1.0;
+pub(super) const REACH: f64 = 1.0;
+
+/// True if a body turns further in a step than can be judged.
+#[inline(always)]
+pub(crate) fn turns_too_far<N: Judged>(reach: N) -> N::Answer {
+    reach.above(reach.all(REACH))
+}
+
+/// True if the prediction from one end of a step misses the other by more than is sure to be one branch, of
+/// matrices whose smaller pivot is this; a miss that is not a number counts as one.
+#[inline(always)]
+pub(crate) fn misses_too_far<N: Judged>(miss: N, pivot: N) -> N::Answer {
+    !miss.at_most(miss.all(EASY) * pivot)
+}
 
 /// The reasons to reject a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,13 +134,12 @@ impl Check {
     pub(crate) fn judge(&mut self, newton: &mut Newton<'_>, h: f64, from: End<'_>) -> Result<(), Objection> {
         let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q, &newton.qd, &newton.qdd]);
         let [miss, reach] = padded::miss(h, from, to, newton.shares(), &self.turns);
-        if reach > REACH {
+        if turns_too_far(reach) {
             return Err(Objection::Long);
         }
         newton.linear.orientation(&mut self.now);
         let (t, least) = (newton.instant.t(), pivot.min(self.pivot));
-        // A miss that is not a number counts as one.
-        if (miss.is_nan() || miss > EASY * least) && !self.is_safe(newton, h, from, miss) {
+        if misses_too_far(miss, least) && !self.is_safe(newton, h, from, miss) {
             return Err(Objection::Missed(miss));
         }
         if self.now != self.negative && self.now.len() == self.negative.len() {

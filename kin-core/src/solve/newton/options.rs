@@ -160,6 +160,14 @@ impl Options {
         Err(Error::NeedsMemory { motions, times, coordinates, needed, allowed: self.memory })
     }
 
+    /// The tolerance of corrections; any will do where the residual alone is the stop rule.
+    pub(crate) fn tolerance(&self) -> f64 {
+        match self.stop {
+            Stop::Converged { tolerance } => tolerance,
+            Stop::ResidualOnly(_) => f64::INFINITY,
+        }
+    }
+
     /// A step of time no longer than this is the last that is tried, of those between two times; times nearer
     /// to one another are hardly told apart.
     pub(crate) fn smallest_step(&self, from: f64, to: f64) -> f64 {

@@ -8,22 +8,67 @@
 use wide::f64x4;
 
 use super::largest;
+use crate::numbers::lanes::lanewise::{Lanewise, gone};
 use crate::numbers::padded::Padded;
 
 /// Weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
-pub(crate) const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
-pub(crate) const SECOND_RATES: [f64; 3] = [637.0 / 240.0, 4.5, 173.0 / 240.0];
+const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
+const SECOND_RATES: [f64; 3] = [637.0 / 240.0, 4.5, 173.0 / 240.0];
 
 /// Steps of time that differ by less than this share are equal.   \[-\]
 const EQUAL: f64 = 1e-9;
+
+/// The steps of time that have come to an end: the last one, and how many equal ones there were.
+#[derive(Clone)]
+pub(super) struct Pace {
+    h: f64,
+    equal: usize,
+}
+
+impl Pace {
+    /// The pace of a run that has not begun.
+    pub(super) const NONE: Pace = Pace { h: f64::NAN, equal: 0 };
+
+    /// A step h has ended.
+    pub(super) fn advance(&mut self, h: f64) {
+        self.equal = if is_same(h, self.h) { self.equal + 1 } else { 1 };
+        self.h = h;
+    }
+
+    /// True if the last three times lie a step h apart.
+    pub(super) fn knows(&self, h: f64) -> bool {
+        self.equal >= 2 && is_same(h, self.h)
+    }
+}
+
+fn is_same(h: f64, other: f64) -> bool {
+    (h - other).abs() <= EQUAL * h.abs()
+}
+
+/// The position a step after the last solution, by the rates of three times that lie such a step apart.
+#[derive(Clone, Copy)]
+pub(super) struct Long<N>([N; 3], [N; 3]);
+
+impl<N: Lanewise> Long<N> {
+    /// For a step h; `one` is any number.
+    #[inline(always)]
+    pub(super) fn new(one: N, h: f64) -> Self {
+        Long(RATES.map(|weight| one.all(weight * h)), SECOND_RATES.map(|weight| one.all(weight * h * h)))
+    }
+
+    /// From q and the rates, latest first.
+    #[inline(always)]
+    pub(super) fn position(&self, q: N, [x, y, z]: [N; 3], [u, v, w]: [N; 3]) -> N {
+        let Long([a, b, c], [d, e, f]) = *self;
+        q + ((a * x + b * y + c * z) + (d * u + e * v + f * w))
+    }
+}
 
 /// The rates at the two times before the last one, and which formula to trust.
 #[derive(Clone)]
 pub(super) struct Predictor {
     past: [Rates; 2],
-    /// The last step of time, and how many equal ones there were.
-    h: f64,
-    equal: usize,
+    pace: Pace,
     trusted: bool,
 }
 
@@ -45,12 +90,12 @@ pub(super) struct Last<'a> {
 impl Predictor {
     pub(super) fn new(n: usize) -> Self {
         let rates = || Rates { qd: Padded::new(n, 0.0), qdd: Padded::new(n, 0.0) };
-        Predictor { past: [rates(), rates()], h: f64::NAN, equal: 0, trusted: true }
+        Predictor { past: [rates(), rates()], pace: Pace::NONE, trusted: true }
     }
 
     /// The position a step h after the last solution, into `q`.
     pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Padded) {
-        if self.trusted && self.knows(h) {
+        if self.trusted && self.pace.knows(h) {
             self.long(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
         } else {
             short(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
@@ -59,15 +104,14 @@ impl Predictor {
 
     /// The step h from the last solution has ended at `q` and took Newton steps: was the right formula used?
     pub(super) fn compare(&mut self, h: f64, last: Last<'_>, q: &[f64], sizes: &[f64]) {
-        if self.knows(h) {
+        if self.pace.knows(h) {
             self.trusted = far(self.long(h, last), q, sizes) <= far(short(h, last), q, sizes);
         }
     }
 
     /// A step h has ended: what was the last solution's is now the past, and its place is free for new rates.
     pub(super) fn advance(&mut self, h: f64, qd: &mut Padded, qdd: &mut Padded) {
-        self.equal = if same(h, self.h) { self.equal + 1 } else { 1 };
-        self.h = h;
+        self.pace.advance(h);
         self.past.swap(0, 1);
         std::mem::swap(&mut self.past[0].qd, qd);
         std::mem::swap(&mut self.past[0].qdd, qdd);
@@ -82,7 +126,7 @@ impl Predictor {
 
     /// Makes the rates of times older than the last one count no more.
     pub(super) fn forget(&mut self) {
-        self.equal = 0;
+        self.pace = Pace::NONE;
     }
 
     /// q̇ and q̈ before the step that has ended.
@@ -90,32 +134,15 @@ impl Predictor {
         [&self.past[0].qd, &self.past[0].qdd]
     }
 
-    /// True if the last three times lie a step h apart.
-    fn knows(&self, h: f64) -> bool {
-        self.equal >= 2 && same(h, self.h)
-    }
-
     fn long(&self, h: f64, last: Last<'_>) -> impl Iterator<Item = f64x4> {
-        let [a, b, c] = RATES.map(|weight| f64x4::splat(weight * h));
-        let [d, e, f] = SECOND_RATES.map(|weight| f64x4::splat(weight * h * h));
-        let [one, two] = &self.past;
-        let rates = quads(last.qd)
-            .zip(quads(&one.qd))
-            .zip(quads(&two.qd))
-            .map(move |((x, y), z)| a * x + b * y + c * z);
-        let second_rates = quads(last.qdd)
-            .zip(quads(&one.qdd))
-            .zip(quads(&two.qdd))
-            .map(move |((x, y), z)| d * x + e * y + f * z);
+        let (long, [one, two]) = (Long::new(f64x4::ZERO, h), &self.past);
+        let rates = quads(last.qd).zip(quads(&one.qd)).zip(quads(&two.qd));
+        let second_rates = quads(last.qdd).zip(quads(&one.qdd)).zip(quads(&two.qdd));
         quads(last.q)
             .zip(rates)
             .zip(second_rates)
-            .map(|((q, rates), second_rates)| q + (rates + second_rates))
+            .map(move |((q, ((x, y), z)), ((u, v), w))| long.position(q, [x, y, z], [u, v, w]))
     }
-}
-
-pub(crate) fn same(h: f64, other: f64) -> bool {
-    (h - other).abs() <= EQUAL * h.abs()
 }
 
 fn quads(numbers: &Padded) -> impl Iterator<Item = f64x4> {
@@ -125,7 +152,7 @@ fn quads(numbers: &Padded) -> impl Iterator<Item = f64x4> {
 /// q + h q̇ + ½ h² q̈
 fn short(h: f64, Last { q, qd, qdd }: Last<'_>) -> impl Iterator<Item = f64x4> {
     let (h, half) = (f64x4::splat(h), f64x4::splat(0.5 * h));
-    quads(q).zip(quads(qd)).zip(quads(qdd)).map(move |((q, qd), qdd)| q + h * (qd + half * qdd))
+    quads(q).zip(quads(qd)).zip(quads(qdd)).map(move |((q, qd), qdd)| q + gone(h, half, [qd, qdd]))
 }
 
 /// How far a prediction is from where Newton ended, by the sizes of the coordinates.
@@ -186,8 +213,8 @@ mod tests {
     fn another_step_of_time_begins_anew() {
         let mut predictor = Predictor::new(1);
         [0.1, 0.1].iter().for_each(|h| predictor.advance(*h, &mut one(0.0), &mut one(0.0)));
-        assert!(predictor.knows(0.1 * (1.0 + 1e-12)) && !predictor.knows(0.05));
+        assert!(predictor.pace.knows(0.1 * (1.0 + 1e-12)) && !predictor.pace.knows(0.05));
         predictor.advance(0.05, &mut one(0.0), &mut one(0.0));
-        assert!(!predictor.knows(0.05));
+        assert!(!predictor.pace.knows(0.05));
     }
 }

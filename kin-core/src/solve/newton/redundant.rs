@@ -11,9 +11,10 @@ mod judged;
 mod solver;
 
 use super::advance::{Asked, Stepping, advance};
+use super::iterate::{self, Iterating};
 use super::law_breaks::LawBreaks;
 use super::predictor::{Last, Predictor};
-use super::{Options, Outcome, Report, STALL, Stop};
+use super::{Options, Outcome, Report};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
@@ -155,39 +156,11 @@ impl Driver<'_> {
     /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution
     /// is factored.
     fn solve(&mut self, t: f64) -> Option<Outcome> {
-        let mut previous = f64::INFINITY;
-        for iterations in 0..=self.options.max_iterations {
-            self.steps += 1;
-            self.factor(t)?;
-            if let Stop::ResidualOnly(bound) = self.options.stop
-                && self.point.c.iter().all(|c| c.abs() < bound)
-            {
-                return Some(self.outcome(iterations));
-            }
-            self.rhs.iter_mut().zip(&self.point.c).for_each(|(rhs, c)| *rhs = -c);
-            self.solve_for_rhs();
-            let correction = padded::largest_share(self.x.whole(), self.shares.whole());
-            let converged = match self.options.stop {
-                Stop::Converged { tolerance } => {
-                    correction <= tolerance || (correction > 0.5 * previous && correction <= STALL)
-                }
-                Stop::ResidualOnly(_) => false,
-            };
-            // A correction that is infinite or not a number does not shrink.
-            if !(correction < previous || converged) {
-                return None;
-            }
-            let met = converged && self.model.met(&self.point, &self.q, &self.measures, &|_| true);
-            padded::add(self.q.whole_mut(), self.x.whole());
-            if converged {
-                if met && self.has_jumped(t) {
-                    self.q.iter_mut().zip(&self.x).for_each(|(q, dq)| *q -= dq);
-                }
-                return met.then(|| self.outcome(iterations));
-            }
-            previous = correction;
-        }
-        None
+        let options = self.options;
+        let mut rows = Rows { driver: self, t, iterations: 0 };
+        let found = iterate::newton(&mut rows, options, true, (true, 0.0));
+        let iterations = rows.iterations;
+        found.then(|| self.outcome(iterations))
     }
 
     /// True if a constraint that can jump has done so with the last correction.
@@ -276,6 +249,57 @@ impl Driver<'_> {
     /// q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
+    }
+}
+
+/// A position that all rows ask for.
+struct Rows<'d, 'a> {
+    driver: &'d mut Driver<'a>,
+    t: f64,
+    iterations: usize,
+}
+
+impl Iterating for Rows<'_, '_> {
+    type Number = f64;
+
+    fn look(&mut self, _: bool, done: bool) -> [bool; 2] {
+        self.driver.steps += 1;
+        [self.driver.factor(self.t).is_some(), done]
+    }
+
+    fn residual(&self) -> f64 {
+        self.driver.point.c.iter().fold(0.0, |m, c| c.abs().max(m))
+    }
+
+    fn solve(&mut self) {
+        let Driver { rhs, point, .. } = &mut *self.driver;
+        rhs.iter_mut().zip(&point.c).for_each(|(rhs, c)| *rhs = -c);
+        self.driver.solve_for_rhs();
+    }
+
+    fn correction(&self, _: f64) -> f64 {
+        padded::largest_share(self.driver.x.whole(), self.driver.shares.whole())
+    }
+
+    /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
+    fn is_met(&mut self, _: f64) -> bool {
+        true
+    }
+
+    fn end(&mut self, _: bool) -> bool {
+        let driver = &mut *self.driver;
+        let met = driver.model.met(&driver.point, &driver.q, &driver.measures, &|_| true);
+        padded::add(driver.q.whole_mut(), driver.x.whole());
+        if met && driver.has_jumped(self.t) {
+            driver.q.iter_mut().zip(&driver.x).for_each(|(q, dq)| *q -= dq);
+        }
+        met
+    }
+
+    fn step(&mut self, open: bool, _: f64) -> bool {
+        padded::add(self.driver.q.whole_mut(), self.driver.x.whole());
+        self.iterations += 1;
+        open
     }
 }
 

@@ -9,11 +9,12 @@ use crate::model::units::Unit;
 use crate::numbers::lanes::Level;
 use crate::program::Tape;
 use crate::program::times::{Curve, Limits, ORDERS, Times};
-use crate::solve::follow::{EASY, REACH};
+use crate::solve::follow::{misses_too_far, turns_too_far};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
-use crate::solve::newton::{Outcome, STALL, Stop, rounding};
+use crate::solve::newton::{Outcome, Stop};
 use crate::system::evaluate::Instant;
+use crate::system::stop;
 
 /// Times of a block at most, between plain steps.
 const MOST: usize = 240;
@@ -139,23 +140,18 @@ impl<'p, S: Level> Block<'p, S> {
         limits.sizes.extend(self.times.torn().iter().map(|column| newton.sizes[*column]));
         limits.correction.clear();
         limits.correction.extend(limits.sizes.iter().map(|size| tolerance * size));
-        (limits.rounding, limits.stall, limits.steps) =
-            (tolerance * rounding(tolerance), STALL, options.max_iterations.min(12));
+        (limits.rounding, limits.steps) =
+            (tolerance * stop::rounding(tolerance), options.max_iterations.min(12));
         limits.shares.clear();
         limits.shares.extend(newton.sizes.iter().map(|size| size.recip()));
         limits.turns.clear();
         limits.turns.extend(layout.units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))));
-        limits.rows.clear();
         match options.stop {
-            Stop::ResidualOnly(bound) => limits.rows.resize(newton.system.n_equations(), bound),
-            Stop::Converged { .. } => {
-                limits.rows.extend(newton.linear.norms().iter().map(|norm| tolerance * norm));
-                for (entry, value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
-                    if let Some((row, column)) = *entry {
-                        limits.rows[row] += limits.rounding * (value * newton.q[column]).abs();
-                    }
-                }
+            Stop::ResidualOnly(bound) => {
+                limits.rows.clear();
+                limits.rows.resize(newton.system.n_equations(), bound);
             }
+            Stop::Converged { .. } => newton.allow(tolerance, &mut limits.rows),
         }
         (motion.len() >= ORDERS)
             .then(|| newton.linear.smallest_pivot())
@@ -202,7 +198,7 @@ impl<'p, S: Level> Block<'p, S> {
             let (judged, t) = (&self.times.judged, times[lane]);
             let own = begun * judged.pivot[lane];
             let least = own.min(*pivot);
-            let near = judged.reach[lane] <= REACH && judged.miss[lane] <= EASY * least;
+            let near = !turns_too_far(judged.reach[lane]) && !misses_too_far(judged.miss[lane], least);
             let good = judged.met[lane] && !judged.turned[lane] && judged.pivot[lane] >= LEAST && near;
             if !(good && self.is_meant(run, t, lane)) {
                 end = End::Objection;

@@ -3,7 +3,7 @@
 use super::super::Follow;
 use super::Driver;
 use crate::numbers::padded;
-use crate::solve::follow::{EASY, Lever, Objection, REACH, Span};
+use crate::solve::follow::{Lever, Objection, Span, misses_too_far, turns_too_far};
 use crate::system::evaluate::Instant;
 
 impl Driver<'_> {
@@ -17,10 +17,10 @@ impl Driver<'_> {
         let (from, pivot) = (self.t, self.solver.smallest_pivot());
         let ([qd, qdd], to) = (self.predictor.before(), [&self.q, &self.qd, &self.qdd]);
         let [miss, reach] = padded::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
-        if reach > REACH {
+        if turns_too_far(reach) {
             return Some(Objection::Long);
         }
-        if miss.is_nan() || miss > EASY * pivot {
+        if misses_too_far(miss, pivot) {
             return Some(Objection::Missed(miss));
         }
         let mut drive = self.drive.take()?;

@@ -3,8 +3,9 @@
 
 use crate::linear::lanes::WideLinear;
 use crate::model::units::Unit;
+use crate::numbers::lanes::lanewise::misses;
 use crate::numbers::lanes::{Level, Mask, Wide};
-use crate::solve::follow::{self, Drive, EASY, REACH};
+use crate::solve::follow::{self, Drive, misses_too_far, turns_too_far};
 use crate::solve::newton::Newton;
 use crate::system::System;
 
@@ -74,13 +75,11 @@ impl<S: Level> Check<S> {
         linear: &WideLinear<S>,
     ) -> Mask<S> {
         let (simd, to) = (self.simd, [q, linear.rates(), linear.second_rates()]);
-        let (whole, half, zero) = (Wide::splat(simd, h), Wide::splat(simd, 0.5 * h), Wide::splat(simd, 0.0));
+        let (whole, zero) = (Wide::splat(simd, h), Wide::splat(simd, 0.0));
         let (mut miss, mut reach, mut all) = (zero, zero, zero);
         for (j, per_size) in per_size.iter().enumerate() {
-            let [[q, qd, qdd], [r, rd, rdd]] =
-                [[0, 1, 2].map(|k| self.from[k][j]), [0, 1, 2].map(|k| to[k][j])];
-            let d = r - q;
-            let (forward, back) = (d - whole * (qd + half * qdd), d - whole * (rd - half * rdd));
+            let from = [0, 1, 2].map(|k| self.from[k][j]);
+            let [forward, back, d] = misses(whole, from, [0, 1, 2].map(|k| to[k][j]));
             miss = miss.max(forward.abs().max(back.abs()) * *per_size);
             all = all + (forward + back);
             if self.turns[j] {
@@ -93,8 +92,8 @@ impl<S: Level> Check<S> {
         let off = long.mul_add(long.mul_add(long.mul_add(e3, e2), e1), e0);
         // The larger of two numbers says nothing of one that is none; a sum does.
         let mut good = all.abs().le(Wide::splat(simd, f64::INFINITY))
-            & miss.le(Wide::splat(simd, EASY) * least)
-            & reach.le(Wide::splat(simd, REACH))
+            & !misses_too_far(miss, least)
+            & !turns_too_far(reach)
             & off.le(least * least);
         linear.orientation(&mut self.now);
         if self.now.len() == self.signs.len() {

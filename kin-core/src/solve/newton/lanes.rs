@@ -1,27 +1,32 @@
-//! Several cases in lock step, one in each lane: the same Newton iteration as [`crate::solve::newton`], each
-//! lane judged by itself.
+//! Several cases in lock step, one in each lane: the iteration, the stop rule, predictions and judgements of
+//! plain steps, asked of numbers over lanes, so that each lane is judged by itself.
 //!
 //! A lane that has converged is not changed any more while others go on. A lane that does not converge, or
 //! meets a pivot that no recording fits, is given up here; its case is run alone from the start by its owner,
 //! with all the means of the scalar solver.
 
-mod stop;
+mod check;
+mod iterate;
+mod pending;
+mod predictor;
 
 use pulp::NullaryFnOnce;
 
-use super::check::Check;
-use super::pending::Pending;
-use super::predictor::Predictor;
+use super::iterate as newton;
+use super::{DOUBTFUL, Follow, Newton, Options, first_position};
 use crate::linear::lanes::WideLinear;
 use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::solve::motion::Motion;
-use crate::solve::newton::{DOUBTFUL, Follow, Newton, Options, Stop, first_position};
 use crate::system::System;
 use crate::system::evaluate::lanes::{LaneSystems, WideEquations, WideInstant, put};
 use crate::system::scale;
+use check::Check;
+use iterate::All;
+use pending::Pending;
+use predictor::Predictor;
 
 /// The points in hand, one a lane, and the space to work in.
-pub(super) struct Lockstep<'o, S: Level> {
+pub(crate) struct Lockstep<'o, S: Level> {
     simd: S,
     options: &'o Options,
     equations: WideEquations<S>,
@@ -84,7 +89,7 @@ impl<S: Level> NullaryFnOnce for Keep<'_, '_, S> {
 impl<'o, S: Level> Lockstep<'o, S> {
     /// For systems such as `typical`, which has the numbers of one case; `varied` are the constraints that
     /// differ from case to case. The elimination is recorded at the first position of that case.
-    pub(super) fn new(
+    pub(crate) fn new(
         simd: S,
         typical: &System,
         varied: &[bool],
@@ -120,7 +125,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
     }
 
     /// The first position of every system, at time t; gives the lanes of `wanted` that have one.
-    pub(super) fn first(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+    pub(crate) fn first(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.predictor.begin();
         self.pending.begin();
         self.equations.set_parameters(batch, &mut self.instant);
@@ -168,7 +173,7 @@ impl<'o, S: Level> Lockstep<'o, S> {
 
     /// Gives the lanes that are not `alive` the numbers of one that is, so that nothing odd is computed
     /// there.
-    pub(super) fn fill(&mut self, alive: Mask<S>) {
+    pub(crate) fn fill(&mut self, alive: Mask<S>) {
         let Some(model) = (0..Wide::<S>::LANES).find(|lane| alive.lane(*lane)) else { return };
         let [qd, qdd] = self.linear.all_rates();
         for x in [&mut self.q[..], qd, qdd, &mut self.sizes].into_iter().flatten() {
@@ -177,22 +182,22 @@ impl<'o, S: Level> Lockstep<'o, S> {
     }
 
     /// Position, velocity and acceleration at the next time; gives the lanes of `wanted` that have them.
-    pub(super) fn advance(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
+    pub(crate) fn advance(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64) -> Mask<S> {
         self.simd.vectorize(Task { lanes: self, batch, wanted, t, first: false })
     }
 
     /// Keeps what the lanes have, for [`Lockstep::flush`]; true where it is time for that.
-    pub(super) fn keep(&mut self) -> bool {
+    pub(crate) fn keep(&mut self) -> bool {
         self.simd.vectorize(Keep(self))
     }
 
     /// Appends what was kept to the motions.
-    pub(super) fn flush(&mut self, motions: &mut [Motion]) {
+    pub(crate) fn flush(&mut self, motions: &mut [Motion]) {
         self.pending.flush(motions);
     }
 
     /// Completes the motions, which have come to the end of these times.
-    pub(super) fn complete(&self, times: &[f64], motions: &mut [Motion]) {
+    pub(crate) fn complete(&self, times: &[f64], motions: &mut [Motion]) {
         self.pending.complete(times, motions);
     }
 
@@ -261,72 +266,18 @@ impl<'o, S: Level> Lockstep<'o, S> {
     /// Newton's method in all lanes that are wanted; gives those that converge, their matrices factored.
     #[inline(always)]
     fn solve(&mut self, batch: &LaneSystems<'_>, wanted: Mask<S>, t: f64, first: bool) -> Mask<S> {
-        let simd = self.simd;
-        // Near a position that is known corrections must shrink. Without prediction only the time is another
-        // one than there.
-        let (near, still) = (!first && self.options.rescue, !first && !self.options.predict);
-        let (zero, mut previous, mut measured) =
-            (Wide::splat(simd, 0.0), Wide::splat(simd, f64::INFINITY), false);
-        let (mut open, mut done) = (wanted, Mask::splat(simd, false));
+        let (options, zero) = (self.options, Wide::splat(self.simd, 0.0));
         self.iterations = zero;
-        if self.options.predict {
+        if options.predict {
             self.last.fill(zero);
         }
         self.equations.set_time(t, batch, &mut self.instant);
-        for iteration in 0..=self.options.max_iterations {
-            let changed = if still && iteration == 0 {
-                let (c, values) = self.linear.written();
-                self.equations.relinearize(batch, &self.instant, c, values)
-            } else {
-                self.look(batch);
-                true
-            };
-            open = open & self.measured();
-            // Lanes that are done stay as they are, and so do their factors.
-            if changed {
-                // From one iterate of a step to the next the values hardly change.
-                if first || !std::mem::replace(&mut measured, true) {
-                    open = open & self.linear.measure(open);
-                }
-                let fits = self.linear.factor(open | done);
-                (open, done) = (open & fits, done & fits);
-            }
-            let met = self.met();
-            (done, open) = (done | (open & met), open & !met);
-            if !open.any() {
-                break;
-            }
-            let (correction, finite) = self.correction();
-            if let Stop::Converged { tolerance } = self.options.stop {
-                let converged = open & finite & self.converged(open, correction, previous, tolerance);
-                for (last, dq) in self.last.iter_mut().zip(self.linear.correction()) {
-                    *last = converged.select(*dq, *last);
-                }
-                (done, open) = (done | converged, open & !converged);
-            }
-            open = open & finite;
-            if near {
-                open = open & !correction.gt(previous);
-            }
-            if !open.any() || iteration == self.options.max_iterations {
-                break;
-            }
-            previous = open.select(correction, previous);
-            for (q, dq) in self.q.iter_mut().zip(self.linear.correction()) {
-                *q = open.select(*q - *dq, *q);
-            }
-            self.iterations = self.iterations + open.as_numbers();
-        }
+        // Near a position that is known corrections must shrink. Without prediction only the time is another
+        // one than there.
+        let (near, still) = (!first && options.rescue, !first && !options.predict);
+        let mut all = All { lanes: self, batch, still, first, measured: false };
+        let done = newton::newton(&mut all, options, near, (wanted, zero));
         self.finish(done)
-    }
-
-    /// The lanes in which the residual alone says that the position is found.
-    #[inline(always)]
-    fn met(&self) -> Mask<S> {
-        match self.options.stop {
-            Stop::ResidualOnly(bound) => self.residual.lt(Wide::splat(self.simd, bound)),
-            Stop::Converged { .. } => Mask::splat(self.simd, false),
-        }
     }
 
     /// The lanes that have a position which is not singular; the last correction costs nothing any more.

@@ -1,14 +1,14 @@
 //! Prediction over lanes, by the formulas of [`crate::solve::newton::predictor`].
 
+use crate::numbers::lanes::lanewise::gone;
 use crate::numbers::lanes::{Level, Mask, Wide};
-use crate::solve::newton::predictor::{RATES, SECOND_RATES, same};
+use crate::solve::newton::predictor::{Long, Pace};
 
 /// The rates at the two times before the last one, and in which lanes the long formula is to be trusted.
 pub(super) struct Predictor<S: Level> {
     simd: S,
     past: [[Vec<Wide<S>>; 2]; 2],
-    h: f64,
-    equal: usize,
+    pace: Pace,
     trusted: Mask<S>,
 }
 
@@ -18,18 +18,18 @@ pub(super) type Last<'a, S> = [&'a [Wide<S>]; 3];
 impl<S: Level> Predictor<S> {
     pub(super) fn new(simd: S, n: usize) -> Self {
         let rates = || [vec![Wide::splat(simd, 0.0); n], vec![Wide::splat(simd, 0.0); n]];
-        Predictor { simd, past: [rates(), rates()], h: f64::NAN, equal: 0, trusted: Mask::splat(simd, true) }
+        Predictor { simd, past: [rates(), rates()], pace: Pace::NONE, trusted: Mask::splat(simd, true) }
     }
 
     /// Forgets everything.
     pub(super) fn begin(&mut self) {
-        (self.h, self.equal, self.trusted) = (f64::NAN, 0, Mask::splat(self.simd, true));
+        (self.pace, self.trusted) = (Pace::NONE, Mask::splat(self.simd, true));
     }
 
     /// The position a step h after the last solution, into `q`.
     #[inline(always)]
     pub(super) fn predict(&self, h: f64, last: Last<'_, S>, q: &mut [Wide<S>]) {
-        let knows = self.knows(h);
+        let knows = self.pace.knows(h);
         for (j, q) in q.iter_mut().enumerate() {
             let short = self.short(h, last, j);
             *q = if knows { self.trusted.select(self.long(h, last, j), short) } else { short };
@@ -47,7 +47,7 @@ impl<S: Level> Predictor<S> {
         per_size: &[Wide<S>],
         stepped: Mask<S>,
     ) {
-        if !self.knows(h) || !stepped.any() {
+        if !self.pace.knows(h) || !stepped.any() {
             return;
         }
         let zero = Wide::splat(self.simd, 0.0);
@@ -62,33 +62,22 @@ impl<S: Level> Predictor<S> {
     /// A step h has ended: what was the last solution's is now the past.
     #[inline(always)]
     pub(super) fn advance(&mut self, h: f64, qd: &[Wide<S>], qdd: &[Wide<S>]) {
-        self.equal = if same(h, self.h) { self.equal + 1 } else { 1 };
-        self.h = h;
+        self.pace.advance(h);
         self.past.swap(0, 1);
         self.past[0][0].copy_from_slice(qd);
         self.past[0][1].copy_from_slice(qdd);
     }
 
-    fn knows(&self, h: f64) -> bool {
-        self.equal >= 2 && same(h, self.h)
-    }
-
     #[inline(always)]
     fn long(&self, h: f64, [q, qd, qdd]: Last<'_, S>, j: usize) -> Wide<S> {
         let [one, two] = &self.past;
-        let rates = self.weigh(RATES, h, [qd[j], one[0][j], two[0][j]]);
-        q[j] + (rates + self.weigh(SECOND_RATES, h * h, [qdd[j], one[1][j], two[1][j]]))
-    }
-
-    #[inline(always)]
-    fn weigh(&self, [a, b, c]: [f64; 3], h: f64, x: [Wide<S>; 3]) -> Wide<S> {
-        let simd = self.simd;
-        Wide::splat(simd, a * h) * x[0] + Wide::splat(simd, b * h) * x[1] + Wide::splat(simd, c * h) * x[2]
+        let (rates, second_rates) = ([qd[j], one[0][j], two[0][j]], [qdd[j], one[1][j], two[1][j]]);
+        Long::new(q[j], h).position(q[j], rates, second_rates)
     }
 
     /// q + h q̇ + ½ h² q̈
     #[inline(always)]
     fn short(&self, h: f64, [q, qd, qdd]: Last<'_, S>, j: usize) -> Wide<S> {
-        q[j] + Wide::splat(self.simd, h) * (qd[j] + Wide::splat(self.simd, 0.5 * h) * qdd[j])
+        q[j] + gone(q[j].all(h), q[j].all(0.5 * h), [qd[j], qdd[j]])
     }
 }
