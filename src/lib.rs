@@ -40,9 +40,9 @@ pub mod prelude {
     pub use kin_core::joints::spatial;
     pub use kin_core::{
         Axis, Constraint, Coord, Coordinate, Dimension, Ends, EulerParameters, Ground, Law, Link, Marker,
-        Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Route, Routed, Series, Spatial, SpatialBody,
-        SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, law, linspace, pose, potential,
-        vec2, vec3,
+        Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Rate, Route, Routed, Series, Spatial,
+        SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, force, law,
+        linspace, pose, potential, vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }

@@ -41,7 +41,7 @@ pub use solve::{motion, newton, sweep};
 pub use constraint::{Constraint, Route, RouteReason, Routed};
 pub use coordinates::{
     Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar,
-    PlanarBody, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
+    PlanarBody, Rate, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
 };
 pub use data::Registry;
 pub use design::{
@@ -53,7 +53,7 @@ pub use error::{Error, Result};
 pub use forces::library as loads;
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};
 pub use joints::spatial;
-pub use kin_macros::{constraint, helper, law, potential};
+pub use kin_macros::{constraint, force, helper, law, potential};
 pub use law::{Break, Ends, Law};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{

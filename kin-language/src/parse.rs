@@ -4,6 +4,7 @@
 mod alias;
 mod attribute;
 mod demand;
+mod force;
 mod length;
 mod measure;
 mod types;
@@ -16,6 +17,7 @@ use crate::error::Mistakes;
 use crate::limits;
 use attribute::Asked;
 pub use demand::Demand;
+pub use force::force;
 pub use measure::Measure;
 use types::has_rows;
 pub use types::{Kind, Shape, kind, literal_length, shape};
@@ -45,12 +47,23 @@ pub struct ConstraintFn {
     pub branches: Vec<Demand>,
     /// The measures of the constraint beside its equations.
     pub measures: Vec<Measure>,
-    /// True of an energy, whose generalised forces are asked for (`#[potential]`).
-    pub is_energy: bool,
+    /// The value of the function: an equation, or what acts.
+    pub role: Role,
     /// The function as it was handed in.
     pub item: TokenStream,
     /// Functions beside it whose texts its own text takes along.
     pub with: Vec<syn::Path>,
+}
+
+/// The meaning of a function's value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// An equation C(q, t) = 0.
+    Equation,
+    /// An energy, whose generalised forces are asked for (`#[potential]`).
+    Energy,
+    /// A force along a length or an angle x, a function of x, ẋ and t (`#[force]`).
+    Force,
 }
 
 /// The route that the attribute asks for.
@@ -119,7 +132,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         requirements,
         branches,
         measures,
-        is_energy: false,
+        role: Role::Equation,
         item,
         with,
     })

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use kin_language::lower::{Failure, Unreadable};
-use kin_language::parse::{Choice, ConstraintFn};
+use kin_language::parse::{Choice, ConstraintFn, Role};
 use kin_language::{limits, lower, parse};
 
 use crate::emit;
@@ -12,16 +12,20 @@ use crate::emit::DualReason;
 
 /// `#[constraint]`
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    compiled(attribute, item, false)
+    compiled(attribute, item, Role::Equation)
 }
 
-/// A constraint, or an energy, which is compiled like one.
-fn compiled(attribute: TokenStream, item: TokenStream, is_energy: bool) -> TokenStream {
+/// A constraint, an energy or a force, which are compiled like one.
+fn compiled(attribute: TokenStream, item: TokenStream, role: Role) -> TokenStream {
     let parsed = limits::check(&item).and_then(|()| parse::constraint(attribute, item.clone()));
+    let parsed = parsed.and_then(|mut source| {
+        source.role = role;
+        if role == Role::Force { parse::force(source) } else { Ok(source) }
+    });
     let source = match parsed {
-        Ok(mut source) => {
-            source.is_energy = is_energy;
-            source
+        Ok(source) => source,
+        Err(mistakes) if role == Role::Force => {
+            return with_stand_in(&mistakes, &emit::stand_in::force_item(item));
         }
         Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::constraint_item(item)),
     };
@@ -55,8 +59,13 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
 pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let name = syn::parse2::<syn::ItemFn>(item.clone()).ok().map(|function| function.sig.ident);
     let marked = name.map(|name| quote!(impl ::kin::Potential for #name {}));
-    let emitted = compiled(attribute, item, true);
+    let emitted = compiled(attribute, item, Role::Energy);
     quote!(#emitted #marked)
+}
+
+/// `#[force]`: a function of a length or an angle, its rate and time, compiled like a constraint on them.
+pub fn force(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    compiled(attribute, item, Role::Force)
 }
 
 /// `#[law]`

@@ -125,6 +125,25 @@ pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::potential(attribute.into(), item.into()).into()
 }
 
+/// Turns a function f(x, ẋ, t) into a force along a length or an angle x: its generalised forces are f x_qᵀ.
+///
+/// ```text
+/// /// A strut with a spring and a damper in it.      [N]
+/// #[force]
+/// fn strut(x: Coord, rate: Rate, k: f64, free: f64, c: f64) -> f64 {
+///     -k * (x - free) - c * rate * rate.abs()
+/// }
+/// ```
+///
+/// The first argument is x, the second its rate, if the force depends on it; `t: Time` may follow, and
+/// parameters. The constructor takes x, any constraint of one row whose value it is, and the parameters:
+/// `m.load("strut", strut(loads::length(i, j, u_i, u_j), 80.0, 0.4, 12.0))`. The body is read as under
+/// `#[constraint]`.
+#[proc_macro_attribute]
+pub fn force(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    expand::force(attribute.into(), item.into()).into()
+}
+
 /// Turns a function f(x) into a `Law` with its derivatives to third order.
 ///
 /// ```text

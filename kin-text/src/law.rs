@@ -49,7 +49,7 @@ impl LawText {
     ///
     /// Errors: every mistake in it, each with line, column and cure, as of an equation.
     pub fn read(text: &str) -> Result<LawText, Mistakes> {
-        let read = read_with(text, |(said, item)| of_item(said, item))?;
+        let read = read_with(text, |(said, item, _)| of_item(said, item))?;
         Ok(LawText(Arc::new(Read { text: text.to_owned(), ..read })))
     }
 

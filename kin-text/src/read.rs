@@ -6,7 +6,7 @@ use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
 use kin_language::formula::{Outside, Written, local_column, parameter_name};
 use kin_language::lower::{Attachment, Failure, Lowered};
-use kin_language::parse::{self, Argument, ConstraintFn, Demand, Kind};
+use kin_language::parse::{self, Argument, ConstraintFn, Demand, Kind, Role};
 use kin_language::{constants, limits, lower};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
@@ -81,7 +81,7 @@ pub fn read(text: &str) -> Result<Read, Mistakes> {
 /// own.
 pub fn read_with<T: Send>(
     text: &str,
-    of_item: impl Fn((TokenStream, ItemFn)) -> syn::Result<T> + Sync,
+    of_item: impl Fn((TokenStream, ItemFn, Role)) -> syn::Result<T> + Sync,
 ) -> Result<T, Mistakes> {
     if text.len() > LONGEST {
         return Err(Mistakes::whole(format!(
@@ -100,9 +100,9 @@ fn lost() -> Mistakes {
     Mistakes::whole("this text cannot be read")
 }
 
-/// The function of a text and what its `#[constraint(…)]` says, with what stands beside it put into its body:
-/// functions and constants that it calls.
-fn item(text: &str) -> syn::Result<(TokenStream, ItemFn)> {
+/// The function of a text and what its `#[constraint(…)]` or `#[force(…)]` says, with what stands beside it
+/// put into its body: functions and constants that it calls.
+fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
     let tokens: TokenStream =
         text.parse().map_err(|error: proc_macro2::LexError| syn::Error::new(error.span(), NO_TOKENS))?;
     limits::check(&tokens)?;
@@ -138,7 +138,9 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn)> {
     let body = std::mem::take(&mut function.block.stmts);
     function.block.stmts = beside.iter().cloned().map(Stmt::Item).chain(body).collect();
     constants::put(&mut function, &beside);
-    Ok((said.unwrap_or_default(), function))
+    let is_force = marks.first().is_some_and(|mark| is_called(mark, "force"));
+    let role = if is_force { Role::Force } else { Role::Equation };
+    Ok((said.unwrap_or_default(), function, role))
 }
 
 const NO_TOKENS: &str =
@@ -146,11 +148,17 @@ const NO_TOKENS: &str =
 const NO_FUNCTION: &str = "write the equation as a function, `fn name(i: Planar, …) -> f64 { … }`";
 
 fn is_mark(attribute: &Attribute) -> bool {
-    attribute.path().segments.last().is_some_and(|last| last.ident == "constraint" || last.ident == "law")
+    ["constraint", "law", "force"].iter().any(|name| is_called(attribute, name))
 }
 
-fn of_item((said, item): (TokenStream, ItemFn)) -> syn::Result<Read> {
-    let source = parse::constraint(said, item.to_token_stream())?;
+fn is_called(attribute: &Attribute, name: &str) -> bool {
+    attribute.path().segments.last().is_some_and(|last| last.ident == name)
+}
+
+fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read> {
+    let mut source = parse::constraint(said, item.to_token_stream())?;
+    source.role = role;
+    let source = if role == Role::Force { parse::force(source)? } else { source };
     let signature = Signature::of(&source.arguments)?;
     let mut lowered = understood(lower::constraint(&source))?;
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();

@@ -244,7 +244,7 @@ fn given_states_are_refused_by_name_and_taken_as_they_are() {
 }
 
 #[test]
-fn masses_and_gravity_come_back_from_a_file_and_other_loads_are_refused() {
+fn masses_and_gravity_come_back_from_a_file_and_closures_are_refused() {
     let mut m = Mechanism::new("arm");
     m.units("mm", "s").mass("t");
     let arm = m.link("arm", 0.5).expect("a link");
@@ -263,6 +263,7 @@ fn masses_and_gravity_come_back_from_a_file_and_other_loads_are_refused() {
     });
     assert_eq!(peaks[0], peaks[1]);
     assert!(peaks[0].to_string().contains(" N mm at "), "{}", peaks[0]);
-    m.load("push", Load::torque(arm, 1.0)).expect("a load");
-    assert!(m.data().unwrap_err().to_string().starts_with("load `push`: loads and points with mass cannot"));
+    m.load("push", Load::along(loads::turn(arm, m.ground()), |_, _, _| 1.0)).expect("a load");
+    let told = m.data().unwrap_err().to_string();
+    assert!(told.starts_with("load `push`: its force is a closure, which no file can carry"), "{told}");
 }

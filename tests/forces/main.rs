@@ -1,5 +1,6 @@
 //! Forces: reactions, efforts of drives, loads and powers, against references and closed forms.
 
+mod along;
 // Its mechanisms are those of other files.
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]

@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 
 use super::dimensions::{DimensionData, NumberData};
 use super::is_first;
+use super::loads::LoadData;
 use super::masses::MassData;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::layout::Kind;
@@ -45,6 +46,9 @@ pub struct MechanismData {
     /// The acceleration of gravity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[f64; 3]>,
+    /// Loads in their order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub loads: Vec<LoadData>,
 }
 
 /// The value that a measure of a joint should have in the assembly that is meant.

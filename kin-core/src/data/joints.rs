@@ -1,13 +1,41 @@
 //! Every constraint of the library, for registries.
 
 use super::Registry;
+use crate::forces::library;
 use crate::joints::{drivers, planar, spatial};
 
 /// The registry with all of them.
 pub(crate) fn registered(registry: Registry) -> Registry {
     let registry = registered_planar(registry);
     let registry = registered_drivers(registry);
-    registered_spatial(registry)
+    let registry = registered_spatial(registry);
+    registered_loads(registry)
+}
+
+/// Energies, forces, and the lengths and angles that they act along.
+fn registered_loads(registry: Registry) -> Registry {
+    registry
+        .with::<library::length>()
+        .with::<library::turn>()
+        .with::<library::slide>()
+        .with::<library::along>()
+        .with::<library::spring>()
+        .with::<library::torsion_spring>()
+        .with::<library::coordinate_spring>()
+        .with::<library::bushing>()
+        .with::<library::spring_damper>()
+        .with::<library::viscous>()
+        .with::<library::force_by>()
+        .with::<library::force_in_time>()
+        .with::<library::pressure>()
+        .with::<library::gas>()
+        .with::<library::spatial::length>()
+        .with::<library::spatial::slide>()
+        .with::<library::spatial::turn>()
+        .with::<library::spatial::small_turn>()
+        .with::<library::spatial::spring>()
+        .with::<library::spatial::torsion_spring>()
+        .with::<library::spatial::bushing>()
 }
 
 fn registered_planar(registry: Registry) -> Registry {
@@ -94,28 +122,26 @@ fn registered_spatial(registry: Registry) -> Registry {
 mod tests {
     use super::*;
 
-    /// The names of all functions under `#[constraint]` in the files of this folder.
-    fn written(folder: &std::path::Path, names: &mut Vec<String>) {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                written(&path, names);
-            } else {
-                let text = std::fs::read_to_string(&path).unwrap();
-                let constraints = text.split("\n#[constraint").skip(1);
-                names.extend(
-                    constraints.filter_map(|text| {
-                        Some(text.split_once("\npub fn ")?.1.split_once('(')?.0.to_string())
-                    }),
-                );
+    /// The names of all functions under `#[constraint]`, `#[potential]` and `#[force]` in this file or in the
+    /// files of this folder.
+    fn written(path: &std::path::Path, names: &mut Vec<String>) {
+        if let Ok(text) = std::fs::read_to_string(path) {
+            for mark in ["\n#[constraint", "\n#[potential]", "\n#[force]"] {
+                let name = |text: &str| Some(text.split_once("\npub fn ")?.1.split_once('(')?.0.to_string());
+                names.extend(text.split(mark).skip(1).filter_map(name));
             }
+            return;
         }
+        std::fs::read_dir(path).unwrap().for_each(|entry| written(&entry.unwrap().path(), names));
     }
 
     #[test]
     fn every_constraint_of_the_library_is_registered() {
         let mut names = Vec::new();
-        written(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/joints"), &mut names);
+        let sources = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        ["joints", "forces/library.rs", "forces/library"]
+            .iter()
+            .for_each(|part| written(&sources.join(part), &mut names));
         names.sort();
         let registry = Registry::new();
         let mut registered: Vec<&str> = registry.kinds().into_iter().map(|(kind, _)| kind).collect();

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::format::MechanismData;
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::loads::Solid;
@@ -25,14 +24,8 @@ pub struct MassData {
 }
 
 impl Mechanism {
-    /// Masses and gravity as data. Errors: other loads, which cannot be written.
-    pub(super) fn mass_data(&self) -> Result<(Vec<MassData>, Option<[f64; 3]>)> {
-        let names = self.loads.loads.iter().map(|(name, _)| name);
-        if let Some(name) = names.chain(self.loads.points.iter().map(|(name, ..)| name)).next() {
-            let reason =
-                "loads and points with mass cannot be written as data; masses of bodies and gravity can";
-            return Err(Error::Data { place: format!("load `{name}`"), reason: reason.to_string() });
-        }
+    /// Masses and gravity as data.
+    pub(super) fn mass_data(&self) -> (Vec<MassData>, Option<[f64; 3]>) {
         let data = |(item, solid): &(usize, Solid)| MassData {
             body: self.layout.items[*item].name.clone(),
             mass: solid.mass,
@@ -40,12 +33,12 @@ impl Mechanism {
             inertia: solid.inertia.to_array(),
         };
         let gravity = Some(self.loads.gravity).filter(|gravity| *gravity != [0.0; 3]);
-        Ok((self.loads.solids.iter().map(data).collect(), gravity))
+        (self.loads.solids.iter().map(data).collect(), gravity)
     }
 
     /// Takes masses and gravity from data. Errors: a name that no body has, those of [`Mechanism::mass`].
-    pub(super) fn take_masses(&mut self, data: &MechanismData) -> Result<()> {
-        for MassData { body, mass, centre, inertia } in &data.masses {
+    pub(super) fn take_masses(&mut self, masses: &[MassData], gravity: Option<[f64; 3]>) -> Result<()> {
+        for MassData { body, mass, centre, inertia } in masses {
             let solid = Solid { mass: *mass, centre: Vec3::from(*centre), inertia: Mat3::from(*inertia) };
             let bodies = self.layout.bodies();
             let target = bodies.iter().find(|(known, _)| known == body).map(|(_, target)| *target);
@@ -61,7 +54,7 @@ impl Mechanism {
                 }
             }
         }
-        if let Some(gravity) = data.gravity {
+        if let Some(gravity) = gravity {
             self.gravity(Vec3::from(gravity));
         }
         Ok(())

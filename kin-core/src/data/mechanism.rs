@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::dimensions::{NumberData, Texts};
 use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData};
+use super::loads::{Carried, carry};
 use super::names::plain;
 use super::{FORMAT, Registry};
 use crate::model::constraint::Constraint;
@@ -39,19 +40,11 @@ impl Mechanism {
     pub fn data(&self) -> Result<MechanismData> {
         let texts = Texts::of(self)?;
         let bodies = self.body_data(&texts);
-        let mut equations: Vec<(String, String)> = Vec::new();
+        let mut equations = Carried::new();
         let constraints = self.constraints.iter().enumerate().map(|(number, (name, constraint))| {
             let (mut data, equation) = self.constraint_data(name, constraint.as_ref())?;
             texts.put(number, constraint.as_ref(), &mut data.parameters);
-            let Some(text) = equation else { return Ok(data) };
-            match equations.iter().find(|(kind, _)| *kind == data.kind) {
-                Some((_, known)) if *known != text => {
-                    let reason = format!("there is another equation `{}`: give it another name", data.kind);
-                    return Err(Error::Data { place: format!("constraint `{name}`"), reason });
-                }
-                Some(_) => {}
-                None => equations.push((data.kind.clone(), text)),
-            }
+            carry(&format!("constraint `{name}`"), &data.kind, equation, &mut equations)?;
             Ok(data)
         });
         let constraints = constraints.collect::<Result<_>>()?;
@@ -64,11 +57,13 @@ impl Mechanism {
         let limits = self.limits.iter().map(limit).collect();
         let units = self.layout.words.clone();
         let preferred = self.preferred_data();
-        let (masses, gravity) = self.mass_data()?;
+        let (masses, gravity) = self.mass_data();
+        let loads = self.load_data(&mut equations)?;
         Ok(MechanismData {
             format: FORMAT,
             masses,
             gravity,
+            loads,
             name: self.name.clone(),
             units,
             dimensions: self.dimension_data()?,
@@ -113,7 +108,7 @@ impl Mechanism {
     }
 
     /// A constraint as data, and its equation where the file has to carry it.
-    fn constraint_data(
+    pub(super) fn constraint_data(
         &self,
         name: &str,
         constraint: &dyn Constraint,
@@ -189,7 +184,8 @@ impl Mechanism {
         for PreferredData { measure, value } in &data.preferred {
             mechanism.prefer(measure, *value);
         }
-        mechanism.take_masses(data)?;
+        mechanism.take_masses(&data.masses, data.gravity)?;
+        mechanism.take_loads(&data.loads, registry)?;
         Ok(mechanism)
     }
 

@@ -187,7 +187,7 @@ impl Registry {
         }
     }
 
-    /// True if there is a constraint of that kind with these arguments.
+    /// True if something of that kind is known with these arguments.
     pub(super) fn knows(&self, kind: &str, arguments: &[ArgumentData]) -> bool {
         let kinds = arguments.iter().map(ArgumentData::kind).collect();
         self.constraints.contains_key(&(kind.to_string(), kinds))

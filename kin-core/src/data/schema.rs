@@ -39,11 +39,15 @@ pub fn schema(registry: &Registry) -> Value {
             "preferred": list("preferred", "Measures by whose values an assembly is preferred."),
             "masses": list("mass", "Masses of bodies."),
             "gravity": vector("The acceleration of gravity; z is 0 in a plane."),
+            "loads": list("load", "What acts on the mechanism."),
         },
         "$defs": {
             "body": body(),
             "dimension": dimension(),
             "mass": mass(),
+            "load": load(),
+            "scalar": scalar(),
+            "formula": formula(),
             "number": number(),
             "constraint": constraint(registry),
             "argument": argument(),
@@ -124,6 +128,70 @@ fn mass() -> Value {
             ("mass", json!({ "type": "number", "minimum": 0 })),
             ("centre", vector("The centre of mass; z is 0 in a plane.")),
             ("inertia", rows),
+        ],
+    )
+}
+
+fn load() -> Value {
+    let acting = json!({ "oneOf": [
+        object("", &["energy"], &[("energy", named("scalar"))]),
+        object("", &["along"], &[("along", object(
+            "A force along a length or an angle.",
+            &["x", "force"],
+            &[("x", named("scalar")), ("force", named("formula"))],
+        ))]),
+        object("", &["on_body"], &[("on_body", on_body())]),
+    ] });
+    object(
+        "What acts under one name.",
+        &["name", "parts"],
+        &[("name", text("Its name.")), ("parts", json!({ "type": "array", "items": acting, "minItems": 1 }))],
+    )
+}
+
+fn on_body() -> Value {
+    let laws = |told: &str| {
+        json!({
+            "description": told, "type": "array", "items": named("law"), "minItems": 3, "maxItems": 3,
+        })
+    };
+    object(
+        "A force at a point of a body, and a torque.",
+        &["body"],
+        &[
+            ("body", text("Name of the body.")),
+            ("point", vector("The point in the body's frame; z is 0 in a plane.")),
+            ("force", laws("Components of the force.")),
+            ("torque", laws("Components of the torque; in a plane the last one counts.")),
+            (
+                "in_body",
+                json!({ "description": "True if components are in the body's axes.", "type": "boolean" }),
+            ),
+        ],
+    )
+}
+
+/// An energy, a length or an angle.
+fn scalar() -> Value {
+    object(
+        "An energy, or a length or an angle to act along.",
+        &["kind", "arguments"],
+        &[
+            ("kind", text("Name of its function, in the library or under `equations`.")),
+            ("arguments", json!({ "type": "array", "items": named("argument") })),
+            ("parameters", json!({ "description": "Its parameters by name.", "type": "object" })),
+        ],
+    )
+}
+
+/// A function of a length or an angle, its rate and time.
+fn formula() -> Value {
+    object(
+        "A force by the length or angle that it acts along, by its rate and by time.",
+        &["kind"],
+        &[
+            ("kind", text("Name of its function, in the library or under `equations`.")),
+            ("parameters", json!({ "description": "Its parameters by name.", "type": "object" })),
         ],
     )
 }

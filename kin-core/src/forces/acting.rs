@@ -5,7 +5,7 @@ use super::wrench::Stand;
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::coordinates::{Argument, Target};
 use crate::model::layout::{Layout, Place};
-use crate::model::loads::{Acting, Load, OnBody};
+use crate::model::loads::{Acting, ForceAlong, Load, OnBody};
 use crate::model::state::SpatialState;
 use crate::model::terms::Local;
 use crate::numbers::algebra::Vec3;
@@ -104,7 +104,7 @@ impl<'a> Beside<'a> {
 /// A part of a load, laid out.
 pub(super) enum Part<'a> {
     Potential(Beside<'a>),
-    Along(Beside<'a>, &'a (dyn Fn(f64, f64, f64) -> f64 + Send + Sync)),
+    Along(Beside<'a>, &'a ForceAlong),
     OnBody { on: &'a OnBody, first: usize },
 }
 
@@ -118,9 +118,7 @@ impl<'a> Laid<'a> {
         let mut parts = Vec::new();
         load.parts(&mut |part| match part {
             Acting::Potential(energy) => parts.push(Part::Potential(Beside::new(layout, energy.as_ref()))),
-            Acting::Along(x, force) => {
-                parts.push(Part::Along(Beside::new(layout, x.as_ref()), force.as_ref()))
-            }
+            Acting::Along(x, force) => parts.push(Part::Along(Beside::new(layout, x.as_ref()), force)),
             Acting::OnBody(on) => {
                 if let Some(Place::Own { first, .. }) = layout.place(&on.target) {
                     parts.push(Part::OnBody { on, first });
@@ -134,21 +132,21 @@ impl<'a> Laid<'a> {
     /// Adds its generalised forces to those of the mechanism.
     pub(super) fn add(&self, now: Now<'_>, all: &mut [f64]) {
         for part in &self.parts {
-            let (beside, f) = match part {
-                Part::Potential(energy) => (energy, -1.0),
+            match part {
+                Part::Potential(energy) => {
+                    scatter(&energy.columns, &energy.along(&energy.valued(now), &[-1.0]), all);
+                }
                 Part::Along(x, force) => {
                     let valued = x.valued(now);
-                    (x, force(valued.c[0], valued.rate[0], now.t))
+                    let f = force.at(valued.c[0], valued.rate[0], now.t);
+                    scatter(&x.columns, &x.along(&valued, &[f]), all);
                 }
                 Part::OnBody { on, first } => {
                     let n = on.target.columns();
                     let columns: Vec<Option<usize>> = (*first..first + n).map(Some).collect();
                     scatter(&columns, &on_body(on, now.t, &now.q[*first..first + n]), all);
-                    continue;
                 }
-            };
-            let by_q = beside.along(&beside.valued(now), &[f]);
-            scatter(&beside.columns, &by_q, all);
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use crate::model::coordinates::{IntoCoordinate, IntoPlanarBody};
 use crate::model::law::Law;
 use crate::model::loads::Load;
 use crate::numbers::algebra::Vec2;
-use kin_macros::{constraint, potential};
+use kin_macros::{constraint, force, potential};
 
 pub mod spatial;
 
@@ -27,6 +27,18 @@ pub fn length(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 {
 #[constraint]
 pub fn turn(i: Planar, j: Planar) -> f64 {
     i.theta - j.theta
+}
+
+/// How far P_i is along a direction of body j: h_j · (Aⱼᵀ(r_Pi − r_j) − ū_j)/|h_j|, a length to act along.
+/// \[m\]
+///
+/// `u_i`, `u_j`: the points; `h_j`: the direction in body j, such as the axis of a cylinder.
+///
+/// Signs: a force along it pushes P_i along h_j, and j the other way.
+#[constraint]
+#[require(h_j.norm() > 0.0, "the direction needs a length above zero")]
+pub fn slide(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f64 {
+    h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm()
 }
 
 /// The coordinate itself, to act along.      \[unit of q\]
@@ -83,6 +95,70 @@ pub fn bushing(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, stiffness: Vec2, tors
     0.5 * (stiffness.x * d.x * d.x + stiffness.y * d.y * d.y + torsion * turn * turn)
 }
 
+/// A spring and a damper along x: f = −k (x − x0) − c ẋ.      \[N, N m\]
+///
+/// `x`: any length or angle; `stiffness`: k, `free`: x0, `damping`: c.
+///
+/// Signs: beyond x0 it pulls back.
+#[force]
+pub fn spring_damper(x: Coord, rate: Rate, stiffness: f64, free: f64, damping: f64) -> f64 {
+    -stiffness * (x - free) - damping * rate
+}
+
+/// A damper along x: f = −c ẋ.      \[N, N m\]
+///
+/// `x`: any length or angle; `damping`: c.
+///
+/// Signs: against ẋ.
+#[force]
+pub fn viscous(_x: Coord, rate: Rate, damping: f64) -> f64 {
+    -damping * rate
+}
+
+/// A force by x, such as a measured characteristic: f = F(x).      \[N, N m\]
+///
+/// `x`: any length or angle; `law`: F, a law of x.
+///
+/// Signs: positive pushes the way x grows.
+#[force]
+pub fn force_by(x: Coord, law: Law) -> f64 {
+    law.at(x)
+}
+
+/// A force by time along x: f = F(t).      \[N, N m\]
+///
+/// `x`: any length or angle; `law`: F, a law of t.
+///
+/// Signs: positive pushes the way x grows.
+#[force]
+pub fn force_in_time(_x: Coord, t: Time, law: Law) -> f64 {
+    law.at(t)
+}
+
+/// Pressure in a cylinder along the length of its chamber: f = p(x) A.      \[N\]
+///
+/// `x`: the length of the chamber; `table`: p by that length, such as `Law::spline` of an indicator diagram
+/// \[Pa\]; `area`: A of the piston \[m²\].
+///
+/// Signs: pressure above that outside makes the chamber longer.
+#[force]
+#[require(area > 0.0, "the area of a piston is above zero")]
+pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
+    table.at(x) * area
+}
+
+/// The gas in a closed chamber along a length x: f = F (a/(a + x − x0))ⁿ.      \[N\]
+///
+/// `push`: F, its force at x0 = `there`; `column`: a, the length of the column of gas there; `exponent`: n of
+/// the gas, 1 slow, 1.4 fast.
+///
+/// Signs: F above zero makes x longer.
+#[force]
+#[require(column > 0.0, "the column of gas has a length above zero")]
+pub fn gas(x: Coord, push: f64, there: f64, column: f64, exponent: f64) -> f64 {
+    push * (column / (column + x - there)).powf(exponent)
+}
+
 /// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart positive.   \[N s/m\]
 pub fn damper(
     i: impl IntoPlanarBody,
@@ -91,17 +167,38 @@ pub fn damper(
     u_j: impl Into<Vec2>,
     damping: f64,
 ) -> Load {
-    Load::along(length(i, j, u_i.into(), u_j.into()), move |_, rate, _| -damping * rate)
+    viscous(length(i, j, u_i.into(), u_j.into()), damping)
 }
 
 /// A damper between two bodies that turn: the torque −c (θ̇_i − θ̇_j) on body i.   \[N m s\]
 pub fn torsion_damper(i: impl IntoPlanarBody, j: impl IntoPlanarBody, damping: f64) -> Load {
-    Load::along(turn(i, j), move |_, rate, _| -damping * rate)
+    viscous(turn(i, j), damping)
+}
+
+/// A bushing with damping: the energy of [`bushing`](fn@bushing), and −c_x ḋ_x, −c_y ḋ_y, −c_θ φ̇ along the
+/// same way and turn.   \[N, N m\]
+///
+/// `u`: P_i and P_j; `stiffness`, `damping`: along x and y of body j and about z; `free`: θ0.
+pub fn damped_bushing(
+    i: impl IntoPlanarBody,
+    j: impl IntoPlanarBody,
+    u: [Vec2; 2],
+    stiffness: [f64; 3],
+    damping: [f64; 3],
+    free: f64,
+) -> Load {
+    let (i, j, [u_i, u_j]) = (i.into_planar_body(), j.into_planar_body(), u);
+    let along = |h: Vec2| slide(i, j, u_i, u_j, h);
+    let [k_x, k_y, k_turn] = stiffness;
+    viscous(along(Vec2::new(1.0, 0.0)), damping[0])
+        .and(viscous(along(Vec2::new(0.0, 1.0)), damping[1]))
+        .and(viscous(turn(i, j), damping[2]))
+        .and(bushing(i, j, u_i, u_j, Vec2::new(k_x, k_y), k_turn, free))
 }
 
 /// A force or torque along a coordinate, by a law of time.   \[N, N m\]
 pub fn force_along(q: impl IntoCoordinate, force: Law) -> Load {
-    Load::along(along(q), move |_, _, t| force.at(t))
+    force_in_time(along(q), force)
 }
 
 /// A strut or cylinder between two points whose force is a law of its length, such as a table of pressures
@@ -127,7 +224,7 @@ pub fn strut(
     u_j: impl Into<Vec2>,
     force: Law,
 ) -> Load {
-    Load::along(length(i, j, u_i.into(), u_j.into()), move |x, _, _| force.at(x))
+    force_by(length(i, j, u_i.into(), u_j.into()), force)
 }
 
 /// A gas spring between two points: it pushes them apart with F (a/(a − (l0 − l)))ⁿ, F being its force at the
@@ -141,6 +238,5 @@ pub fn gas_spring(
     [length_there, column]: [f64; 2],
     exponent: f64,
 ) -> Load {
-    let push = move |l: f64| force * (column / (column - (length_there - l))).powf(exponent);
-    Load::along(length(i, j, u_i, u_j), move |l, _, _| push(l))
+    gas(length(i, j, u_i, u_j), force, length_there, column, exponent)
 }

@@ -5,7 +5,7 @@ use syn::{Block, Expr, Stmt};
 
 use super::Reader;
 use super::value::Value;
-use crate::parse::{ConstraintFn, Shape};
+use crate::parse::{ConstraintFn, Role, Shape};
 use kin_graph::Node;
 
 /// One equation.
@@ -90,7 +90,8 @@ impl Reader {
         tail: Option<&Expr>,
         rows: &[Row],
     ) {
-        if !self.mistakes.is_empty() {
+        // A force may be one by time alone.
+        if !self.mistakes.is_empty() || source.role == Role::Force {
             return;
         }
         let mut row = rows.iter();

@@ -133,7 +133,7 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
     let kind = match last.ident.to_string().as_str() {
         "Planar" => Kind::Planar,
         "Spatial" => Kind::Spatial,
-        "Coord" => Kind::Coord,
+        "Coord" | "Rate" => Kind::Coord,
         "Time" => Kind::Time,
         "Law" => return Ok(Kind::Law),
         "Axis" => return Ok(Kind::Axis),
@@ -202,7 +202,12 @@ fn is_static(reference: &syn::TypeReference) -> bool {
 }
 
 fn is_marker(ty: &Type) -> bool {
-    matches!(last_name(ty).as_deref(), Some("Planar" | "Spatial" | "Coord" | "Time"))
+    matches!(last_name(ty).as_deref(), Some("Planar" | "Spatial" | "Coord" | "Rate" | "Time"))
+}
+
+/// True of the rate of a force's length or angle.
+pub(super) fn is_rate(ty: &Type) -> bool {
+    last_name(ty).as_deref() == Some("Rate")
 }
 
 fn last_name(ty: &Type) -> Option<String> {

@@ -10,7 +10,7 @@ use syn::{
 use kin_language::error::tidy;
 use kin_language::lower::Lowered;
 use kin_language::lower::alone::Beside;
-use kin_language::parse::{ConstraintFn, LawFn};
+use kin_language::parse::{ConstraintFn, LawFn, Role};
 
 /// The statements of `describe` that put the text of a function that was read.
 pub fn told(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
@@ -24,8 +24,12 @@ pub fn told(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
     let lacking = unknown.into_iter().map(|what| format!("`{what}`")).chain(lacking);
     let lengths = source.lengths.iter().map(|(name, length)| format!("{name} = {length}"));
     let lengths: Vec<String> = lengths.collect();
-    let mark =
-        if lengths.is_empty() { String::new() } else { format!("#[constraint({})]\n", lengths.join(", ")) };
+    let word = if source.role == Role::Force { "force" } else { "constraint" };
+    let mark = match (lengths.as_slice(), source.role) {
+        ([], Role::Force) => "#[force]\n".to_string(),
+        ([], _) => String::new(),
+        (lengths, _) => format!("#[{word}({})]\n", lengths.join(", ")),
+    };
     let text = mark + &text(&source.item);
     let (constants, with) = (put_constants(&constants), &source.with);
     quote! {

@@ -16,7 +16,7 @@ use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
 use kin_language::formula::local_column;
 use kin_language::lower::{Lowered, names_as_written};
-use kin_language::parse::{Argument, ConstraintFn, Kind};
+use kin_language::parse::{Argument, ConstraintFn, Kind, Role};
 
 /// The parts of the source that both routes need.
 struct Frame<'a> {
@@ -70,7 +70,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
 /// The constraint on the dual route.
 pub fn dual(source: &ConstraintFn, reason: &DualReason) -> TokenStream {
     let row_names = names_as_written(source);
-    let n = columns(&source.arguments);
+    let n = super::columns(&source.arguments);
     let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
     let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
     let (attachments, blame) = (attachments::dual(source), blame::dual(&expressions.all));
@@ -91,7 +91,15 @@ impl<'a> Frame<'a> {
         row_names: Vec<String>,
         pattern: Vec<(usize, usize)>,
     ) -> Self {
-        Frame { source, n: columns(&source.arguments), row_names, pattern, dual, trig: vec![], lanes: None }
+        Frame {
+            source,
+            n: super::columns(&source.arguments),
+            row_names,
+            pattern,
+            dual,
+            trig: vec![],
+            lanes: None,
+        }
     }
 
     fn emit(&self, parts: &Parts, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
@@ -107,7 +115,7 @@ impl<'a> Frame<'a> {
         let (unlinted, edited) = (unlinted(), editor::constraint(source, &body));
         let leaves = if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
-        let kinds = source.arguments.iter().flat_map(kinds);
+        let kinds = source.arguments.iter().flat_map(super::kinds);
         let lane_kernels = self.lanes.as_ref().map(|lanes| &lanes.implementations);
         let as_data = described::described(source, &kind, &n, &m);
         let constraint = self.constraint(&kind, parts, lowered);
@@ -298,8 +306,9 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
     let (inputs, values): (Vec<_>, Vec<_>) =
         fields.iter().map(|argument| super::constructor_input(argument)).unzip();
     let silent = fields.iter().map(|argument| super::warned_elsewhere(&argument.name));
-    let (bindings, noted) = (super::own("bindings"), super::own("noted"));
-    let (mut field, mut value, mut prepared) = (quote!(), quote!(), quote!());
+    let [bindings, noted] = ["bindings", "noted"].map(super::own);
+    let docs = super::documentation(attributes);
+    let (mut field, mut value, mut prepared) = Default::default();
     if super::may_hang(fields.iter().copied()) {
         field = quote!(, __bindings: ::kin::emitted::Bindings);
         value = quote!(, __bindings: #noted);
@@ -308,7 +317,18 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
             let #bindings = &mut #noted;
         };
     }
-    let docs = super::documentation(attributes);
+    let constructor = match source.role {
+        Role::Force => super::force::constructor(source, &prepared, &value),
+        _ => quote! {
+            #(#attributes)*
+            #[allow(clippy::too_many_arguments)]
+            #[must_use]
+            #visibility fn #name(#(#silent #names: #inputs),*) -> #name {
+                #prepared
+                #name { #(#values),* #value }
+            }
+        },
+    };
     let heading = format!(" The constraint that [`fn@{name}`] makes.");
     quote! {
         #[doc = #heading]
@@ -321,13 +341,7 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
             #field
         }
 
-        #(#attributes)*
-        #[allow(clippy::too_many_arguments)]
-        #[must_use]
-        #visibility fn #name(#(#silent #names: #inputs),*) -> #name {
-            #prepared
-            #name { #(#values),* #value }
-        }
+        #constructor
     }
 }
 
@@ -375,19 +389,6 @@ fn written_inputs(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStre
         }
     });
     inputs.collect()
-}
-
-fn kinds(argument: &Argument) -> Vec<TokenStream> {
-    let kind = match argument.kind {
-        Kind::Planar | Kind::Planars(_) => quote!(::kin::emitted::ArgumentKind::Planar),
-        Kind::Spatial | Kind::Spatials(_) => quote!(::kin::emitted::ArgumentKind::Spatial),
-        _ => quote!(::kin::emitted::ArgumentKind::Coord),
-    };
-    vec![kind; argument.kind.slots()]
-}
-
-fn columns(arguments: &[Argument]) -> usize {
-    arguments.iter().map(|a| a.kind.columns()).sum()
 }
 
 fn literal(k: usize) -> Literal {

@@ -6,7 +6,7 @@ use quote::quote;
 use super::kernel::number;
 use super::measures;
 use kin_graph::differentiate::Promises;
-use kin_language::parse::{ConstraintFn, Kind, description};
+use kin_language::parse::{ConstraintFn, Kind, Role, description};
 
 /// All facts, those of its route among them.
 pub fn facts(
@@ -22,7 +22,7 @@ pub fn facts(
     });
     let is_driver = source.arguments.iter().any(|argument| argument.kind == Kind::Time);
     let has_branches = !source.branches.is_empty();
-    let energy = source.is_energy.then(|| quote!(is_energy: true,));
+    let energy = (source.role == Role::Energy).then(|| quote!(is_energy: true,));
     quote! {
         ::kin::emitted::Facts {
             description: #description,

@@ -8,6 +8,7 @@ mod demands;
 mod described;
 mod editor;
 mod facts;
+mod force;
 mod functions;
 mod kernel;
 mod lanes;
@@ -165,6 +166,21 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
 fn chunk(names: impl Iterator<Item = Option<proc_macro2::Ident>>, source: TokenStream) -> TokenStream {
     let names = names.map(|name| name.map_or_else(|| quote!(_), |name| quote!(#name)));
     quote!(let ::core::option::Option::Some([#(#names),*]) = #source else { return };)
+}
+
+/// The kinds of the bodies and coordinates that an argument is, for the registry.
+fn kinds(argument: &Argument) -> Vec<TokenStream> {
+    let kind = match argument.kind {
+        Kind::Planar | Kind::Planars(_) => quote!(::kin::emitted::ArgumentKind::Planar),
+        Kind::Spatial | Kind::Spatials(_) => quote!(::kin::emitted::ArgumentKind::Spatial),
+        _ => quote!(::kin::emitted::ArgumentKind::Coord),
+    };
+    vec![kind; argument.kind.slots()]
+}
+
+/// Columns of C_q.
+fn columns(arguments: &[Argument]) -> usize {
+    arguments.iter().map(|argument| argument.kind.columns()).sum()
 }
 
 /// A name of emitted code that no name of the user's can meet.

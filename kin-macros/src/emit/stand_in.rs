@@ -6,14 +6,17 @@ use quote::quote;
 use syn::{FnArg, Ident, Item, ItemFn, Type, Visibility};
 
 use super::{editor, rewrite};
-use kin_language::parse::{Argument, ConstraintFn, Kind, LawFn};
+use kin_language::parse::{Argument, ConstraintFn, Kind, LawFn, Role};
 
 /// For a constraint whose signature was understood.
 pub fn constraint(source: &ConstraintFn) -> TokenStream {
     let inputs = source.arguments.iter().filter(|argument| argument.kind.is_field());
     let inputs: Vec<TokenStream> = inputs.map(input).collect();
-    let (stand_in, declaration) =
-        (constraint_of(&source.visibility, &source.name, &inputs), super::constraint::declaration(source));
+    let stand_in = match source.role {
+        Role::Force => force_of(&source.visibility, &source.name, &super::force::inputs(source)),
+        _ => constraint_of(&source.visibility, &source.name, &inputs),
+    };
+    let declaration = super::constraint::declaration(source);
     let edited = editor::constraint(source, &rewrite::plain(source.written(), &source.arguments));
     quote! {
         #edited
@@ -57,6 +60,21 @@ pub fn constraint_item(item: TokenStream) -> TokenStream {
         Ok(function) => {
             let (stand_in, edited) = (
                 constraint_of(&function.vis, &function.sig.ident, &inputs(&function)),
+                editor::unread(&function.sig, &body),
+            );
+            quote!(#edited #stand_in)
+        }
+        Err(other) => other,
+    }
+}
+
+/// For any item under `#[force]`.
+pub fn force_item(item: TokenStream) -> TokenStream {
+    let (item, body) = without_body(item);
+    match as_function(item) {
+        Ok(function) => {
+            let (stand_in, edited) = (
+                force_of(&function.vis, &function.sig.ident, &inputs(&function)),
                 editor::unread(&function.sig, &body),
             );
             quote!(#edited #stand_in)
@@ -119,10 +137,13 @@ fn inputs(function: &ItemFn) -> Vec<TokenStream> {
     function.sig.inputs.iter().filter(is_input).map(|_| anything()).collect()
 }
 
+/// True of what no constructor takes: the time, and the rate of a force's length or angle.
 fn is_time(ty: &Type) -> bool {
     match ty {
         Type::Reference(inner) => is_time(&inner.elem),
-        Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Time"),
+        Type::Path(path) => {
+            path.path.segments.last().is_some_and(|last| last.ident == "Time" || last.ident == "Rate")
+        }
         _ => false,
     }
 }
@@ -143,6 +164,15 @@ fn constraint_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) 
         }
 
         ::kin::emitted::stand_in!(#name);
+    }
+}
+
+fn force_of(visibility: &Visibility, name: &Ident, inputs: &[TokenStream]) -> TokenStream {
+    quote! {
+        #[allow(missing_docs)]
+        #visibility fn #name(#(_: #inputs),*) -> ::kin::Load {
+            ::core::unreachable!()
+        }
     }
 }
 

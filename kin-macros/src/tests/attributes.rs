@@ -1,22 +1,27 @@
-//! Finds `#[constraint]` and `#[law]` in a file and expands what is under them, as rustc would.
+//! Finds `#[constraint]`, `#[potential]`, `#[force]` and `#[law]` in a file and expands what is under them,
+//! as rustc would.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use crate::expand;
 
-/// An item under one of the two attributes.
+/// An item under one of the attributes.
 pub struct Attributed {
     pub name: String,
-    pub is_law: bool,
+    /// Name of the attribute.
+    pub mark: String,
     pub arguments: TokenStream,
     pub item: TokenStream,
 }
 
 impl Attributed {
     pub fn expand(&self) -> TokenStream {
-        match self.is_law {
-            true => expand::law(&self.arguments, self.item.clone()),
-            false => expand::constraint(self.arguments.clone(), self.item.clone()),
+        let (arguments, item) = (self.arguments.clone(), self.item.clone());
+        match self.mark.as_str() {
+            "law" => expand::law(&arguments, item),
+            "potential" => expand::potential(arguments, item),
+            "force" => expand::force(arguments, item),
+            _ => expand::constraint(arguments, item),
         }
     }
 }
@@ -42,7 +47,7 @@ pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
     Ok(file)
 }
 
-/// Every item of `file` under one of the two attributes. Works on tokens, so that the item need not be good
+/// Every item of `file` under one of the attributes. Works on tokens, so that the item need not be good
 /// Rust.
 pub fn attributed(file: TokenStream) -> Vec<Attributed> {
     let mut found = Vec::new();
@@ -63,7 +68,7 @@ pub fn attributed(file: TokenStream) -> Vec<Attributed> {
 
 fn without_attribute(item: &[TokenTree]) -> Option<Attributed> {
     let place = item.windows(2).position(|pair| is_attribute(&pair[0], &pair[1]).is_some())?;
-    let (is_law, arguments) = is_attribute(&item[place], &item[place + 1])?;
+    let (mark, arguments) = is_attribute(&item[place], &item[place + 1])?;
     let rest: Vec<TokenTree> = item
         .iter()
         .enumerate()
@@ -74,12 +79,12 @@ fn without_attribute(item: &[TokenTree]) -> Option<Attributed> {
         .iter()
         .position(|token| matches!(token, TokenTree::Ident(word) if word == "fn" || word == "struct"));
     let name = keyword.and_then(|k| rest.get(k + 1)).map(ToString::to_string).unwrap_or_default();
-    Some(Attributed { name, is_law, arguments, item: rest.into_iter().collect() })
+    Some(Attributed { name, mark, arguments, item: rest.into_iter().collect() })
 }
 
 /// Recognises two tokens that are `#` and `[constraint(…)]` or `[law]`: gives which of them, and the
 /// attribute's own arguments.
-fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(bool, TokenStream)> {
+fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(String, TokenStream)> {
     let (TokenTree::Punct(hash), TokenTree::Group(content)) = (hash, content) else { return None };
     let mut tokens = content.stream().into_iter();
     let name = tokens.next()?.to_string();
@@ -87,6 +92,6 @@ fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(bool, TokenStr
         Some(TokenTree::Group(arguments)) => Group::stream(&arguments),
         _ => TokenStream::new(),
     };
-    (hash.as_char() == '#' && matches!(name.as_str(), "constraint" | "law"))
-        .then(|| (name == "law", arguments))
+    let is_known = ["constraint", "potential", "force", "law"].contains(&name.as_str());
+    (hash.as_char() == '#' && is_known).then_some((name, arguments))
 }

@@ -42,7 +42,7 @@ fn refused(originals: &[Attributed], streams: usize) -> usize {
             name: original.name.clone(),
             item,
             arguments: original.arguments.clone(),
-            is_law: original.is_law,
+            mark: original.mark.clone(),
         };
         let Ok(expansion) = catch_unwind(AssertUnwindSafe(|| mangled.expand())) else {
             panic!("the macro panics at\n{text}")
@@ -70,7 +70,7 @@ pub fn bodies() -> Vec<Attributed> {
             if word == "twice" {
                 all.push(Attributed {
                     name: "f".into(),
-                    is_law: false,
+                    mark: "constraint".to_string(),
                     arguments: TokenStream::new(),
                     item: item.collect(),
                 });

@@ -18,6 +18,9 @@ pub enum Coord {}
 /// Marker in the signature of a `#[constraint]` function: the time t.   \[s\] It is no argument of the
 /// constructor.
 pub enum Time {}
+/// Marker in the signature of a `#[force]` function: the rate of the length or angle that the force acts
+/// along.   \[m/s, rad/s\] It is no argument of the constructor.
+pub enum Rate {}
 
 /// Which mechanism a handle belongs to. Handles of the ground and placeholders belong to all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

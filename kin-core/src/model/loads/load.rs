@@ -8,10 +8,31 @@ use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::law::Law;
 use crate::model::mechanism::IntoConstraint;
+use crate::model::terms::Local;
 use crate::numbers::algebra::Vec3;
 
 /// f(x, ẋ, t) along a length or an angle x.
-pub(crate) type ForceAlong = Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>;
+#[derive(Clone)]
+pub(crate) enum ForceAlong {
+    /// A closure, which only the program knows.
+    Closure(Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>),
+    /// A function under `#[force]`: the row of a constraint on x and ẋ.
+    Written(Box<dyn Constraint>),
+}
+
+impl ForceAlong {
+    /// Its value.
+    pub(crate) fn at(&self, x: f64, rate: f64, t: f64) -> f64 {
+        match self {
+            ForceAlong::Closure(force) => force(x, rate, t),
+            ForceAlong::Written(force) => {
+                let mut value = [f64::NAN];
+                force.residual(&Local::new(&force.arguments(), &[x, rate], &[]).at(t), &mut value);
+                value[0]
+            }
+        }
+    }
+}
 
 /// Something that acts: an energy, a force along a length or an angle, a force and a torque on a body.
 #[derive(Clone)]
@@ -128,7 +149,13 @@ impl Load {
         x: impl IntoConstraint,
         force: impl Fn(f64, f64, f64) -> f64 + Send + Sync + 'static,
     ) -> Load {
-        Load(Acting::Along(x.into_constraint(), Arc::new(force)))
+        Load(Acting::Along(x.into_constraint(), ForceAlong::Closure(Arc::new(force))))
+    }
+
+    /// The same by a function under `#[force]`, which calls this.
+    #[doc(hidden)]
+    pub fn written(x: impl IntoConstraint, force: impl Constraint + 'static) -> Load {
+        Load(Acting::Along(x.into_constraint(), ForceAlong::Written(Box::new(force))))
     }
 
     /// A force at the point ū of a body, in global components: a vector, or a law of time for each

@@ -5,7 +5,7 @@ mod load;
 mod solid;
 mod turning;
 
-pub(crate) use load::{Acting, OnBody};
+pub(crate) use load::{Acting, ForceAlong, OnBody};
 pub use load::{IntoLoad, Load, Potential};
 pub use solid::{Massive, Solid};
 pub use turning::{ByLaws, Turning};

@@ -31,7 +31,7 @@ pub(crate) fn holds(name: &str, constraint: &dyn Constraint) -> Result<()> {
     })
 }
 
-fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
+pub(crate) fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     let mut bad = None;
     constraint.parameters(&mut |parameter, value| {
         if !value.is_finite() && bad.is_none() {

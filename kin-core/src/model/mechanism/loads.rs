@@ -6,7 +6,7 @@ use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
-use crate::model::loads::{Acting, IntoLoad, Massive, OnBody, Solid};
+use crate::model::loads::{Acting, ForceAlong, IntoLoad, Massive, OnBody, Solid};
 use crate::model::mechanism::IntoConstraint;
 
 /// The words of [`Mechanism::units`], to which that for the unit of mass may be added.
@@ -149,6 +149,9 @@ impl Mechanism {
             return Err(Error::EmptyName { what: "load" });
         }
         for part in &all {
+            if let Acting::Along(_, ForceAlong::Written(force)) = part {
+                self.admit_force(name, force.as_ref())?;
+            }
             match part {
                 Acting::Potential(scalar) | Acting::Along(scalar, _) => {
                     self.admit_load(name, scalar.as_ref())?;
@@ -165,6 +168,15 @@ impl Mechanism {
         self.fresh(name)?;
         self.loads.loads.push((name.to_string(), load));
         Ok(())
+    }
+
+    /// The numbers of a force along x.
+    fn admit_force(&self, name: &str, force: &dyn Constraint) -> Result<()> {
+        if !force.clone_boxed().take_bindings().take().is_empty() {
+            return Err(refused(name, force.facts().kind, HANGS));
+        }
+        admission::finite_parameters(name, force)?;
+        admission::sensible_parameters(name, force)
     }
 
     fn admit_on_body(&self, name: &str, on: &OnBody) -> Result<()> {

@@ -1,0 +1,30 @@
+//! The signature of a function under `#[force]`: f(x, ẋ, t) along a length or an angle x.
+
+use super::{ConstraintFn, Kind, Shape};
+
+const FIRST: &str = "a force begins with the length or the angle that it acts along: `x: Coord`";
+const SECOND: &str = "after x there is its rate alone, `rate: Rate`: other coordinates belong to x, whatever \
+     constraint of one row it is";
+const BODY: &str =
+    "a force depends on x, its rate and t: the bodies belong to x, which the constructor takes";
+const VALUE: &str = "a force along x is one number: return an `f64`";
+
+/// Checks the signature of a force, read as that of a constraint. Errors: other arguments than x, its rate, t
+/// and parameters, at their types.
+pub fn force(source: ConstraintFn) -> syn::Result<ConstraintFn> {
+    for (k, argument) in source.arguments.iter().enumerate() {
+        let text = match (&argument.kind, k) {
+            (Kind::Coord, 0) if !super::types::is_rate(&argument.ty) => continue,
+            (Kind::Coord, 1) if super::types::is_rate(&argument.ty) => continue,
+            (_, 0) => FIRST,
+            (Kind::Coord, _) => SECOND,
+            (kind, _) if kind.slots() > 0 => BODY,
+            _ => continue,
+        };
+        return Err(syn::Error::new_spanned(&argument.ty, text));
+    }
+    match source.output {
+        Shape::Scalar => Ok(source),
+        _ => Err(syn::Error::new_spanned(&source.output_type, VALUE)),
+    }
+}
