@@ -1,6 +1,7 @@
 //! Forces: reactions, efforts of drives, loads and powers, against references and closed forms.
 
 mod along;
+mod closed;
 // Its mechanisms are those of other files.
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]
@@ -13,3 +14,4 @@ mod newton_euler;
 mod own;
 mod references;
 mod unique;
+mod views;
