@@ -2,10 +2,8 @@
 
 use kin::constraint::Constraint;
 use kin::dual_route::ArgumentKind;
-use kin::text::Parameter;
 use pyo3::prelude::*;
 
-use crate::law;
 use crate::numbers;
 
 /// An equation that was read.
@@ -49,20 +47,18 @@ impl Equation {
     }
 }
 
-/// The value of a parameter: numbers in order, or a law.
+/// The value of a parameter: a law as JSON, or numbers in order.
 #[derive(FromPyObject)]
-pub enum Given<'py> {
-    Law(Bound<'py, law::Law>),
-    Numbers(Vec<f64>),
+pub enum Given {
+    Law(String),
+    Numbers(Vec<Number>),
 }
 
-impl From<Given<'_>> for Parameter {
-    fn from(given: Given<'_>) -> Self {
-        match given {
-            Given::Law(law) => Parameter::Law(law.get().0.clone()),
-            Given::Numbers(numbers) => Parameter::Numbers(numbers),
-        }
-    }
+/// A number, or an expression of dimensions.
+#[derive(FromPyObject)]
+pub enum Number {
+    Plain(f64),
+    Expression(String),
 }
 
 /// Every term of a constraint: C, C_q row by row, C_t, Q_d.

@@ -1,6 +1,6 @@
 //! Kin's errors as Python's exceptions: the same words, the fields by name, the motion before.
 
-use kin::Error;
+use kin::{DimensionError, Error};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -89,12 +89,23 @@ fn facts(error: &Error) -> (&'static str, Value) {
         Error::WrongLength { what, expected, found } => {
             ("WrongLength", json!({ "what": what, "expected": expected, "found": found }))
         }
+        Error::Dimension(found) => ("DimensionError", of_dimension(found)),
         Error::Mismatch(_) => ("Mismatch", json!({})),
         Error::NoDerivative(_) => ("NoDerivative", json!({})),
         Error::Data { place, reason } => ("DataError", json!({ "place": place, "reason": reason })),
         Error::Table { reason, .. } => ("TableError", json!({ "reason": reason })),
         Error::File { path, .. } => ("FileError", json!({ "path": path })),
         _ => ("Error", json!({})),
+    }
+}
+
+/// The fields of a mistake in a dimension.
+fn of_dimension(error: &DimensionError) -> Value {
+    match error {
+        DimensionError::Unused { name } => json!({ "name": name }),
+        DimensionError::Invalid { name, reason } => json!({ "name": name, "reason": reason }),
+        DimensionError::Foreign { mechanism, place } => json!({ "mechanism": mechanism, "place": place }),
+        _ => json!({}),
     }
 }
 

@@ -2,11 +2,11 @@
 //! they are its own.
 
 use kin::data::{ConstraintData, MechanismData};
-use kin::text::{Making, On};
-use kin::{Ground, Pose, SpatialPose};
+use kin::text::{Making, On, Parameter};
+use kin::{Dimension, Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
 
-use crate::equation::{Equation, Given, Terms, terms};
+use crate::equation::{Equation, Given, Number, Terms, terms};
 use crate::fault::{told, unreadable, wrong_type};
 use crate::numbers::{vec2, vec3};
 use crate::system::System;
@@ -48,16 +48,47 @@ impl Mechanism {
         self.0.units(length, time);
     }
 
-    fn link(&mut self, py: Python<'_>, name: &str, length: f64) -> PyResult<f64> {
-        told(py, self.0.link(name, length)).map(|link| link.length())
+    /// A dimension, or a name for an expression of others; gives its value.
+    fn dimension(
+        &mut self,
+        py: Python<'_>,
+        name: &str,
+        value: Number,
+        unit: &str,
+        within: Option<[f64; 2]>,
+        tolerance: Option<f64>,
+    ) -> PyResult<f64> {
+        let value = self.number(py, value)?;
+        let mut made = told(py, self.0.dimension(name, value))?;
+        if let Some([from, to]) = within {
+            made = made.within(from, to);
+        }
+        if let Some(tolerance) = tolerance {
+            made = made.tolerance(tolerance);
+        }
+        if !unit.is_empty() {
+            made = made.unit(unit);
+        }
+        Ok(made.value())
+    }
+
+    /// The value of an expression of dimensions.
+    fn expression(&self, py: Python<'_>, text: &str) -> PyResult<f64> {
+        told(py, self.0.expression(text)).map(Dimension::value)
+    }
+
+    fn link(&mut self, py: Python<'_>, name: &str, length: Number) -> PyResult<f64> {
+        let length = self.number(py, length)?;
+        told(py, self.0.link(name, length)).map(|link| link.length().value())
     }
 
     fn link_between(&mut self, py: Python<'_>, name: &str, a: [f64; 2], b: [f64; 2]) -> PyResult<f64> {
         told(py, self.0.link_between(name, vec2(a), vec2(b))).map(|link| link.length())
     }
 
-    fn planar(&mut self, py: Python<'_>, name: &str, pose: [f64; 3]) -> PyResult<()> {
-        told(py, self.0.planar(name, planar_pose(pose))).map(|_| ())
+    fn planar(&mut self, py: Python<'_>, name: &str, pose: (Number, Number, Number)) -> PyResult<()> {
+        let (x, y, theta) = (self.number(py, pose.0)?, self.number(py, pose.1)?, self.number(py, pose.2)?);
+        told(py, self.0.planar(name, Pose { x, y, theta })).map(|_| ())
     }
 
     fn spatial(&mut self, py: Python<'_>, name: &str, pose: [f64; 7]) -> PyResult<()> {
@@ -74,11 +105,13 @@ impl Mechanism {
         told(py, self.0.spatial_link_between(name, vec3(a), vec3(b))).map(|link| link.length())
     }
 
-    fn angle(&mut self, py: Python<'_>, name: &str, guess: f64) -> PyResult<()> {
+    fn angle(&mut self, py: Python<'_>, name: &str, guess: Number) -> PyResult<()> {
+        let guess = self.number(py, guess)?;
         told(py, self.0.angle(name, guess)).map(|_| ())
     }
 
-    fn length(&mut self, py: Python<'_>, name: &str, guess: f64) -> PyResult<()> {
+    fn length(&mut self, py: Python<'_>, name: &str, guess: Number) -> PyResult<()> {
+        let guess = self.number(py, guess)?;
         told(py, self.0.length(name, guess)).map(|_| ())
     }
 
@@ -95,9 +128,9 @@ impl Mechanism {
         name: &str,
         equation: &Bound<'_, Equation>,
         on: Vec<Place>,
-        parameters: Vec<(String, Given<'_>)>,
+        parameters: Vec<(String, Given)>,
     ) -> PyResult<()> {
-        let making = self.making(equation, on, parameters)?;
+        let making = self.making(py, equation, on, parameters)?;
         let constraint = told(py, making.constraint())?;
         told(py, self.0.add(name, constraint)).map(|_| ())
     }
@@ -109,12 +142,12 @@ impl Mechanism {
         py: Python<'py>,
         equation: &Bound<'_, Equation>,
         on: Vec<Place>,
-        parameters: Vec<(String, Given<'_>)>,
+        parameters: Vec<(String, Given)>,
         q: &[u8],
         qd: &[u8],
         t: f64,
     ) -> PyResult<Terms<'py>> {
-        let constraint = told(py, self.making(equation, on, parameters)?.constraint())?;
+        let constraint = told(py, self.making(py, equation, on, parameters)?.constraint())?;
         terms(&constraint, q, qd, t)
     }
 
@@ -219,17 +252,40 @@ impl Mechanism {
         })
     }
 
+    fn number(&self, py: Python<'_>, number: Number) -> PyResult<Dimension> {
+        match number {
+            Number::Plain(x) => Ok(x.into()),
+            Number::Expression(text) => told(py, self.0.expression(&text)),
+        }
+    }
+
+    fn parameter(&self, py: Python<'_>, given: Given) -> PyResult<Parameter> {
+        match given {
+            Given::Law(json) => {
+                let data = serde_json::from_str(&json).map_err(|error| unreadable(&error))?;
+                told(py, self.0.law(&data, &kin::text::registry())).map(Parameter::Law)
+            }
+            Given::Numbers(numbers) => {
+                let numbers = numbers.into_iter().map(|number| self.number(py, number));
+                numbers.collect::<PyResult<_>>().map(Parameter::Numbers)
+            }
+        }
+    }
+
     fn making(
         &self,
+        py: Python<'_>,
         equation: &Bound<'_, Equation>,
         on: Vec<Place>,
-        parameters: Vec<(String, Given<'_>)>,
+        parameters: Vec<(String, Given)>,
     ) -> PyResult<Making> {
         let on = on.iter().map(|place| self.on(place)).collect::<PyResult<Vec<On>>>()?;
         let mut on = on.into_iter();
         let first = on.next().ok_or_else(|| wrong_type("an equation needs a body or coordinate"))?;
         let making = on.fold(equation.get().0.on(first), Making::on);
-        Ok(parameters.into_iter().fold(making, |making, (name, value)| making.with(&name, value)))
+        parameters
+            .into_iter()
+            .try_fold(making, |making, (name, value)| Ok(making.with(&name, self.parameter(py, value)?)))
     }
 }
 

@@ -90,6 +90,16 @@ impl System {
         self.now().parameters()
     }
 
+    /// Names and values of the dimensions.
+    fn dimensions(&self) -> Vec<(String, f64)> {
+        self.now().dimensions()
+    }
+
+    /// The same system, to be set by itself.
+    fn copy(&self) -> System {
+        System(Mutex::new(self.now()))
+    }
+
     fn parameter(&self, py: Python<'_>, name: &str) -> PyResult<f64> {
         told(py, self.now().parameter(name))
     }

@@ -58,6 +58,23 @@ def test_a_function_of_python_drives_as_the_law_that_it_is():
         np.testing.assert_allclose(rows[:, 0], rows[:, 1], atol=1e-13)
 
 
+def test_what_a_function_of_python_drives_is_proved():
+    """Its bounds between two times are known, so that a motion is proved as one of a law of the library is; and a limit
+    that is passed between two times is seen."""
+    m = kin.Mechanism("crank and rod")
+    crank, rod = m.link("crank", 0.1), m.link("rod", 0.3)
+    m.add("O", kin.revolute(crank, m.ground, crank.start, (0, 0)))
+    m.add("A", kin.revolute(crank, rod, crank.end, rod.start))
+    m.add("slide", kin.point_on_line(rod, m.ground, rod.end, (0, 0), (1, 0)))
+    m.add("motor", kin.drive_angle(crank, lambda t: 0.4 * np.sin(2.0 * t) ** 3 + t * np.exp(-t)))
+    m.limit("crank.theta", -10.0, 0.5)
+    system = m.build()
+    motion = system.run(np.linspace(0, 3, 61))
+    proof = system.prove(motion)
+    assert proof.is_complete and proof.proved == proof.steps == 60, str(proof)
+    assert any(event.name == "crank.theta" for event in motion.events)
+
+
 def test_mistakes_of_laws():
     with pytest.raises(kin.ConstraintError, match="a law is a function of one variable; `f` has 2"):
 

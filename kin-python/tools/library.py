@@ -15,14 +15,14 @@ TYPES = {
     "Planar": "PlanarLike",
     "Spatial": "SpatialLike",
     "Coord": "CoordinateLike",
-    "f64": "float",
+    "f64": "NumberLike",
     "Vec2": "Vec2Like",
     "Vec3": "Vec3Like",
     "EulerParameters": "EulerLike",
     "Axis": "AxisLike",
     "Law": "LawLike",
     "[Coord; N]": "Sequence[CoordinateLike]",
-    "[f64; N]": "Sequence[float]",
+    "[f64; N]": "Sequence[NumberLike]",
 }
 HEAD = '''"""{title}
 
@@ -33,6 +33,7 @@ from __future__ import annotations
 
 from typing import Sequence
 
+from ._dimension import NumberLike
 from ._handles import CoordinateLike, PlanarLike, SpatialLike
 from ._joint import AxisLike, EulerLike, Joint, LawLike, Vec2Like, Vec3Like, joint
 '''

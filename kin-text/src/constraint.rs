@@ -6,7 +6,7 @@ use kin::constraint::{Attached, Attachment, Constraint, Facts, Parameters, Route
 use kin::coordinates::{Argument, Coordinate, Target, Trig};
 use kin::data::{Datum, Describer};
 use kin::emitted::graph::{Dual3_64, Given, Table, give_law};
-use kin::emitted::{Refuses, refusal};
+use kin::emitted::{Bindings, Refuses, refusal};
 use kin::state::{At, Rates};
 use kin::{Axis, Law, PlanarBody, SpatialBody, Vec3};
 use kin_graph::Node;
@@ -24,6 +24,8 @@ pub struct ReadConstraint {
     pub(crate) targets: Vec<Body>,
     pub(crate) numbers: Vec<f64>,
     pub(crate) laws: Vec<Law>,
+    /// Parameters that hang on dimensions.
+    pub(crate) bindings: Bindings,
 }
 
 /// A body or coordinate that an argument stands for.
@@ -219,6 +221,10 @@ impl Parameters for ReadConstraint {
             Some(k) => self.laws[k].set_parameter(rest, value),
             None => false,
         }
+    }
+
+    fn take_bindings(&mut self) -> Bindings {
+        std::mem::take(&mut self.bindings)
     }
 
     fn refusal(&self) -> Option<String> {

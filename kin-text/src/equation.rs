@@ -4,10 +4,11 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use kin::dual_route::ArgumentKind;
+use kin::emitted::{Bindings, parameter};
 use kin::error::{Error, Result};
 use kin::{
-    Axis, Coordinate, EulerParameters, Ground, Law, Link, Mat2, Mat3, PlanarBody, SpatialBody, SpatialLink,
-    Vec2, Vec3,
+    Axis, Coordinate, Dimension, EulerParameters, Ground, IntoNumber, Law, Link, Mat2, Mat3, PlanarBody,
+    SpatialBody, SpatialLink, Vec2, Vec3,
 };
 
 use crate::constraint::{Body, ReadConstraint, count};
@@ -103,7 +104,8 @@ impl Making {
         self
     }
 
-    /// The value of a parameter, in the unit that the equation takes it in.
+    /// The value of a parameter, in the unit that the equation takes it in. Its numbers, and those of a law,
+    /// may be [`Dimension`]s.
     pub fn with(mut self, name: &str, value: impl Into<Parameter>) -> Self {
         self.given.push((name.to_owned(), value.into()));
         self
@@ -126,20 +128,26 @@ impl Making {
         let bodies = signature.slots.iter().zip(&self.bodies);
         let targets = bodies.map(|((name, kind), on)| on.as_kind(*kind).ok_or_else(|| wrong(name, *kind)));
         let targets = targets.collect::<std::result::Result<_, _>>()?;
-        let mut numbers = vec![f64::NAN; signature.numbers.len()];
-        let mut laws = Vec::new();
-        for parameter in &signature.parameters {
-            let name = &parameter.name;
+        let mut numbers = vec![Dimension::from(f64::NAN); signature.numbers.len()];
+        let (mut laws, mut bindings) = (Vec::new(), Bindings::NONE);
+        for asked in &signature.parameters {
+            let name = &asked.name;
             let value = self.given.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value);
             let value =
                 value.ok_or_else(|| format!("its parameter `{name}` is missing: `.with(\"{name}\", …)`"))?;
-            match (&parameter.kind, value) {
-                (ParameterKind::Law(_), Parameter::Law(law)) => laws.push(law.clone()),
+            match (&asked.kind, value) {
+                (ParameterKind::Law(_), Parameter::Law(law)) => {
+                    laws.push(parameter(law.clone(), name, &mut bindings));
+                }
                 (ParameterKind::Law(_), Parameter::Numbers(all)) if all.len() == 1 => {
-                    laws.push(Law::constant(all[0]));
+                    laws.push(parameter(Law::constant(all[0]), name, &mut bindings));
+                }
+                (ParameterKind::Axis { .. }, Parameter::Numbers(all)) if all.iter().any(hangs) => {
+                    return Err(format!("its parameter `{name}` is an axis, which follows no dimensions"));
                 }
                 (ParameterKind::Axis { first }, Parameter::Numbers(all)) if all.len() == 3 => {
-                    put(&mut numbers, *first, &axis(&Axis::along([all[0], all[1], all[2]])));
+                    let along = Axis::along([all[0], all[1], all[2]].map(Dimension::value));
+                    put(&mut numbers, *first, &axis(&along).map(Dimension::from));
                 }
                 (ParameterKind::Axis { first }, Parameter::Numbers(all)) if all.len() == 9 => {
                     put(&mut numbers, *first, all);
@@ -165,11 +173,20 @@ impl Making {
         if let Some((name, _)) = self.given.iter().find(|(name, _)| !known(name)) {
             return Err(format!("it has no parameter `{name}`"));
         }
-        Ok(ReadConstraint { targets, numbers, laws, read: self.read.clone() })
+        let named = signature.numbers.iter().zip(numbers);
+        let numbers = named.map(|(name, number)| bindings.number(name, number)).collect();
+        Ok(ReadConstraint { targets, numbers, laws, bindings, read: self.read.clone() })
     }
 }
 
-fn put(numbers: &mut [f64], first: usize, values: &[f64]) {
+/// True of a number that hangs on dimensions.
+fn hangs(number: &Dimension) -> bool {
+    let mut bindings = Bindings::NONE;
+    bindings.number("", *number);
+    !bindings.take().is_empty()
+}
+
+fn put(numbers: &mut [Dimension], first: usize, values: &[Dimension]) {
     numbers.iter_mut().skip(first).zip(values).for_each(|(place, value)| *place = *value);
 }
 
@@ -238,16 +255,20 @@ impl From<Ground> for On {
 #[non_exhaustive]
 pub enum Parameter {
     /// The numbers of a number, vector, matrix, array or tuple; of an axis its direction.
-    Numbers(Vec<f64>),
+    Numbers(Vec<Dimension>),
     /// A law.
     Law(Law),
+}
+
+fn all<N: IntoNumber>(numbers: impl IntoIterator<Item = N>) -> Parameter {
+    Parameter::Numbers(numbers.into_iter().map(IntoNumber::into_number).collect())
 }
 
 macro_rules! parameters {
     ($($ty:ty, |$x:ident| $numbers:expr;)*) => {$(
         impl From<$ty> for Parameter {
             fn from($x: $ty) -> Self {
-                Parameter::Numbers($numbers.to_vec())
+                all($numbers)
             }
         }
     )*};
@@ -255,21 +276,43 @@ macro_rules! parameters {
 
 parameters! {
     f64, |x| [x];
+    Dimension, |x| [x];
     Vec<f64>, |x| x;
-    &[f64], |x| x;
-    (f64, f64), |x| [x.0, x.1];
-    (f64, f64, f64), |x| [x.0, x.1, x.2];
-    Vec2, |x| x.to_array();
-    Vec3, |x| x.to_array();
+    Vec<Dimension>, |x| x;
+    &[f64], |x| x.iter().copied();
     EulerParameters, |p| [p.e0, p.e1, p.e2, p.e3];
     Mat2, |a| [a.m11, a.m12, a.m21, a.m22];
     Mat3, |a| [a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33];
     Axis, |a| axis(&a);
 }
 
-impl<const N: usize> From<[f64; N]> for Parameter {
-    fn from(x: [f64; N]) -> Self {
-        Parameter::Numbers(x.to_vec())
+impl<N: IntoNumber, const LENGTH: usize> From<[N; LENGTH]> for Parameter {
+    fn from(x: [N; LENGTH]) -> Self {
+        all(x)
+    }
+}
+
+impl<X: IntoNumber, Y: IntoNumber> From<(X, Y)> for Parameter {
+    fn from((x, y): (X, Y)) -> Self {
+        all([x.into_number(), y.into_number()])
+    }
+}
+
+impl<X: IntoNumber, Y: IntoNumber, Z: IntoNumber> From<(X, Y, Z)> for Parameter {
+    fn from((x, y, z): (X, Y, Z)) -> Self {
+        all([x.into_number(), y.into_number(), z.into_number()])
+    }
+}
+
+impl<N: IntoNumber> From<Vec2<N>> for Parameter {
+    fn from(v: Vec2<N>) -> Self {
+        all([v.x, v.y])
+    }
+}
+
+impl<N: IntoNumber> From<Vec3<N>> for Parameter {
+    fn from(v: Vec3<N>) -> Self {
+        all([v.x, v.y, v.z])
     }
 }
 

@@ -4,6 +4,7 @@ use kin::Registry;
 use kin::constraint::Constraint;
 use kin::data::Reader;
 use kin::dual_route::ArgumentKind;
+use kin::emitted::Bindings;
 use kin::{Axis, Law};
 use kin_language::parse::Shape;
 use serde_json::Value;
@@ -58,7 +59,7 @@ fn made(equation: &Equation, from: &mut Reader<'_>) -> ReadConstraint {
             ParameterKind::Law(_) => laws.push(from.get::<Law>(&parameter.name)),
         }
     }
-    ReadConstraint { targets, numbers, laws, read: read.clone() }
+    ReadConstraint { targets, numbers, laws, bindings: Bindings::NONE, read: read.clone() }
 }
 
 /// Appends the numbers of a value.

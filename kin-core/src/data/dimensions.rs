@@ -205,7 +205,7 @@ pub(super) fn without_expressions(
 ) -> std::result::Result<Value, String> {
     let mut value = value.clone();
     let mut note = |place: Within, text: &str| {
-        let number = mechanism.expression(text)?;
+        let number = mechanism.read_expression(text)?;
         found.push(Found { key: key.to_string(), place, number });
         Ok(serde_json::Number::from_f64(number.value()).map_or(Value::Null, Value::Number))
     };
@@ -246,6 +246,21 @@ fn replace_in_law(law: &mut Value, before: &str, note: &mut Note<'_>) -> std::re
     parts.iter_mut().try_for_each(|(name, part)| replace_in_law(part, &format!("{before}{name}."), note))
 }
 
+/// The data of a law with numbers in place of expressions, and those by the names of the law's numbers.
+/// Errors: an expression that cannot be read.
+pub(super) fn law_without_expressions(
+    mechanism: &Mechanism,
+    law: &Value,
+) -> std::result::Result<(Value, Vec<(String, Dimension)>), String> {
+    let mut found = Vec::new();
+    let plain = without_expressions(mechanism, "", law, &mut found)?;
+    let named = |Found { place, number, .. }: Found| match place {
+        Within::Law(name) => Some((name, number)),
+        Within::List(_) => None,
+    };
+    Ok((plain, found.into_iter().filter_map(named).collect()))
+}
+
 /// Which parameters of a constraint the expressions are. Errors: one that is none.
 pub(super) fn bound(
     of: &dyn Constraint,
@@ -264,9 +279,16 @@ pub(super) fn bound(
 }
 
 impl Mechanism {
-    /// The number that an expression of this mechanism's dimensions says, such as `crank / 2`. Names that are
-    /// no words stand in backticks. Errors: the fault in words.
-    pub(super) fn expression(&self, text: &str) -> std::result::Result<Dimension, String> {
+    /// The number that an expression of this mechanism's dimensions says, such as `crank / 2` or
+    /// `hypot(dx, dy)`, as mechanism files have them. Names that are no words stand in backticks.
+    ///
+    /// Errors: a text that is no expression, or names what is no dimension.
+    pub fn expression(&self, text: &str) -> Result<Dimension> {
+        let place = "dimensions".to_string();
+        self.read_expression(text).map_err(|reason| Error::Data { place, reason })
+    }
+
+    fn read_expression(&self, text: &str) -> std::result::Result<Dimension, String> {
         expression::read(text, &mut |name| self.dimension_named(name))
     }
 
@@ -282,7 +304,7 @@ impl Mechanism {
         match number {
             NumberData::Number(x) => Ok((*x).into()),
             NumberData::Expression(text) => {
-                self.expression(text).map_err(|reason| Error::Data { place: place.to_string(), reason })
+                self.read_expression(text).map_err(|reason| Error::Data { place: place.to_string(), reason })
             }
         }
     }

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use super::dimensions::{NumberData, Texts};
+use super::dimensions::{NumberData, Texts, law_without_expressions};
 use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData};
+use super::law::LawData;
 use super::loads::{Carried, carry};
 use super::names::plain;
 use super::{FORMAT, Registry};
@@ -12,6 +13,7 @@ use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
 use crate::model::dimension::{Bound, Dimension};
 use crate::model::error::{Error, Result};
+use crate::model::law::Law;
 use crate::model::layout::{Kind, Place};
 use crate::model::mechanism::{ConstraintId, Limit, Mechanism};
 use crate::model::units::Units;
@@ -201,6 +203,18 @@ impl Mechanism {
             Error::Data { place: format!("constraint `{name}`"), reason }
         })?;
         self.add_bound(name, constraint, bound)
+    }
+
+    /// The law that the data of a file say: `{"kind": "ramp", "numbers": {"rate": "2 * w"}}`, where numbers
+    /// may be expressions of this mechanism's dimensions.
+    ///
+    /// Errors: data that say no law, an unknown kind, numbers that are missing, an expression that cannot be
+    /// read.
+    pub fn law(&self, data: &serde_json::Value, registry: &Registry) -> Result<Law> {
+        let fail = |reason: String| Error::Data { place: "law".to_string(), reason };
+        let (plain, bound) = law_without_expressions(self, data).map_err(fail)?;
+        let data: LawData = serde_json::from_value(plain).map_err(|error| fail(error.to_string()))?;
+        Ok(registry.law(&data).map_err(fail)?.hung_on(bound))
     }
 
     fn add_body(&mut self, body: &BodyData) -> Result<()> {

@@ -12,6 +12,7 @@ Metre, radian, second; any consistent set of units works.
 from . import spatial
 from ._constraint import Constraint, Equation, branch, constraint, equation, law, measure, require
 from ._diagnosis import Diagnosis
+from ._dimension import Dimension, NumberLike
 from ._errors import *  # noqa: F403
 from ._errors import ALL as _ERRORS
 from ._functions import (
@@ -79,6 +80,7 @@ __all__ = [
     "Coord",
     "Coordinate",
     "Diagnosis",
+    "Dimension",
     "Equation",
     "EulerParameters",
     "Event",
@@ -92,6 +94,7 @@ __all__ = [
     "Mat3",
     "Mechanism",
     "Motion",
+    "NumberLike",
     "Page",
     "Picture",
     "Planar",

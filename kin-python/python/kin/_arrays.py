@@ -7,7 +7,7 @@ from typing import Any, Callable
 import numpy as np
 
 from . import _functions, _mistakes
-from ._scalars import users_line
+from ._place import users_line
 
 
 def _vector(x: Any) -> Any:

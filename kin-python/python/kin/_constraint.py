@@ -18,7 +18,8 @@ from ._errors import ConstraintError
 from ._handles import Coordinate, Handle
 from ._law import Law
 from ._library_names import LIBRARY
-from ._scalars import Condition, Expr, users_line
+from ._place import users_line
+from ._scalars import Condition, Expr
 from ._states import Coord, Planar, Spatial, Time, TracedLaw
 from ._trace import Trace
 from ._values import numbers_of
@@ -442,8 +443,8 @@ def measure(name: str, value: Any, unit: str) -> None:
     trace.measures.append((name, node, unit))
 
 
-def parameters_of(constraint: Constraint) -> list[tuple[str, Any]]:
+def parameters_of(constraint: Constraint, mechanism: str, own: str) -> list[tuple[str, Any]]:
     """The parameters as the native part takes them: numbers in order, or laws."""
     of = {one.name: one for one in constraint.equation.arguments}
     name = constraint.equation.name
-    return [(key, numbers_of(name, of[key], value)) for key, value in constraint.parameters.items()]
+    return [(key, numbers_of(name, mechanism, own, of[key], value)) for key, value in constraint.parameters.items()]

@@ -145,6 +145,10 @@ class NoDerivative(Error):
     """A derivative by a parameter that does not exist, or is not known."""
 
 
+class DimensionError(Error):
+    """A named dimension that makes no sense, is of another mechanism, or on which nothing hangs."""
+
+
 class DataError(Error):
     """Something that cannot be written as data, or data that do not say what they should."""
 

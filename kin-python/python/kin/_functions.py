@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Protocol, overload
+from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 
 from . import _mistakes
-from ._scalars import Condition, Expr, Scalar, users_line
+from ._number import Number
+from ._place import users_line
+from ._scalars import Condition, Expr, Scalar, _two
+
+if TYPE_CHECKING:
+    from ._dimension import Dimension
 
 
 class Function(Protocol):
-    """A function of one number: of a plain one it is plain, of a traced one traced, of an array an array."""
+    """A function of one number: of a plain one it is plain, of a traced one traced, of a dimension an expression of it,
+    of an array an array."""
 
     @overload
     def __call__(self, x: float) -> float: ...
     @overload
     def __call__(self, x: Expr) -> Expr: ...
+    @overload
+    def __call__(self, x: "Dimension") -> "Dimension": ...
     @overload
     def __call__(self, x: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]": ...
 
@@ -26,7 +34,7 @@ def _one(name: str, numpys: str, formula: str) -> Function:
     plain = getattr(np, numpys)
 
     def function(x: Any) -> Any:
-        if isinstance(x, Expr):
+        if isinstance(x, Number):
             return getattr(x, numpys)()
         made = plain(x)
         return float(made) if isinstance(x, (int, float)) else made
@@ -64,14 +72,6 @@ sign = _one("sign", "sign", "−1, 0 or 1; slope 0")
 fabs = _one("fabs", "fabs", "|x|; slope 1 at 0")
 radians = _one("radians", "radians", "degrees as radians")
 degrees = _one("degrees", "degrees", "radians as degrees")
-
-
-def _two(a: Any, b: Any, name: str) -> Any:
-    if isinstance(a, Expr):
-        return getattr(a, name)(b)
-    if isinstance(b, Expr):
-        return getattr(b._trace.expression(a), name)(b)
-    return getattr(np, name)(a, b)
 
 
 def atan2(y: Scalar, x: Scalar) -> Any:

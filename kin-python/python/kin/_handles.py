@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Optional, Union
 
+from ._dimension import NumberLike
 from ._vectors import Vec2, Vec3
 
 
@@ -21,7 +22,7 @@ class Coordinate:
 class _Body:
     name: str
     _of: str = field(repr=False)
-    _length: Optional[float] = field(default=None, repr=False)
+    _length: Optional[NumberLike] = field(default=None, repr=False)
 
     def _coordinate(self, axis: str) -> Coordinate:
         return Coordinate(f"{self.name}.{axis}", self._of)
@@ -62,9 +63,9 @@ class Link(PlanarBody):
     """A planar body between two pins, its frame at the middle."""
 
     @property
-    def length(self) -> float:
-        """The distance of its pins.   [m]"""
-        return self._length or 0.0
+    def length(self) -> NumberLike:
+        """The distance of its pins; a dimension, if it was given as one.   [m]"""
+        return 0.0 if self._length is None else self._length
 
     @property
     def start(self) -> Vec2:
@@ -82,9 +83,9 @@ class SpatialLink(SpatialBody):
     """A spatial body between two points, its frame at the middle, x-axis from one to the other."""
 
     @property
-    def length(self) -> float:
+    def length(self) -> NumberLike:
         """The distance of its ends.   [m]"""
-        return self._length or 0.0
+        return 0.0 if self._length is None else self._length
 
     @property
     def start(self) -> Vec3:

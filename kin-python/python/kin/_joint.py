@@ -9,16 +9,17 @@ from typing import Any, Callable, Optional, Sequence, Union
 import numpy as np
 
 from . import _values
+from ._dimension import NumberLike, written
 from ._errors import ForeignBody
 from ._handles import Coordinate, Ground, Handle, place_of
 from ._law import Law
 from ._vectors import Axis, EulerParameters, Vec2, Vec3
 
-Vec2Like = Union[Vec2, Sequence[float], "np.ndarray[Any, Any]"]
-Vec3Like = Union[Vec3, Sequence[float], "np.ndarray[Any, Any]"]
+Vec2Like = Union[Vec2, Sequence[NumberLike], "np.ndarray[Any, Any]"]
+Vec3Like = Union[Vec3, Sequence[NumberLike], "np.ndarray[Any, Any]"]
 EulerLike = Union[EulerParameters, Sequence[float], "np.ndarray[Any, Any]"]
 AxisLike = Union[Axis, Vec3, Sequence[float], "np.ndarray[Any, Any]"]
-LawLike = Union[Law, float, Callable[[Any], Any]]
+LawLike = Union[Law, NumberLike, Callable[[Any], Any]]
 
 # Places of `linear_coupling`, which takes two to six coordinates.
 _TERMS = 6
@@ -59,7 +60,7 @@ class Joint:
                 arguments.append({"ground_coord": int(body_name or 0)})
             else:
                 arguments.append({short: body_name})  # type: ignore[dict-item]
-        parameters = {key: _json(name, key, kind, value) for key, kind, value in self.parameters}
+        parameters = {key: _json(name, mechanism, own, key, kind, value) for key, kind, value in self.parameters}
         return json.dumps({"name": name, "kind": self.kind, "arguments": arguments, "parameters": parameters})
 
 
@@ -102,7 +103,7 @@ def _checked(kind: str, name: str, of: str, value: Any) -> None:
         return
     wanted = _values.NUMBERS.get(of)
     try:
-        found: Optional[int] = len(_values.flat(value))
+        found: Optional[int] = len(_values.items(value))
     except (TypeError, ValueError):
         found = None
     if found is None or (wanted is not None and found != wanted):
@@ -110,16 +111,16 @@ def _checked(kind: str, name: str, of: str, value: Any) -> None:
         raise TypeError(f"`{kind}`: its parameter `{name}` is {shown}, not {value!r}")
 
 
-def _json(place: str, name: str, kind: str, value: Any) -> Any:
+def _json(place: str, mechanism: str, own: str, name: str, kind: str, value: Any) -> Any:
     """A parameter as JSON."""
     if kind == "Law":
-        return _values.law_of(place, name, value)._data
+        return _values.law_of(place, name, value)._written(place, mechanism, own)
     if kind == "Axis":
         rows = _values.axis_of(place, name, value)._rows()
         return [[_values.finite(place, f"{name}.{key}", x) for x, key in zip(row, "xyz")] for row in rows]
-    numbers = _values.flat(value)
+    numbers = _values.items(value)
     if kind == "f64":
-        return _values.finite(place, name, numbers[0])
+        return written(place, mechanism, own, _values.finite(place, name, numbers[0]))
     names = _values.NAMES.get(kind)
     parts = [f"{name}.{one}" for one in names] if names else [f"{name}[{k}]" for k in range(len(numbers))]
-    return [_values.finite(place, part, x) for part, x in zip(parts, numbers)]
+    return [written(place, mechanism, own, _values.finite(place, part, x)) for part, x in zip(parts, numbers)]

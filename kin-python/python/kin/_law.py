@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-from typing import Any, Iterable, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _native
+from ._dimension import Dimension, NumberLike, valued, written
 
 
 class Law:
@@ -33,8 +34,18 @@ class Law:
     @property
     def _native(self) -> "_native.Law":
         if self._made is None:
-            self._made = _native.Law(json.dumps(self._data))
+            self._made = _native.Law(json.dumps(_each(self._data, valued)))
         return self._made
+
+    def _written(self, place: str, mechanism: str, own: str) -> dict[str, Any]:
+        """Its data, dimensions of the mechanism as their texts."""
+        return _each(self._data, lambda number: written(place, mechanism, own, number))
+
+    def _json(self, place: str, mechanism: str, own: str) -> str:
+        return json.dumps(self._written(place, mechanism, own))
+
+    def _key(self) -> str:
+        return json.dumps(_each(self._data, lambda x: [x.text, x._of] if isinstance(x, Dimension) else x), sort_keys=True)
 
     @property
     def kind(self) -> str:
@@ -44,38 +55,38 @@ class Law:
     # The laws, in the order of docs/library.md.
 
     @staticmethod
-    def constant(c: float) -> "Law":
+    def constant(c: NumberLike) -> "Law":
         """f(x) = c"""
         return Law._of("constant", c=c)
 
     @staticmethod
-    def ramp(rate: float) -> "Law":
+    def ramp(rate: NumberLike) -> "Law":
         """f(x) = rate · x"""
         return Law._of("ramp", rate=rate)
 
     @staticmethod
-    def linear(f0: float, rate: float) -> "Law":
+    def linear(f0: NumberLike, rate: NumberLike) -> "Law":
         """f(x) = f0 + rate · x"""
         return Law._of("linear", f0=f0, rate=rate)
 
     @staticmethod
-    def polynomial(c: Sequence[float]) -> "Law":
+    def polynomial(c: Sequence[NumberLike]) -> "Law":
         """f(x) = c[0] + c[1] x + c[2] x² + …"""
         named: dict[str, Any] = {f"c[{k}]": one for k, one in enumerate(c)}
         return Law._of("polynomial", **named)
 
     @staticmethod
-    def harmonic(mean: float, amplitude: float) -> "Law":
+    def harmonic(mean: NumberLike, amplitude: NumberLike) -> "Law":
         """f(x) = mean + amplitude · sin x"""
         return Law._of("harmonic", mean=mean, amplitude=amplitude)
 
     @staticmethod
-    def sine(amplitude: float, omega: float, phase: float = 0.0) -> "Law":
+    def sine(amplitude: NumberLike, omega: NumberLike, phase: NumberLike = 0.0) -> "Law":
         """f(x) = amplitude · sin(omega · x + phase)   [rad/s, rad]"""
         return Law._of("sine", amplitude=amplitude, omega=omega, phase=phase)
 
     @staticmethod
-    def fourier(mean: float, omega: float, pairs: Iterable[tuple[float, float]]) -> "Law":
+    def fourier(mean: NumberLike, omega: NumberLike, pairs: Iterable[tuple[NumberLike, NumberLike]]) -> "Law":
         """f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x); the pairs are (a_k, b_k)."""
         named: dict[str, Any] = {}
         for k, (a, b) in enumerate(pairs, start=1):
@@ -83,57 +94,57 @@ class Law:
         return Law._of("fourier", mean=mean, omega=omega, **named)
 
     @staticmethod
-    def harmonic_rise(height: float, length: float) -> "Law":
+    def harmonic_rise(height: NumberLike, length: NumberLike) -> "Law":
         """Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after."""
         return Law._of("harmonic_rise", height=height, length=length)
 
     @staticmethod
-    def cycloidal(height: float, length: float) -> "Law":
+    def cycloidal(height: NumberLike, length: NumberLike) -> "Law":
         """Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after."""
         return Law._of("cycloidal", height=height, length=length)
 
     @staticmethod
-    def polynomial_345(height: float, length: float) -> "Law":
+    def polynomial_345(height: NumberLike, length: NumberLike) -> "Law":
         """3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after."""
         return Law._of("polynomial_345", height=height, length=length)
 
     @staticmethod
-    def polynomial_4567(height: float, length: float) -> "Law":
+    def polynomial_4567(height: NumberLike, length: NumberLike) -> "Law":
         """4-5-6-7 polynomial rise, 0 before and h after."""
         return Law._of("polynomial_4567", height=height, length=length)
 
     @staticmethod
-    def modified_sine(height: float, length: float) -> "Law":
+    def modified_sine(height: NumberLike, length: NumberLike) -> "Law":
         """Modified sine rise; 0 before and h after."""
         return Law._of("modified_sine", height=height, length=length)
 
     @staticmethod
-    def modified_trapezoid(height: float, length: float) -> "Law":
+    def modified_trapezoid(height: NumberLike, length: NumberLike) -> "Law":
         """Modified trapezoidal rise; 0 before and h after."""
         return Law._of("modified_trapezoid", height=height, length=length)
 
     @staticmethod
-    def trapezoidal(distance: float, speed: float, acceleration: float) -> "Law":
+    def trapezoidal(distance: NumberLike, speed: NumberLike, acceleration: NumberLike) -> "Law":
         """Rest to rest over a distance with constant acceleration up to a speed."""
         return Law._of("trapezoidal", distance=distance, speed=speed, acceleration=acceleration)
 
     @staticmethod
-    def s_curve(distance: float, speed: float, acceleration: float, jerk: float) -> "Law":
+    def s_curve(distance: NumberLike, speed: NumberLike, acceleration: NumberLike, jerk: NumberLike) -> "Law":
         """Rest to rest over a distance within a speed, an acceleration and a jerk."""
         return Law._of("s_curve", distance=distance, speed=speed, acceleration=acceleration, jerk=jerk)
 
     @staticmethod
-    def spline(x: Any, y: Any, ends: Union[str, tuple[float, float]] = "natural") -> "Law":
+    def spline(x: Any, y: Any, ends: Union[str, tuple[NumberLike, NumberLike]] = "natural") -> "Law":
         """A cubic spline through (x, y), arrays or lists. `ends` is "natural", "periodic", or the slopes at both ends."""
         return _spline("spline", x, y, ends)
 
     @staticmethod
-    def quintic_spline(x: Any, y: Any, ends: Union[str, tuple[float, float]] = "natural") -> "Law":
+    def quintic_spline(x: Any, y: Any, ends: Union[str, tuple[NumberLike, NumberLike]] = "natural") -> "Law":
         """A quintic spline through (x, y): its acceleration and jerk are smooth. `ends` as of `spline`."""
         return _spline("quintic_spline", x, y, ends)
 
     @staticmethod
-    def sequence(start: float, parts: Iterable[tuple[float, "Law"]]) -> "Law":
+    def sequence(start: NumberLike, parts: Iterable[tuple[NumberLike, "Law"]]) -> "Law":
         """Laws one after the other, each over its length: f(x) = f_k(x − x_k). The parts are (length, law)."""
         numbers: dict[str, Any] = {"start": start}
         laws: dict[str, Law] = {}
@@ -141,7 +152,7 @@ class Law:
             numbers[f"part[{k}].length"], laws[f"part[{k}].law"] = length, law
         return Law._of("sequence", laws, **numbers)
 
-    def periodic(self, period: float) -> "Law":
+    def periodic(self, period: NumberLike) -> "Law":
         """The part of this law over 0 ≤ x < period, over and over."""
         return Law._of("periodic", {"law": self}, period=period)
 
@@ -149,25 +160,25 @@ class Law:
         """f(g(x)), this law after `inner`."""
         return Law._of("composed", {"outer": self, "inner": inner})
 
-    def shifted(self, x0: float) -> "Law":
+    def shifted(self, x0: NumberLike) -> "Law":
         """f(x − x0): the same curve, x0 later."""
         return self.compose(Law.linear(-x0, 1.0))
 
-    def __add__(self, other: Union["Law", float]) -> "Law":
+    def __add__(self, other: Union["Law", NumberLike]) -> "Law":
         return Law._of("sum", {"first": self, "second": _law(other)})
 
     __radd__ = __add__
 
-    def __sub__(self, other: Union["Law", float]) -> "Law":
+    def __sub__(self, other: Union["Law", NumberLike]) -> "Law":
         return self + (-1.0) * _law(other)
 
-    def __rsub__(self, other: float) -> "Law":
+    def __rsub__(self, other: NumberLike) -> "Law":
         return _law(other) + (-1.0) * self
 
     def __neg__(self) -> "Law":
         return (-1.0) * self
 
-    def __mul__(self, other: Union["Law", float]) -> "Law":
+    def __mul__(self, other: Union["Law", NumberLike]) -> "Law":
         if isinstance(other, Law):
             return Law._of("product", {"first": self, "second": other})
         return Law._of("multiple", {"law": self}, factor=other)
@@ -208,20 +219,32 @@ class Law:
         return f"Law.{self.kind}({numbers})"
 
     def __eq__(self, other: Any) -> bool:
-        return isinstance(other, Law) and self._data == other._data
+        return isinstance(other, Law) and self._key() == other._key()
 
     def __hash__(self) -> int:
-        return hash(json.dumps(self._data, sort_keys=True))
+        return hash(self._key())
 
     def __reduce__(self) -> Any:
         return (Law, (self._data,))
 
 
-def _law(value: Union[Law, float]) -> Law:
+def _each(data: dict[str, Any], of: Callable[[Any], Any]) -> dict[str, Any]:
+    """The data of a law with something else for each of its numbers."""
+    made = dict(data)
+    if "numbers" in data:
+        made["numbers"] = {name: of(number) for name, number in data["numbers"].items()}
+    if "parts" in data:
+        made["parts"] = {name: _each(part, of) for name, part in data["parts"].items()}
+    return made
+
+
+def _law(value: Union[Law, NumberLike]) -> Law:
     return value if isinstance(value, Law) else Law.constant(value)
 
 
-def _number(kind: str, name: str, value: Any) -> float:
+def _number(kind: str, name: str, value: Any) -> NumberLike:
+    if isinstance(value, Dimension):
+        return value
     if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
         raise TypeError(f"Law.{kind}: `{name}` is a number, not {value!r}")
     if not math.isfinite(value):
@@ -229,8 +252,9 @@ def _number(kind: str, name: str, value: Any) -> float:
     return float(value)
 
 
-def _spline(kind: str, x: Any, y: Any, ends: Union[str, tuple[float, float]]) -> Law:
-    xs, ys = np.asarray(x, dtype=float).ravel().tolist(), np.asarray(y, dtype=float).ravel().tolist()
+def _spline(kind: str, x: Any, y: Any, ends: Union[str, tuple[NumberLike, NumberLike]]) -> Law:
+    # The places of the points are fixed, their values may be dimensions.
+    xs, ys = np.asarray(x, dtype=float).ravel().tolist(), np.asarray(y).ravel().tolist()
     if len(xs) != len(ys):
         raise ValueError(f"Law.{kind}: x has {len(xs)} numbers, y {len(ys)}")
     numbers: dict[str, Any] = {f"x[{k}]": one for k, one in enumerate(xs)}

@@ -12,6 +12,7 @@ import numpy as np
 from . import _native
 from ._constraint import Constraint, parameters_of
 from ._diagnosis import Diagnosis
+from ._dimension import Dimension, NumberLike, quoted, written
 from ._handles import (
     Coordinate,
     Ground,
@@ -56,19 +57,58 @@ class Mechanism:
         """Names the units of length and time in files and messages: words alone, no number is changed."""
         self._native.units(length, time)
 
+    # Named dimensions.
+
+    def dimension(
+        self,
+        name: str,
+        value: NumberLike,
+        unit: str = "",
+        *,
+        within: Optional[tuple[float, float]] = None,
+        tolerance: Optional[float] = None,
+    ) -> Dimension:
+        """A named number that others hang on; given an expression of others, it is a name for that.
+
+        `unit` is a word for tables and files, nothing is converted. `system.set` keeps to the range `within`, both ends
+        included; `tolerance` is how far the shop may be off, either way.
+
+        Raises an error by name: name empty or taken, a value that is not finite, a dimension of another mechanism; when the
+        mechanism is built, a range without the value, a tolerance below zero, a dimension on which nothing hangs.
+        """
+        given, ends = self._number(name, value), None if within is None else (float(within[0]), float(within[1]))
+        made = self._native.dimension(name, given, unit, ends, tolerance)
+        return Dimension(quoted(name), made, self._token)
+
+    @property
+    def dimensions(self) -> dict[str, Dimension]:
+        """The dimensions by their names, in the order in which they were made."""
+        names = [one["name"] for one in json.loads(self._native.to_json()).get("dimensions", [])]
+        return {name: self._expression(quoted(name)) for name in names}
+
+    def _expression(self, text: str) -> Dimension:
+        return Dimension(text, self._native.expression(text), self._token)
+
+    def _number(self, place: str, number: Any) -> Any:
+        return written(place, self.name, self._token, number)
+
     # Bodies and bare coordinates.
 
-    def link(self, name: str, length: float) -> Link:
-        """A planar body between two pins, `length` apart, frame at the middle; assembly finds its pose.   [m]"""
-        return Link(name, self._token, self._native.link(name, length))
+    def link(self, name: str, length: NumberLike) -> Link:
+        """A planar body between two pins, `length` apart, frame at the middle; assembly finds its pose. Of a dimension the
+        pins `start` and `end` hang on it.   [m]"""
+        made = self._native.link(name, self._number(name, length))
+        return Link(name, self._token, length if isinstance(length, Dimension) else made)
 
     def link_between(self, name: str, a: Vec2Like, b: Vec2Like) -> Link:
         """The same between two global points: their distance is its length.   [m]"""
         return Link(name, self._token, self._native.link_between(name, flat(a), flat(b)))
 
-    def planar(self, name: str, x: float = 0.0, y: float = 0.0, theta: float = 0.0) -> PlanarBody:
+    def planar(
+        self, name: str, x: NumberLike = 0.0, y: NumberLike = 0.0, theta: NumberLike = 0.0
+    ) -> PlanarBody:
         """A planar body with the guess (R_x, R_y, θ).   [m, m, rad]"""
-        self._native.planar(name, (x, y, theta))
+        self._native.planar(name, tuple(self._number(name, one) for one in (x, y, theta)))
         return PlanarBody(name, self._token)
 
     def spatial(
@@ -90,20 +130,22 @@ class Mechanism:
         """A spatial body between two global points, frame at the middle, x-axis from a to b.   [m]"""
         return SpatialLink(name, self._token, self._native.spatial_link_between(name, flat(a), flat(b)))
 
-    def angle(self, name: str, guess: float) -> Coordinate:
+    def angle(self, name: str, guess: NumberLike) -> Coordinate:
         """A bare coordinate that is an angle.   [rad]"""
-        self._native.angle(name, guess)
+        self._native.angle(name, self._number(name, guess))
         return Coordinate(name, self._token)
 
-    def length(self, name: str, guess: float) -> Coordinate:
+    def length(self, name: str, guess: NumberLike) -> Coordinate:
         """A bare coordinate that is a length.   [m]"""
-        self._native.length(name, guess)
+        self._native.length(name, self._number(name, guess))
         return Coordinate(name, self._token)
 
     def __getitem__(self, name: str) -> Any:
         """The body or bare coordinate of that name, or a body's coordinate such as "crank.theta"."""
         for body in json.loads(self._native.to_json())["bodies"]:
             kind, own, length = body["kind"], body["name"], body.get("length")
+            if isinstance(length, str):
+                length = self._expression(length)
             if own == name and kind == "planar":
                 return PlanarBody(name, self._token) if length is None else Link(name, self._token, length)
             if own == name and kind == "spatial":
@@ -124,7 +166,8 @@ class Mechanism:
             self._native.add(constraint.described(name, self.name, self._token))
         elif isinstance(constraint, Constraint):
             on = self._on(name, constraint)
-            self._native.add_equation(name, constraint.equation._native, on, parameters_of(constraint))
+            parameters = parameters_of(constraint, self.name, self._token)
+            self._native.add_equation(name, constraint.equation._native, on, parameters)
         else:
             raise TypeError(
                 f"`{name}`: {constraint!r} is no constraint: call a joint such as kin.revolute(…), or a function under "
@@ -151,7 +194,8 @@ class Mechanism:
         rates qd, and the time t."""
         on = self._on(constraint.equation.name, constraint)
         native = constraint.equation._native
-        found = self._native.terms(native, on, parameters_of(constraint), _bytes(q), _bytes(qd), t)
+        parameters = parameters_of(constraint, self.name, self._token)
+        found = self._native.terms(native, on, parameters, _bytes(q), _bytes(qd), t)
         return Terms(*found)
 
     # Guesses and preferences.

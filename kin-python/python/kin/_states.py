@@ -6,7 +6,8 @@ import math
 from typing import Any
 
 from . import _mistakes
-from ._scalars import Expr, Scalar, users_line
+from ._place import users_line
+from ._scalars import Expr, Scalar
 from ._vectors import EulerParameters, Mat2, Mat3, Vec2, Vec3
 
 

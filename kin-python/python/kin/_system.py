@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
@@ -9,6 +10,7 @@ import numpy as np
 
 from . import _native
 from ._diagnosis import Diagnosis
+from ._errors import Error
 from ._handles import Coordinate
 from ._pictures import Page, Picture
 from ._motion import Motion, Quantity, array, coordinate_name
@@ -106,16 +108,26 @@ class System:
         return array(self._native.initial())
 
     @property
+    def dimensions(self) -> dict[str, float]:
+        """The values of the dimensions by name; expressions that were given a name are among them."""
+        return dict(self._native.dimensions())
+
+    @property
     def parameters(self) -> dict[str, float]:
         """All numeric parameters of constraints by name, such as `slot.k`."""
         return dict(self._native.parameters())
 
     def parameter(self, name: str) -> float:
-        """The value of one parameter."""
+        """The value of one parameter, such as `slot.k`, or of a dimension."""
         return self._native.parameter(name)
 
     def set(self, name: str, value: float) -> None:
-        """Sets one parameter, without a rebuild."""
+        """Sets one dimension and all that hangs on it, or one parameter, without a rebuild. A parameter that hangs on
+        dimensions keeps the value that it is given until one of these is set.
+
+        Raises an error by name: nothing of that name, not finite, beyond the range of the dimension, an expression of others,
+        what makes no sense; the old value stays.
+        """
         self._native.set(name, value)
 
     def set_initial(self, q: Any) -> None:
@@ -267,18 +279,43 @@ class System:
         return coordinate_name(self.names, what.name if isinstance(what, Coordinate) else what)
 
     def __reduce__(self) -> Any:
-        return (_rebuilt, (self._mechanism, self._token, self._native.parameters(), self.initial.tolist()))
+        native = self._native
+        state = (native.dimensions(), native.parameters(), self.initial.tolist())
+        return (_rebuilt, (self._mechanism, self._token, *state))
 
     def __copy__(self) -> "System":
-        return _rebuilt(self._mechanism, self._token, self._native.parameters(), self.initial.tolist())
+        return System(self._native.copy(), self._mechanism, self._token)
+
+    def __deepcopy__(self, _: Any) -> "System":
+        return self.__copy__()
 
     def __repr__(self) -> str:
         return f"<system {self.name}: {len(self.names)} coordinates, {len(self.equations)} equations>"
 
 
-def _rebuilt(mechanism: str, token: str, parameters: list[tuple[str, float]], initial: list[float]) -> System:
-    """The system of a mechanism file, with the parameters and the guess that it had."""
+def _rebuilt(
+    mechanism: str,
+    token: str,
+    dimensions: list[tuple[str, float]],
+    parameters: list[tuple[str, float]],
+    initial: list[float],
+) -> System:
+    """The system of a mechanism file, with the dimensions, the parameters and the guess that it had."""
     system = System(_native.Mechanism.from_json(mechanism).build(), mechanism, token)
+    nominal = system.dimensions
+    expressions = {one["name"] for one in json.loads(mechanism).get("dimensions", []) if isinstance(one["value"], str)}
+    open_ones = [(name, value) for name, value in dimensions if name not in expressions and nominal[name] != value]
+    while open_ones:
+        # One alone may make no sense before the others are set.
+        refused = []
+        for name, value in open_ones:
+            try:
+                system.set(name, value)
+            except Error as error:
+                refused.append((name, value, error))
+        if len(refused) == len(open_ones):
+            raise refused[0][2]
+        open_ones = [(name, value) for name, value, _ in refused]
     known = system.parameters
     for name, value in parameters:
         if known[name] != value:

@@ -13,7 +13,9 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _mistakes
-from ._scalars import Condition, Expr, users_line
+from ._dimension import Dimension
+from ._place import users_line
+from ._scalars import Condition, Expr
 
 # Text that stands without brackets as an operand or before a method.
 _ATOM = "atom"
@@ -69,6 +71,9 @@ class Trace:
             value = value.item()
             if isinstance(value, Expr):
                 return self.number(value)
+        if isinstance(value, Dimension):
+            text = f"the dimension `{value.text}` is of a mechanism, not of an equation: give `{self.name}` an argument for it"
+            _mistakes.at(users_line(), text)
         if isinstance(value, (numbers.Real, np.number)) and not isinstance(value, complex):
             return self.atom(self._literal(float(value)), "f64")
         return None

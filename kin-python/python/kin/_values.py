@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ._dimension import Dimension, valued, written
 from ._errors import ParameterNotFinite
 from ._law import Law
 from ._vectors import Axis, EulerParameters
@@ -15,25 +16,37 @@ NUMBERS = {"f64": 1, "Vec2": 2, "Vec3": 3, "EulerParameters": 4, "Mat2": 4, "Mat
 NAMES = {"Vec2": ("x", "y"), "Vec3": ("x", "y", "z"), "EulerParameters": ("e0", "e1", "e2", "e3")}
 
 
-def flat(value: Any) -> list[float]:
-    """All numbers of a number, a vector, a list or an array. Raises TypeError and ValueError as NumPy does."""
+def items(value: Any) -> list[Any]:
+    """All numbers of a number, a vector, a list or an array, dimensions among them. Raises TypeError and ValueError as NumPy
+    does."""
+    if isinstance(value, Dimension):
+        return [value]
     if isinstance(value, (str, bytes, bool)) or value is None:
-        raise TypeError
+        raise TypeError("numbers are needed")
     array = np.asarray(list(value) if hasattr(value, "_components") else value)
+    if array.dtype == object:
+        found = array.ravel().tolist()
+        if all(isinstance(one, (Dimension, int, float, np.number)) and not isinstance(one, bool) for one in found):
+            return [one if isinstance(one, Dimension) else float(one) for one in found]
     if array.dtype.kind not in "iuf":
-        raise TypeError
+        raise TypeError("numbers are needed")
     return [float(one) for one in array.astype(float).ravel()]
 
 
-def numbers_of(place: str, argument: Any, value: Any) -> Any:
-    """A parameter as numbers in order, or a native law."""
+def flat(value: Any) -> list[float]:
+    """The same where dimensions are not followed."""
+    return [float(one) for one in items(value)]
+
+
+def numbers_of(place: str, mechanism: str, own: str, argument: Any, value: Any) -> Any:
+    """A parameter as numbers in order, dimensions as their texts, or a law as JSON."""
     if argument.kind == "Law":
-        return law_of(place, argument.name, value)._native
+        return law_of(place, argument.name, value)._json(place, mechanism, own)
     if argument.kind == "Axis":
         return sum(axis_of(place, argument.name, value)._rows(), [])
     wanted = NUMBERS.get(argument.kind)
     try:
-        found = flat(value)
+        found = [written(place, mechanism, own, one) for one in items(value)]
     except (TypeError, ValueError):
         found = None
     if wanted is not None:
@@ -48,6 +61,8 @@ def law_of(place: str, name: str, value: Any) -> Law:
     """A law; a number is a constant one."""
     if isinstance(value, Law):
         return value
+    if isinstance(value, Dimension):
+        return Law.constant(value)
     if isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
         finite(place, name, float(value))
         return Law.constant(float(value))
@@ -73,10 +88,11 @@ def euler_of(value: Any) -> list[float]:
     return flat(EulerParameters(*value))
 
 
-def finite(place: str, name: str, value: float) -> float:
-    """The number. Raises `ParameterNotFinite`, in Kin's words."""
+def finite(place: str, name: str, number: Any) -> Any:
+    """The number, or dimension. Raises `ParameterNotFinite`, in Kin's words."""
+    value = valued(number)
     if math.isfinite(value):
-        return value
+        return number
     shown = "NaN" if math.isnan(value) else ("inf" if value > 0 else "-inf")
     error = ParameterNotFinite(f"`{place}`: the parameter `{name}` is {shown}; give a finite number")
     error.__dict__.update(constraint=place, parameter=name)

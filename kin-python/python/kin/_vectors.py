@@ -8,7 +8,10 @@ from typing import Any, Iterator, Optional, Sequence, Union
 import numpy as np
 
 from . import _native
-from ._scalars import Expr, Scalar, Traced, users_line
+from ._dimension import NumberLike
+from ._number import Number
+from ._place import users_line
+from ._scalars import Expr, Scalar, Traced
 from . import _functions as functions
 from . import _mistakes
 
@@ -22,11 +25,11 @@ class _Components:
     # NumPy's arrays leave arithmetic to these methods.
     __array_ufunc__ = None
 
-    def __init__(self, *components: Scalar) -> None:
+    def __init__(self, *components: Union[Scalar, NumberLike]) -> None:
         if len(components) != len(self._NAMES):
             raise TypeError(f"{type(self).__name__} has {len(self._NAMES)} components, not {len(components)}")
-        self._all: Optional[tuple[Scalar, ...]] = tuple(
-            one if isinstance(one, Expr) else float(one) for one in components
+        self._all: Optional[tuple[Any, ...]] = tuple(
+            one if isinstance(one, Number) else float(one) for one in components
         )
         traced = next((one for one in components if isinstance(one, Expr)), None)
         self._trace: Any = traced._trace if traced is not None else None
@@ -81,7 +84,7 @@ class _Components:
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         parts = self._components()
-        if self._trace is None:
+        if not any(isinstance(one, Number) for one in parts):
             return np.array(parts, dtype=dtype or float)
         array = np.empty(len(parts), dtype=object)
         array[:] = parts
@@ -122,9 +125,9 @@ class _Vector(_Components):
     def _scaled(self, template: str, factor: Any, plain: Any) -> Any:
         trace = self._trace or getattr(factor, "_trace", None)
         if trace is None:
-            if not isinstance(factor, (int, float, np.number)):
+            if not isinstance(factor, (int, float, np.number, Number)):
                 return NotImplemented
-            return type(self)(*(plain(a, float(factor)) for a in self))
+            return type(self)(*(plain(a, factor) for a in self))
         operand = trace.number(factor)
         if operand is None:
             return NotImplemented
@@ -173,7 +176,8 @@ class _Vector(_Components):
         """a · b"""
         second, trace = self._asked("dot", other)
         if trace is None:
-            return sum(float(a) * float(b) for a, b in zip(self, second))
+            found: Scalar = sum((a * b for a, b in zip(self, second)), 0.0)
+            return found
         return Expr(trace, trace.op("{}.dot({:a})", "f64", self._in(trace), second._in(trace)))
 
     def norm_squared(self) -> Scalar:
@@ -183,6 +187,8 @@ class _Vector(_Components):
     def norm(self) -> Scalar:
         """|a|"""
         if self._trace is None:
+            if any(isinstance(one, Number) for one in self):
+                return functions.sqrt(self.dot(self))
             return math.hypot(*(float(one) for one in self))
         return Expr(self._trace, self._trace.op("{}.norm()", "f64", self._in(self._trace)))
 
@@ -457,15 +463,17 @@ def _three(h: Any) -> Sequence[float]:
     return numbers
 
 
-VectorLike = Union[Sequence[float], Vec2, Vec3, "np.ndarray[Any, Any]"]
+VectorLike = Union[Sequence[NumberLike], Vec2, Vec3, "np.ndarray[Any, Any]"]
 
 
-def vec2(x: Scalar, y: Scalar) -> Vec2:
+def vec2(x: Union[Scalar, NumberLike], y: Union[Scalar, NumberLike]) -> Vec2:
     """The vector (x, y)."""
     return Vec2(x, y)
 
 
-def vec3(x: Scalar, y: Scalar, z: Scalar) -> Vec3:
+def vec3(
+    x: Union[Scalar, NumberLike], y: Union[Scalar, NumberLike], z: Union[Scalar, NumberLike]
+) -> Vec3:
     """The vector (x, y, z)."""
     return Vec3(x, y, z)
 

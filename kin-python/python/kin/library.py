@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from typing import Sequence
 
+from ._dimension import NumberLike
 from ._handles import CoordinateLike, PlanarLike, SpatialLike
 from ._joint import AxisLike, EulerLike, Joint, LawLike, Vec2Like, Vec3Like, joint
 
 
-def fixed(j: PlanarLike, r: Vec2Like, theta: float) -> Joint:
+def fixed(j: PlanarLike, r: Vec2Like, theta: NumberLike) -> Joint:
     """A body that does not move: R = r, θ = θ0. [m, m, rad]
 
     Removes 3 freedoms. `r`: R; `theta`: θ0. The lecture's ground is a body with this constraint at the
@@ -32,7 +33,7 @@ def revolute(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, u_j: Vec2Like) -> Join
         u_j)])
 
 
-def weld(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, u_j: Vec2Like, theta0: float) -> Joint:
+def weld(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, u_j: Vec2Like, theta0: NumberLike) -> Joint:
     """Rigid connection: r_Pi − r_Pj = 0 and θ_i − θ_j − θ0 = 0. [m, rad]
 
     Removes 3 freedoms. `u_i`, `u_j`: local position of P in either body; `theta0`: θ0. Shabana, section
@@ -48,7 +49,7 @@ def prismatic(
     u_i: Vec2Like,
     u_j: Vec2Like,
     h_i: Vec2Like,
-    theta0: float,
+    theta0: NumberLike,
 ) -> Joint:
     """Sliding joint: θ_i − θ_j − θ0 = 0 and h_i · (r_Pi − r_Pj) = 0. [rad, m]
 
@@ -63,7 +64,7 @@ def prismatic(
         u_j), ("h_i", "Vec2", h_i), ("theta0", "f64", theta0)])
 
 
-def distance(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, u_j: Vec2Like, length: float) -> Joint:
+def distance(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, u_j: Vec2Like, length: NumberLike) -> Joint:
     """Rod without mass between two pins: (|r_Pi − r_Pj|² − l²)/(2 l) = 0. [m]
 
     Removes 1 freedom. `u_i`, `u_j`: the pins; `length`: l. Near the solution this is |r_Pi − r_Pj| − l, but
@@ -74,7 +75,7 @@ def distance(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, u_j: Vec2Like, length:
         u_j), ("length", "f64", length)])
 
 
-def angle(i: PlanarLike, j: PlanarLike, theta0: float) -> Joint:
+def angle(i: PlanarLike, j: PlanarLike, theta0: NumberLike) -> Joint:
     """Bodies at a fixed angle: θ_i − θ_j − θ0 = 0. [rad]
 
     Removes 1 freedom. `theta0`: θ0, which is not wrapped: a full turn is another angle. Lecture,
@@ -120,7 +121,7 @@ def pin_in_slot(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, a_j: Vec2Like, b_j:
         "Vec2", a_j), ("b_j", "Vec2", b_j)])
 
 
-def point_on_circle(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, c_j: Vec2Like, radius: float) -> Joint:
+def point_on_circle(i: PlanarLike, j: PlanarLike, u_i: Vec2Like, c_j: Vec2Like, radius: NumberLike) -> Joint:
     """A point of body i stays on a circle of body j: (|s − c_j|² − ρ²)/(2 ρ) = 0, s the point as body j sees
     it. [m]
 
@@ -177,7 +178,7 @@ def cam_roller(
     follower: PlanarLike,
     phi: CoordinateLike,
     centre: Vec2Like,
-    radius: float,
+    radius: NumberLike,
     profile: LawLike,
 ) -> Joint:
     """Cam with a roller: s − ρ e(φ) − r n(φ) = 0, s the roller's centre as the cam sees it, n the normal of
@@ -193,7 +194,14 @@ def cam_roller(
         phi), ("centre", "Vec2", centre), ("radius", "f64", radius), ("profile", "Law", profile)])
 
 
-def gear(i: PlanarLike, j: PlanarLike, arm: PlanarLike, r_i: float, r_j: float, phase: float) -> Joint:
+def gear(
+    i: PlanarLike,
+    j: PlanarLike,
+    arm: PlanarLike,
+    r_i: NumberLike,
+    r_j: NumberLike,
+    phase: NumberLike,
+) -> Joint:
     """Pair of gears on an arm: r_i (θ_i − θ_arm − φ) + r_j (θ_j − θ_arm) = 0. [m]
 
     Removes 1 freedom. `i`, `j`: the wheels, whose axles sit on `arm` (the ground for axles that stand
@@ -209,9 +217,9 @@ def internal_gear(
     i: PlanarLike,
     j: PlanarLike,
     arm: PlanarLike,
-    r_i: float,
-    r_j: float,
-    phase: float,
+    r_i: NumberLike,
+    r_j: NumberLike,
+    phase: NumberLike,
 ) -> Joint:
     """Gear in a ring on an arm: r_i (θ_i − θ_arm − φ) − r_j (θ_j − θ_arm) = 0. [m]
 
@@ -223,7 +231,14 @@ def internal_gear(
         "f64", r_i), ("r_j", "f64", r_j), ("phase", "f64", phase)])
 
 
-def belt(i: PlanarLike, j: PlanarLike, frame: PlanarLike, r_i: float, r_j: float, phase: float) -> Joint:
+def belt(
+    i: PlanarLike,
+    j: PlanarLike,
+    frame: PlanarLike,
+    r_i: NumberLike,
+    r_j: NumberLike,
+    phase: NumberLike,
+) -> Joint:
     """Belt or chain over two pulleys: r_i (θ_i − θ_frame − φ) − r_j (θ_j − θ_frame) = 0. [m]
 
     Removes 1 freedom. `i`, `j`: the pulleys with axles on `frame`; `r_i`, `r_j`: their pitch radii, one
@@ -241,8 +256,8 @@ def rack_and_pinion(
     u_i: Vec2Like,
     u_j: Vec2Like,
     h_j: Vec2Like,
-    radius: float,
-    phase: float,
+    radius: NumberLike,
+    phase: NumberLike,
 ) -> Joint:
     """Rack and pinion: h_j · (s − ū_j) + r (θ_i − θ_j − φ) = 0, s the pinion's centre as the rack sees it. [m]
 
@@ -263,8 +278,8 @@ def rolling(
     u_i: Vec2Like,
     u_j: Vec2Like,
     h_j: Vec2Like,
-    radius: float,
-    phase: float,
+    radius: NumberLike,
+    phase: NumberLike,
 ) -> Joint:
     """Wheel that rolls without slip: h_j × (s − ū_j) − r = 0 and h_j · (s − ū_j) + r (θ_i − θ_j − φ) = 0. [m,
     m]
@@ -279,7 +294,7 @@ def rolling(
         u_j), ("h_j", "Vec2", h_j), ("radius", "f64", radius), ("phase", "f64", phase)])
 
 
-def coupling(a: CoordinateLike, b: CoordinateLike, k_a: float, k_b: float, c: float) -> Joint:
+def coupling(a: CoordinateLike, b: CoordinateLike, k_a: NumberLike, k_b: NumberLike, c: NumberLike) -> Joint:
     """Linear coupling of two coordinates: k_a a + k_b b − c = 0. [unit of c]
 
     Removes 1 freedom. `a`, `b`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`). Of more
@@ -290,7 +305,7 @@ def coupling(a: CoordinateLike, b: CoordinateLike, k_a: float, k_b: float, c: fl
         k_b), ("c", "f64", c)])
 
 
-def linear_coupling(q: Sequence[CoordinateLike], k: Sequence[float], c: float) -> Joint:
+def linear_coupling(q: Sequence[CoordinateLike], k: Sequence[NumberLike], c: NumberLike) -> Joint:
     """Linear coupling of two to six coordinates: Σ k_n q_n − c = 0. [unit of c]
 
     Removes 1 freedom. `q`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`); `k`: a factor

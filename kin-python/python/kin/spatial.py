@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Sequence
 
+from ._dimension import NumberLike
 from ._handles import CoordinateLike, PlanarLike, SpatialLike
 from ._joint import AxisLike, EulerLike, Joint, LawLike, Vec2Like, Vec3Like, joint
 
@@ -22,7 +23,7 @@ def spherical(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like) -> J
         "Vec3", u_j)])
 
 
-def distance(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, length: float) -> Joint:
+def distance(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, length: NumberLike) -> Joint:
     """Rod without mass between two balls: (|r_Pi − r_Pj|² − l²)/(2 l) = 0. [m]
 
     Removes 1 freedom. `u_i`, `u_j`: the balls; a rod between a ball and a universal joint has the same
@@ -55,7 +56,7 @@ def point_in_plane(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like,
         "Vec3", u_j), ("h_j", "Vec3", h_j)])
 
 
-def point_coordinate(body: SpatialLike, u: Vec3Like, n: Vec3Like, value: float) -> Joint:
+def point_coordinate(body: SpatialLike, u: Vec3Like, n: Vec3Like, value: NumberLike) -> Joint:
     """One coordinate of a point: n · r_P − c = 0. [m]
 
     Removes 1 freedom. `u`: local position of P; `n`: the global direction along which it is measured, whose
@@ -87,7 +88,7 @@ def perpendicular(i: SpatialLike, j: SpatialLike, h_i: Vec3Like, h_j: Vec3Like) 
         "Vec3", h_j)])
 
 
-def angle(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: AxisLike, alpha: float) -> Joint:
+def angle(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: AxisLike, alpha: NumberLike) -> Joint:
     """Directions at an angle: h_i · h_j − cos α = 0. [–]
 
     Removes 1 freedom. `h_i`, `h_j`: the directions; `alpha`: the angle between them, strictly between 0 and
@@ -269,7 +270,7 @@ def screw(
     u_j: Vec3Like,
     h_i: AxisLike,
     h_j: AxisLike,
-    lead: float,
+    lead: NumberLike,
 ) -> Joint:
     """Screw: f_j · h_i = g_j · h_i = 0, f_j · d = g_j · d = 0 with d = r_Pi − r_Pj, and body i turns by 2π h_j
     · d / lead. [–, –, m, m, rad]
@@ -334,9 +335,9 @@ def gear(
     h_j: AxisLike,
     a_i: AxisLike,
     a_j: AxisLike,
-    teeth_i: float,
-    teeth_j: float,
-    phase: float,
+    teeth_i: NumberLike,
+    teeth_j: NumberLike,
+    phase: NumberLike,
 ) -> Joint:
     """Pair of gears on a frame: z_i φ_i + z_j φ_j − z_i φ0 = 0, up to whole teeth, φ the turns of the wheels
     in the frame. [rad]
@@ -363,9 +364,9 @@ def gear_by_radii(
     h_j: AxisLike,
     a_i: AxisLike,
     a_j: AxisLike,
-    r_i: float,
-    r_j: float,
-    phase: float,
+    r_i: NumberLike,
+    r_j: NumberLike,
+    phase: NumberLike,
 ) -> Joint:
     """Pair of gears on a frame by their radii: the turns of the wheels in the frame, taken back by φ0 + s/r_i
     and by −s/r_j, are zero. [rad, rad]
@@ -391,7 +392,7 @@ def thread(
     u_j: Vec3Like,
     h_i: AxisLike,
     h_j: AxisLike,
-    lead: float,
+    lead: NumberLike,
 ) -> Joint:
     """Thread: the turn of f_i from f_j about h_j, taken back by 2π h_j · (r_Pi − r_Pj)/lead, is zero. [rad]
 
@@ -413,8 +414,8 @@ def rack_and_pinion(
     u_j: Vec3Like,
     h_i: AxisLike,
     h_j: AxisLike,
-    radius: float,
-    phase: float,
+    radius: NumberLike,
+    phase: NumberLike,
 ) -> Joint:
     """Rack and pinion: the turn of the pinion in the rack about h_j, taken back by φ0 − f_j · (r_Pi − r_Pj)/r,
     is zero. [rad]
@@ -436,7 +437,7 @@ def revolute_spherical(
     u_i: Vec3Like,
     u_j: Vec3Like,
     h_i: Vec3Like,
-    length: float,
+    length: NumberLike,
 ) -> Joint:
     """Link with a hinge on body i and a ball on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0 with d = r_Pj −
     r_Pi. [m, m]
@@ -456,8 +457,8 @@ def revolute_revolute(
     u_j: Vec3Like,
     h_i: AxisLike,
     h_j: AxisLike,
-    length: float,
-    twist: float,
+    length: NumberLike,
+    twist: NumberLike,
 ) -> Joint:
     """Link with a hinge at either end: h_i · d = 0, h_j · d = 0, (|d|² − l²)/(2 l) = 0 and h_j · (b cos α −
     h_i sin α) = 0, d = r_Pj − r_Pi, b = d × h_i / l. [m, m, m, –]
@@ -479,8 +480,8 @@ def revolute_cylindrical(
     u_j: Vec3Like,
     h_i: AxisLike,
     h_j: AxisLike,
-    length: float,
-    twist: float,
+    length: NumberLike,
+    twist: NumberLike,
 ) -> Joint:
     """Link with a hinge on body i and a sleeve on an axis of body j: h_i · d = 0, (|d|² − l²)/(2 l) = 0 and
     h_j · (b cos α − h_i sin α) = 0, d the part of r_Pj − r_Pi across h_j, b = d × h_i / l. [m, m, –]
@@ -501,7 +502,7 @@ def spherical_cylindrical(
     u_i: Vec3Like,
     u_j: Vec3Like,
     h_j: AxisLike,
-    length: float,
+    length: NumberLike,
 ) -> Joint:
     """Link with a ball on body i and a sleeve on an axis of body j: ((f_j · d)² + (g_j · d)² − l²)/(2 l) = 0
     with d = r_Pi − r_Pj. [m]

@@ -19,7 +19,6 @@ pub use jump::Break;
 pub use points::Ends;
 
 use std::fmt;
-use std::ops::Deref;
 use std::sync::Arc;
 
 use kin_graph::{Graph, Node};
@@ -159,26 +158,15 @@ pub trait LawFunction: Send + Sync {
 /// does not increase, parts that do not meet) is told by [`Law::refusal`], and refused by name where a
 /// mechanism is to use the law.
 #[derive(Clone)]
-pub struct Law(Arc<Held<dyn LawFunction>>);
+pub struct Law(Arc<dyn LawFunction>, Bound);
 
-/// A function, and its parameters that hang on dimensions.
-struct Held<F: ?Sized> {
-    bound: Vec<(String, Dimension)>,
-    function: F,
-}
-
-impl<F: ?Sized> Deref for Held<F> {
-    type Target = F;
-
-    fn deref(&self) -> &F {
-        &self.function
-    }
-}
+/// The parameters of a law that hang on dimensions, by their names; of most laws there are none.
+type Bound = Option<Arc<Vec<(String, Dimension)>>>;
 
 impl Law {
     /// A law of one's own.
     pub fn new(function: impl LawFunction + 'static) -> Self {
-        Law(Arc::new(Held { bound: Vec::new(), function }))
+        Law(Arc::new(function), None)
     }
 
     /// The law whose parameters hang on dimensions, those which `make` notes by their names.
@@ -186,12 +174,17 @@ impl Law {
     pub fn hanging<F: LawFunction + 'static>(make: impl FnOnce(&mut Bindings) -> F) -> Self {
         let mut bound = Bindings::NONE;
         let function = make(&mut bound);
-        Law(Arc::new(Held { bound: bound.take(), function }))
+        Law::new(function).hung_on(bound.take())
+    }
+
+    /// The same law, of which these parameters, by their names, hang on dimensions.
+    pub(crate) fn hung_on(self, bound: Vec<(String, Dimension)>) -> Self {
+        Law(self.0, (!bound.is_empty()).then(|| Arc::new(bound)))
     }
 
     /// Shows each parameter that hangs on dimensions by its name, those of its parts too.
     pub(crate) fn each_hung(&self, show: &mut dyn FnMut(&str, Dimension)) {
-        self.0.bound.iter().for_each(|(name, number)| show(name, *number));
+        self.1.iter().flat_map(|bound| bound.iter()).for_each(|(name, number)| show(name, *number));
         for (part, law) in self.parts() {
             law.each_hung(&mut |name, number| show(&format!("{part}.{name}"), number));
         }
@@ -325,11 +318,9 @@ impl Law {
     /// name, or the law is fixed. Clones made before keep the old value.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         match self.0.with_parameter(name, value) {
-            Some(mut law) => {
-                if let Some(held) = Arc::get_mut(&mut law.0) {
-                    held.bound = self.0.bound.iter().filter(|(known, _)| known != name).cloned().collect();
-                }
-                *self = law;
+            Some(law) => {
+                let bound = self.1.iter().flat_map(|bound| bound.iter());
+                *self = law.hung_on(bound.filter(|(known, _)| known != name).cloned().collect());
                 true
             }
             None => false,

@@ -1,0 +1,172 @@
+"""Named dimensions: numbers with a name that others hang on, and expressions of them."""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+from typing import Any, Callable, Union
+
+import numpy as np
+
+from ._errors import DimensionError
+from ._number import Number
+
+# Longer expressions are not written.
+_LONGEST = 20_000
+
+_ONE: dict[str, Callable[[Any], Any]] = {
+    "abs": np.abs, "sqrt": np.sqrt, "cbrt": np.cbrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin,
+    "acos": np.arccos, "atan": np.arctan, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "asinh": np.arcsinh,
+    "acosh": np.arccosh, "atanh": np.arctanh, "exp": np.exp, "exp2": np.exp2, "exp_m1": np.expm1, "ln": np.log,
+    "ln_1p": np.log1p, "log2": np.log2, "log10": np.log10, "floor": np.floor, "ceil": np.ceil, "trunc": np.trunc,
+    "signum": lambda x: np.copysign(1.0, x),
+}  # fmt: skip
+_TWO: dict[str, Callable[[Any, Any], Any]] = {
+    "+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide, "atan2": np.arctan2, "hypot": np.hypot,
+    "powf": np.power, "max": np.maximum, "min": np.minimum,
+}  # fmt: skip
+_SIGNS: dict[str, Callable[[float, float], bool]] = {
+    "<": lambda a, b: a < b,
+    "<=": lambda a, b: a <= b,
+    ">": lambda a, b: a > b,
+    ">=": lambda a, b: a >= b,
+    "==": lambda a, b: a == b,
+    "!=": lambda a, b: a != b,
+}
+
+
+class Dimension(Number):
+    """A named number that others hang on, from `m.dimension(…)`, or an expression of such numbers: `a / 2`, `kin.hypot(dx,
+    dy)`. It stands wherever a parameter of a constraint, the length of a link, a coefficient of a law or a planar guess is
+    a number; `system.set("crank", 0.16)` then moves all that hangs on it, without a rebuild.
+
+    It compares with other numbers by its `value`, that of the nominal dimensions. Where a plain number is needed, as in
+    `math.sin`, the name would be forgotten without a word: there it is an error, and `.value` says what is meant.
+    """
+
+    __slots__ = ("text", "value", "_of")
+
+    def __init__(self, text: str, value: float, of: str) -> None:
+        if len(text) > _LONGEST:
+            raise DimensionError("an expression of dimensions is too long; give parts of it a name of their own")
+        #: The expression, as mechanism files have it.
+        self.text = text
+        #: The value that the nominal dimensions give it.
+        self.value = float(value)
+        self._of = of
+
+    def _operand(self, other: Any) -> Any:
+        """Text and value of another number; `None` of anything else."""
+        if isinstance(other, Dimension):
+            if other._of != self._of:
+                text = f"`{self.text}` and `{other.text}` are dimensions of two mechanisms; take both from one"
+                raise DimensionError(text)
+            return _bracketed(other.text), other.value
+        if isinstance(other, np.ndarray) and other.ndim == 0:
+            other = other.item()
+        if isinstance(other, (bool, np.bool_)) or not isinstance(other, (numbers.Real, np.number)):
+            return None
+        value = float(other)
+        if not math.isfinite(value):
+            raise DimensionError(f"`{self.text}` meets {value}; give a finite number")
+        return (repr(value) if value >= 0.0 else f"({value!r})"), value
+
+    def _made(self, text: str, function: Callable[..., Any], *values: float) -> "Dimension":
+        with np.errstate(all="ignore"):
+            return Dimension(text, float(function(*(np.float64(one) for one in values))), self._of)
+
+    def _operator(self, sign: str, other: Any, swapped: bool = False) -> "Dimension":
+        operand = self._operand(other)
+        if operand is None:
+            return NotImplemented  # type: ignore[no-any-return, return-value, unused-ignore]
+        pair = [(_bracketed(self.text), self.value), operand]
+        (a, x), (b, y) = reversed(pair) if swapped else pair
+        return self._made(f"{a} {sign} {b}", _TWO[sign], x, y)
+
+    def _two(self, method: str, other: Any, swapped: bool = False) -> "Dimension":
+        operand = self._operand(other)
+        if operand is None:
+            return NotImplemented  # type: ignore[no-any-return, return-value, unused-ignore]
+        pair = [(self.text, self.value), operand]
+        (a, x), (b, y) = reversed(pair) if swapped else pair
+        return self._made(f"{method}({a}, {b})", _TWO[method], x, y)
+
+    def _one(self, method: str) -> "Dimension":
+        return self._made(f"{method}({self.text})", _ONE[method], self.value)
+
+    def _powi(self, exponent: int) -> "Dimension":
+        return self._made(f"powi({self.text}, {exponent})", lambda x: np.power(x, exponent), self.value)
+
+    def _compared(self, sign: str, other: Any) -> Any:
+        value = other.value if isinstance(other, Dimension) else other
+        if not isinstance(value, (numbers.Real, np.number)):
+            return NotImplemented
+        return _SIGNS[sign](self.value, float(value))
+
+    def _like(self, other: Any) -> "Dimension":
+        text, value = self._operand(other)
+        return Dimension(text, value, self._of)
+
+    def sign(self) -> "Dimension":
+        """−1 or 1; at 0 the sign of the zero."""
+        return self._one("signum")
+
+    def __neg__(self) -> "Dimension":
+        return Dimension(f"-{_bracketed(self.text)}", -self.value, self._of)
+
+    def __bool__(self) -> bool:
+        return self.value != 0.0
+
+    def __hash__(self) -> int:
+        return hash(self.value)
+
+    def __float__(self) -> float:
+        raise TypeError(f"the dimension `{self.text}` would become a plain number here: write `.value` if that is meant")
+
+    def __round__(self, digits: Any = None) -> Any:
+        return round(float(self))
+
+    def __format__(self, spec: str) -> str:
+        return format(self.value, spec)
+
+    def __str__(self) -> str:
+        return str(self.value)
+
+    def __repr__(self) -> str:
+        return f"<dimension {self.text} = {self.value:g}>"
+
+    def __reduce__(self) -> Any:
+        return (Dimension, (self.text, self.value, self._of))
+
+
+NumberLike = Union[float, Dimension]
+
+
+def quoted(name: str) -> str:
+    """A name as it stands in an expression: in backticks unless it is a word."""
+    if "`" in name:
+        raise DimensionError(f"the dimension `{name}`: a name without backticks can be told apart in expressions")
+    return name if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_.]*", name) else f"`{name}`"
+
+
+def _bracketed(text: str) -> str:
+    return text if re.fullmatch(r"[A-Za-z0-9_.]+|`[^`]*`", text) else f"({text})"
+
+
+def valued(number: Any) -> Any:
+    """The value of a dimension; anything else as it is."""
+    return number.value if isinstance(number, Dimension) else number
+
+
+def written(place: str, mechanism: str, own: str, number: Any) -> Any:
+    """A number as the native part takes it: a dimension as its text. Raises `DimensionError` of one that is of another
+    mechanism than that of the token `own`."""
+    if not isinstance(number, Dimension):
+        return number
+    if number._of != own:
+        text = f'`{place}`: a dimension of another mechanism than "{mechanism}"; use what its own `dimension` gave out'
+        error = DimensionError(text)
+        error.__dict__.update(mechanism=mechanism, place=place)
+        raise error
+    return number.text
