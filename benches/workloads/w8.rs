@@ -10,7 +10,7 @@ use std::time::Duration;
 use kin::emitted::{At, Offsets, Rates};
 use kin::prelude::*;
 
-use crate::hand::kernels::{Arm, Belt, Chain, Kernel, Platform, Spline};
+use crate::hand::kernels::{Arm, Belt, Chain, Kernel, Platform, Spline, Table};
 use crate::measure::{Contestant, Figure, SplitMix64, race};
 
 #[constraint(symbolic)]
@@ -26,6 +26,32 @@ fn spline(x: Coord, y: Coord, knots: [f64; 21], pieces: [[f64; 4]; 20]) -> f64 {
     }
     y - piece(19)
 }
+
+/// A spline whose numbers stand in the function, of so many pieces.
+macro_rules! table {
+    ($name:ident, $n:literal) => {
+        #[constraint(symbolic)]
+        fn $name(x: Coord, y: Coord) -> f64 {
+            let knots: [f64; $n] = std::array::from_fn(|k| 2.0 * k as f64 / $n as f64 - 1.0);
+            let pieces: [[f64; 4]; $n] = std::array::from_fn(|k| {
+                [37 * k % 101, 53 * k % 103, 29 * k % 97, 41 * k % 89].map(|c| c as f64 / 50.0 - 1.0)
+            });
+            let piece = |k: usize| {
+                let ([a, b, c, d], s) = (pieces[k], x - knots[k]);
+                a + s * (b + s * (c + s * d))
+            };
+            for k in 0..$n - 1 {
+                if x < knots[k + 1] {
+                    return y - piece(k);
+                }
+            }
+            y - piece($n - 1)
+        }
+    };
+}
+
+table!(table20, 20);
+table!(table200, 200);
 
 #[constraint(symbolic)]
 fn belt(x: Coord, r: f64, s: f64, length: f64) -> f64 {
@@ -88,7 +114,21 @@ struct Work {
 const COORD: [usize; 2] = [3, 1];
 const SPATIAL: [usize; 2] = [7, 7];
 
-fn works() -> [Work; 5] {
+fn works() -> Vec<Work> {
+    tables().into_iter().chain(others()).collect()
+}
+
+/// Tables of constants.
+fn tables() -> [Work; 2] {
+    let of = |name, by_macro, by_hand| Work { name, arguments: vec![COORD; 2], by_macro, by_hand };
+    let (x, y) = (kin::any_coord, kin::any_coord);
+    [
+        of("table20", Box::new(table20(x(), y())), Box::new(Table::<20>::new())),
+        of("table200", Box::new(table200(x(), y())), Box::new(Table::<200>::new())),
+    ]
+}
+
+fn others() -> [Work; 5] {
     let mut random = SplitMix64(77);
     let mut draw = move || random.unit() * 2.0 - 1.0;
     let coords = |n: usize| vec![COORD; n];

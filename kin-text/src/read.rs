@@ -164,13 +164,13 @@ fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read>
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let local = |column| local_column(&source.arguments, column);
     let derived = Derivatives::new(&mut lowered.graph, &rows, local);
-    let promises = derived.promises(&lowered.graph, &rows);
+    let promises = derived.promises(&lowered.graph);
     let places = || Places { signature: &signature, name: &source.name, arguments: &source.arguments };
     let (attributes, places) = (Attributes { places: places(), source: &source }, places());
     let formula = places.asked(&lowered)?;
     let stage = |nodes: &[Node]| places.stage(&lowered, nodes);
     let values: Vec<Node> =
-        rows.iter().copied().chain(derived.jacobian.iter().map(|entry| entry.2)).collect();
+        derived.rows.iter().copied().chain(derived.jacobian.iter().map(|entry| entry.2)).collect();
     let laws = lowered.laws_asked();
     let points: Vec<Node> = lowered.attachments.iter().flat_map(|one| one.local.iter().copied()).collect();
     let too_many = |text: String| syn::Error::new(source.name.span(), text);
@@ -190,9 +190,9 @@ fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read>
             curved: promises.curved,
         },
         constants: promises.constants,
-        trig: derived.trig(&lowered.graph, &rows),
+        trig: derived.trig(&lowered.graph),
         values: stage(&values)?,
-        residual: stage(&rows)?,
+        residual: stage(&derived.rows)?,
         velocity: stage(&derived.velocity_rhs)?,
         acceleration: stage(&derived.acceleration_rhs)?,
         asked: stage(&laws.iter().map(|(_, x)| *x).collect::<Vec<Node>>())?,

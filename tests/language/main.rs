@@ -13,6 +13,7 @@ mod items;
 mod own;
 mod promises;
 mod refused;
+mod tables;
 mod twice;
 mod values;
 

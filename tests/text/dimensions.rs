@@ -1,7 +1,7 @@
 //! Parameters of equations from text that hang on dimensions, and what files say of them.
 
 use kin::prelude::*;
-use kin::text::{Equation, registry};
+use kin_text::{Equation, registry};
 use serde_json::json;
 
 const RAISED: &str =

@@ -17,3 +17,13 @@ pub fn put(to: &mut f64, value: f64) {
     *to = value;
     compiler_fence(Ordering::SeqCst);
 }
+
+/// The first of `n` rows that holds, else `n`.
+#[inline(always)]
+pub fn first(n: usize, holds: impl Fn(usize) -> bool) -> usize {
+    let mut row = 0;
+    while row < n && !holds(row) {
+        row += 1;
+    }
+    row
+}

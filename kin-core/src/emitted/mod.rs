@@ -36,7 +36,7 @@ pub use crate::{
 };
 pub use columns::Columns;
 pub use ended::ended;
-pub use kernel::{fma, put};
+pub use kernel::{first, fma, put};
 pub use refused::{Refuses, refusal, refused};
 pub use rows::{Rows, rows};
 pub use sound::{If, Sound, Then, callee};

@@ -4,6 +4,7 @@
 //! the passes of `kin_graph` each of them is an argument of its own.
 
 use kin_graph::differentiate::{Jets, Partial};
+use kin_graph::schedule::looked_up;
 use kin_graph::{Column, Depends, Formula, Graph, Input, Node, Op, Part};
 
 /// The part of a state that a coordinate is.
@@ -40,6 +41,7 @@ impl Kind {
             places[node.index()] = read(&mut graph, &formula.graph, node, &places)?;
         }
         let residuals: Vec<Node> = formula.rows.iter().map(|row| places[row.index()]).collect();
+        let residuals = looked_up(&mut graph, &residuals);
         let columns: Vec<Vec<Column>> = residuals.iter().map(|row| graph.columns(&[*row])).collect();
         let mut slopes: Vec<Vec<(usize, Node)>> = vec![Vec::new(); residuals.len()];
         for column in graph.columns(&residuals) {

@@ -2,11 +2,14 @@
 //! from them for good.
 
 use super::{Jets, Partial, by_columns, promise_of_columns};
-use crate::schedule::{fused, operations};
+use crate::schedule::{fused, looked_up, operations};
 use crate::{Column, Graph, Input, Node, Op, Part};
 
 /// Every derivative of the rows.
 pub struct Derivatives {
+    /// C, of tables of pieces one expression with numbers that are looked up; the derivatives are those of
+    /// this.
+    pub rows: Vec<Node>,
     /// (row, local column, value), structural non-zeros only.
     pub jacobian: Vec<(usize, usize, Node)>,
     /// −C_t; empty where nothing depends on time.
@@ -30,27 +33,28 @@ pub struct Promises {
 impl Derivatives {
     /// The derivatives of `rows`; `local` numbers the columns.
     pub fn new(g: &mut Graph, rows: &[Node], local: impl Fn(Column) -> usize) -> Self {
-        let jacobian = jacobian(g, rows, local);
+        let rows = looked_up(g, rows);
+        let jacobian = jacobian(g, &rows, local);
         let mut velocity_rhs = Vec::new();
         if rows.iter().any(|&row| g.depends(row).on_t) {
             let mut by_time = Partial::by_time();
-            for &row in rows {
+            for &row in &rows {
                 let c_t = by_time.of(g, row);
                 velocity_rhs.push(g.neg(c_t));
             }
         }
         let mut jets = Jets::default();
         let mut acceleration_rhs = Vec::new();
-        for &row in rows {
+        for &row in &rows {
             let second = jets.of(g, row).second;
             acceleration_rhs.push(g.neg(second));
         }
-        Derivatives { jacobian, velocity_rhs, acceleration_rhs }
+        Derivatives { rows, jacobian, velocity_rhs, acceleration_rhs }
     }
 
     /// Slots whose sine or cosine some output reads.
-    pub fn trig(&self, g: &Graph, rows: &[Node]) -> Vec<usize> {
-        let mut outputs = rows.to_vec();
+    pub fn trig(&self, g: &Graph) -> Vec<usize> {
+        let mut outputs = self.rows.clone();
         outputs.extend(self.jacobian.iter().map(|entry| entry.2));
         outputs.extend(self.velocity_rhs.iter().chain(&self.acceleration_rhs));
         let reads = |node: Node| match g.op(node) {
@@ -62,25 +66,25 @@ impl Derivatives {
 
     /// True if the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates
     /// that enter by sums and products alone, for steps and kinks have such gradients too.
-    pub fn is_linear(&self, g: &Graph, rows: &[Node]) -> bool {
+    pub fn is_linear(&self, g: &Graph) -> bool {
         let smooth =
             |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
         self.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())
-            && g.reachable(rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
+            && g.reachable(&self.rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
     }
 
     /// The promises of the graph about the terms.
-    pub fn promises(&self, g: &Graph, rows: &[Node]) -> Promises {
+    pub fn promises(&self, g: &Graph) -> Promises {
         let on_t = |n: &Node| g.depends(*n).on_t;
         let [c_t, q_d] =
             [&self.velocity_rhs, &self.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
         let number = |entry: &(usize, usize, Node)| g.constant_value(entry.2).filter(|c| c.is_finite());
         Promises {
-            c_on_t: rows.iter().any(on_t),
+            c_on_t: self.rows.iter().any(on_t),
             c_q_on_t: self.jacobian.iter().any(|entry| on_t(&entry.2)),
             c_t,
             q_d,
-            curved: !self.is_linear(g, rows),
+            curved: !self.is_linear(g),
             constants: self.jacobian.iter().map(number).collect(),
         }
     }

@@ -27,8 +27,35 @@ impl Graph {
             (Some(true), _) => b,
             (_, Some(true)) => a,
             (Some(false), _) | (_, Some(false)) => self.bool(false),
-            _ => self.intern(Op::And(a, b)),
+            _ => match self.narrowed(a, b) {
+                Some(both) => both,
+                None => self.intern(Op::And(a, b)),
+            },
         }
+    }
+
+    /// (p or q) and b, where b says whether p holds.
+    fn narrowed(&mut self, a: Node, b: Node) -> Option<Node> {
+        let Op::Or(p, q) = self.op(a) else { return None };
+        if b == p {
+            return Some(p); // (p or q) and p → p
+        }
+        let rest = match self.op(b) {
+            _ if self.is_not(b, p) => None,
+            Op::And(not, rest) if self.is_not(not, p) => Some((not, rest)),
+            _ => return None,
+        };
+        // (p or q) and not p and r → not p and q and r
+        let q = self.without(q, p);
+        let (not, rest) = match rest {
+            None => (b, q),
+            Some((not, rest)) => (not, self.and(q, rest)),
+        };
+        Some(self.and(not, rest))
+    }
+
+    fn is_not(&self, a: Node, b: Node) -> bool {
+        self.op(a) == Op::Not(b) || self.op(b) == Op::Not(a)
     }
 
     pub fn or(&mut self, a: Node, b: Node) -> Node {
@@ -54,7 +81,23 @@ impl Graph {
             Some(true) => a,
             Some(false) => b,
             None if a == b => a,
-            None => self.intern(Op::Select(condition, a, b)),
+            None => match (self.op(condition), self.op(a)) {
+                // (p or q) ? (p ? x : y) : b → p ? x : (q ? y : b)
+                (Op::Or(p, q), Op::Select(first, x, y)) if p == first => {
+                    let rest = self.without(q, p);
+                    let rest = self.select(rest, y, b);
+                    self.select(p, x, rest)
+                }
+                _ => self.intern(Op::Select(condition, a, b)),
+            },
+        }
+    }
+
+    /// A condition where another one does not hold: of `not p and q` what is left.
+    fn without(&self, condition: Node, p: Node) -> Node {
+        match self.op(condition) {
+            Op::And(not, q) if self.is_not(not, p) => q,
+            _ => condition,
         }
     }
 }

@@ -7,6 +7,7 @@
 
 use std::collections::BTreeMap;
 
+use super::lookups::{Cells, Lookup, lookups};
 use crate::{Graph, Node, Op};
 
 /// Work below which both branches are computed.
@@ -39,6 +40,9 @@ pub struct Branches {
     /// The choice of each selection by number of the node, counted from 1; 0 of all other nodes. Empty where
     /// there is no choice.
     choice_of: Vec<u32>,
+    lookups: Vec<Lookup>,
+    /// Which nodes are numbers of a table.
+    cells: Cells,
 }
 
 impl Branches {
@@ -47,22 +51,52 @@ impl Branches {
         Branches::default()
     }
 
-    /// The choices worth asking for among `outputs`, without going beyond the `given` nodes.
-    pub fn new(g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Self {
-        Self::longer_than(SHORT, g, outputs, given)
+    /// The choices worth asking for among `outputs`, without going beyond the `given` nodes; tables are used
+    /// where they `can` be read.
+    pub fn new(
+        g: &Graph,
+        outputs: &[Node],
+        given: impl Fn(Node) -> bool,
+        can: impl Fn(&Lookup) -> bool,
+    ) -> Self {
+        Self::longer_than(SHORT, g, outputs, given, can)
     }
 
     /// The same of choices with at least so much work in their branches.
-    fn longer_than(short: usize, g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Self {
+    fn longer_than(
+        short: usize,
+        g: &Graph,
+        outputs: &[Node],
+        given: impl Fn(Node) -> bool,
+        can: impl Fn(&Lookup) -> bool,
+    ) -> Self {
         let nodes: Vec<Node> =
             g.reachable_from(outputs, &given).into_iter().filter(|&node| !given(node)).collect();
         if !nodes.iter().any(|&node| matches!(g.op(node), Op::Select(..))) {
             return Branches::none();
         }
-        let mut places = Places::new(g, &nodes, outputs);
-        places.find(g);
+        let (lookups, cells) = lookups(g, &nodes, can);
+        let tables = Branches { lookups, cells, ..Branches::none() };
+        // Nodes that only the chains of tables hold are not computed.
+        let nodes = if tables.lookups.is_empty() {
+            nodes
+        } else {
+            tables.reachable(g, outputs, &given).into_iter().filter(|&node| !given(node)).collect()
+        };
+        let mut places = Places::new(g, &tables, &nodes, outputs);
+        places.find(g, &tables);
         places.close(g, short);
-        places.into_branches(g)
+        places.into_branches(g, tables)
+    }
+
+    /// The table in which a node is found, by its number, and its column.
+    pub fn cell(&self, node: Node) -> Option<(usize, usize)> {
+        let (lookup, column) = self.cells.get(node.index()).copied().unwrap_or_default();
+        Some((lookup.checked_sub(1)? as usize, column.checked_sub(1)? as usize))
+    }
+
+    pub fn lookup(&self, number: usize) -> &Lookup {
+        &self.lookups[number]
     }
 
     /// The choice that a node is made by.
@@ -76,7 +110,7 @@ impl Branches {
     /// Every node that has to be computed for `outputs` outside the branches of their choices, and the
     /// `given` nodes that these read, in order of creation.
     pub(super) fn reachable(&self, g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Node> {
-        if self.choices.is_empty() {
+        if self.choices.is_empty() && self.lookups.is_empty() {
             return g.reachable_from(outputs, given);
         }
         // A choice may read nodes that were created after one of its selections.
@@ -98,6 +132,9 @@ impl Branches {
     /// Shows what has to be known before a node is computed: its operands, of a choice its condition and what
     /// its branches read.
     pub fn each_operand(&self, g: &Graph, node: Node, mut show: impl FnMut(Node)) {
+        if let Some((lookup, _)) = self.cell(node) {
+            return self.lookups[lookup].searched().for_each(show);
+        }
         match self.choice(node) {
             None => g.each_operand(node, show),
             Some(choice) => {
@@ -135,15 +172,16 @@ fn branch(choice: usize, taken: bool) -> Scope {
 }
 
 impl Places {
-    fn new(g: &Graph, nodes: &[Node], outputs: &[Node]) -> Self {
+    fn new(g: &Graph, tables: &Branches, nodes: &[Node], outputs: &[Node]) -> Self {
         let mut level = vec![0; g.len()];
         let mut levels: Vec<Vec<Node>> = Vec::new();
         for &node in nodes.iter().rev() {
             let own = level[node.index()];
             levels.resize_with(levels.len().max(own + 1), Vec::new);
             levels[own].push(node);
-            let below = own + usize::from(matches!(g.op(node), Op::Select(..)));
-            g.each_operand(node, |operand| level[operand.index()] = below.max(level[operand.index()]));
+            let below = own + usize::from(selects(g, tables, node).is_some());
+            tables
+                .each_operand(g, node, |operand| level[operand.index()] = below.max(level[operand.index()]));
         }
         let mut scope = vec![None; g.len()];
         outputs.iter().for_each(|output| scope[output.index()] = Some(WHOLE));
@@ -152,16 +190,16 @@ impl Places {
 
     /// Finds the scope of every node, level by level: all selections of a level are placed before what they
     /// choose between.
-    fn find(&mut self, g: &Graph) {
+    fn find(&mut self, g: &Graph, tables: &Branches) {
         let levels = std::mem::take(&mut self.levels);
         for level in &levels {
             let mut choices: BTreeMap<Node, Vec<Node>> = BTreeMap::new();
             for &node in level {
-                match g.op(node) {
-                    Op::Select(condition, ..) => choices.entry(condition).or_default().push(node),
-                    _ => {
+                match selects(g, tables, node) {
+                    Some([condition, ..]) => choices.entry(condition).or_default().push(node),
+                    None => {
                         let scope = self.scope_of(node);
-                        g.each_operand(node, |operand| self.use_in(operand, scope));
+                        tables.each_operand(g, node, |operand| self.use_in(operand, scope));
                     }
                 }
             }
@@ -239,22 +277,22 @@ impl Places {
         scope
     }
 
-    fn into_branches(self, g: &Graph) -> Branches {
+    fn into_branches(self, g: &Graph, tables: Branches) -> Branches {
         let mut reads: Vec<Vec<Node>> = vec![Vec::new(); self.found.len()];
         for &node in self.levels.iter().flatten() {
-            match (g.op(node), self.choice[node.index()]) {
-                (Op::Select(condition, a, b), Some(k)) if self.found[k].open => {
+            match (selects(g, &tables, node), self.choice[node.index()]) {
+                (Some([condition, a, b]), Some(k)) if self.found[k].open => {
                     self.read(condition, self.open(self.found[k].outside), &mut reads);
                     self.read(a, branch(k, true), &mut reads);
                     self.read(b, branch(k, false), &mut reads);
                 }
                 _ => {
                     let scope = self.open(self.scope_of(node));
-                    g.each_operand(node, |operand| self.read(operand, scope, &mut reads));
+                    tables.each_operand(g, node, |operand| self.read(operand, scope, &mut reads));
                 }
             }
         }
-        let mut branches = Branches { choices: Vec::new(), choice_of: vec![0; g.len()] };
+        let mut branches = Branches { choice_of: vec![0; g.len()], ..tables };
         for (found, mut reads) in self.found.into_iter().zip(reads).filter(|(found, _)| found.open) {
             reads.sort_unstable();
             reads.dedup();
@@ -275,6 +313,14 @@ impl Places {
             reads[choice].push(node);
             scope = self.open(self.found[choice].outside);
         }
+    }
+}
+
+/// The condition and the values of a selection that is no number of a table.
+fn selects(g: &Graph, tables: &Branches, node: Node) -> Option<[Node; 3]> {
+    match g.op(node) {
+        Op::Select(condition, a, b) if tables.cell(node).is_none() => Some([condition, a, b]),
+        _ => None,
     }
 }
 

@@ -11,14 +11,18 @@
 mod branches;
 mod edges;
 mod fuse;
+mod lookups;
 mod order;
 mod scale;
+mod tables;
 
 #[cfg(test)]
 mod tests;
 
 pub use branches::{Branches, Choice};
+pub use lookups::Lookup;
 pub use order::{Group, order};
+pub use tables::{Test, looked_up};
 
 use crate::{Graph, Node, Op};
 

@@ -7,7 +7,7 @@ use quote::ToTokens;
 use super::scope::{Changes, Mark};
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
-use kin_graph::Node;
+use kin_graph::{Node, Op};
 
 /// A part of the body that can be left.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -248,13 +248,23 @@ impl Reader {
             [(_, last)] => f(self, last.clone()),
             [(condition, first), rest @ ..] => {
                 let both = std::cell::RefCell::new(f);
+                let condition = self.left_open(*condition);
                 self.choose(
-                    *condition,
+                    condition,
                     |r| (both.borrow_mut())(r, first.clone()),
                     |r| r.each_of(rest, at, *both.borrow_mut()),
                     at,
                 )
             }
+        }
+    }
+
+    /// The part of a condition that is not known yet on the way to here: of alternatives the ones before are
+    /// none.
+    fn left_open(&mut self, condition: Node) -> Node {
+        match self.graph.op(condition) {
+            Op::And(a, b) if self.path.iter().any(|guard| guard.holds == a) => self.left_open(b),
+            _ => condition,
         }
     }
 

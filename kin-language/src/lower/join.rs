@@ -53,7 +53,8 @@ impl Reader {
                 let taken = self.graph.and(side, taken);
                 let mut joined = None;
                 for (k, (known, other)) in all.clone().into_iter().enumerate() {
-                    if let Some(one) = self.same_kind(taken, &value, &other) {
+                    // First ones first: so a table is searched from its beginning.
+                    if let Some(one) = self.same_kind(known, &other, &value) {
                         joined = Some((k, self.graph.or(known, taken), one));
                         break;
                     }

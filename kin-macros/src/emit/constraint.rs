@@ -47,7 +47,7 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let derived = Derivatives::new(&mut lowered.graph, &rows, local);
     let row_names = lowered.rows.iter().map(|row| row.name.clone()).collect();
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
-    let trig = derived.trig(&lowered.graph, &rows);
+    let trig = derived.trig(&lowered.graph);
     let parts = functions::symbolic(&source.arguments, &mut lowered, &derived);
     let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &mut lowered, &derived));
     let dual = if rewrite::is_sure(&source.body, &source.arguments) {

@@ -23,16 +23,16 @@ pub struct Parts {
 
 /// `residual`, `jacobian`, `linearize`, `velocity_rhs` and `acceleration_rhs`; the formula.
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> Parts {
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+    let rows = &derived.rows;
     let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
-    let (to_c, c) = outputs("c", quote!(c.first_chunk_mut()), &rows, |_| true);
+    let (to_c, c) = outputs("c", quote!(c.first_chunk_mut()), rows, |_| true);
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let (to_c_q, c_q) = outputs("c_q", quote!(c_q.first_chunk_mut()), &values, |_| true);
     let both: Vec<_> = c.iter().cloned().chain(c_q).collect();
     let (to_rhs, rhs) = outputs("rhs", quote!(rhs.first_chunk_mut()), &derived.velocity_rhs, |_| true);
     let (to_q_d, q_d) = outputs("q_d", quote!(q_d.first_chunk_mut()), &derived.acceleration_rhs, |_| true);
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
-    let linear = derived.is_linear(&lowered.graph, &rows);
+    let linear = derived.is_linear(&lowered.graph);
     let timed = Timed::new(lowered, &all, derived, linear);
     let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
     let mut kernel = |outputs: &[(Ident, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
@@ -45,7 +45,7 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
     let (at_time, numbers_of_time) = (timed::function(lowered, &timed), timed::facts(&timed));
-    let promises = facts::promises(&derived.promises(&lowered.graph, &rows));
+    let promises = facts::promises(&derived.promises(&lowered.graph));
     let reason = route::read(lowered);
     let facts = quote!(reason: #reason, #promises #numbers_of_time);
     let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);

@@ -5,7 +5,9 @@ mod branches;
 mod dual;
 mod evaluations;
 mod inputs;
+mod lookups;
 mod operations;
+mod progression;
 mod words;
 
 use std::collections::{HashMap, HashSet, hash_map::Entry};
@@ -243,10 +245,11 @@ impl<'a> Kernel<'a> {
     /// Learns of `outputs` how often each node is used, and which choices are worth a branch. Numbers in
     /// lanes may take either branch.
     fn look_at(&mut self, outputs: &[Node]) {
-        self.count_uses(outputs);
         if self.numbers != Numbers::Wide {
-            self.branches = Branches::new(self.graph(), outputs, |node| self.named.contains_key(&node));
+            let known = |node: Node| self.named.contains_key(&node);
+            self.branches = Branches::new(self.graph(), outputs, known, |table| self.is_readable(table));
         }
+        self.count_uses(outputs);
     }
 
     /// The nodes that `outputs` need and that are not known yet, in the order in which to compute them.
@@ -259,12 +262,20 @@ impl<'a> Kernel<'a> {
             self.uses[node.index()] += 1;
         }
         let known = |node: Node| self.named.contains_key(&node);
+        // The numbers of a table are not computed.
+        let given = |node: Node| known(node) || self.branches.cell(node).is_some();
         let order: Vec<Node> =
-            self.graph().reachable_from(outputs, known).into_iter().filter(|&node| !known(node)).collect();
+            self.graph().reachable_from(outputs, given).into_iter().filter(|&node| !known(node)).collect();
         for node in order.into_iter().rev() {
             // Minus x is written out as often as it is used.
             let times = if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
-            self.graph().each_operand(node, |operand| self.uses[operand.index()] += times);
+            match self.branches.cell(node) {
+                Some((table, _)) => {
+                    let searched = self.branches.lookup(table).searched();
+                    searched.for_each(|operand| self.uses[operand.index()] += times);
+                }
+                None => self.graph().each_operand(node, |operand| self.uses[operand.index()] += times),
+            }
         }
     }
 

@@ -50,9 +50,8 @@ fn method() -> TokenStream {
 
 pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> LaneCode {
     let g = &lowered.graph;
-    let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
-    let (to_c, c) = functions::outputs("c", quote!(at.rows(c)), &rows, |_| true);
+    let (to_c, c) = functions::outputs("c", quote!(at.rows(c)), &derived.rows, |_| true);
     // A value that is the same for good has been written before.
     let (to_c_q, c_q) = functions::outputs("c_q", quote!(at.values(c_q)), &values, |node| {
         g.constant_value(node).is_none_or(|constant| !constant.is_finite())

@@ -52,7 +52,7 @@ fn written(source: &LawFn, body: &Block, lowered: Option<&Lowered>) -> TokenStre
 fn symbolic(source: &LawFn, mut lowered: Lowered) -> (TokenStream, Vec<TokenStream>) {
     let g = &mut lowered.graph;
     let mut by_x = Partial::by_variable();
-    let mut derivatives = vec![lowered.rows[0].node];
+    let mut derivatives = kin_graph::schedule::looked_up(g, &[lowered.rows[0].node]);
     for k in 0..3 {
         let next = by_x.of(g, derivatives[k]);
         derivatives.push(next);

@@ -20,9 +20,9 @@ pub struct Timed {
 
 impl Timed {
     pub fn new(lowered: &mut Lowered, outputs: &[Node], derived: &Derivatives, linear: bool) -> Self {
-        let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
+        let rows = &derived.rows;
         let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
-        let sides = if linear && on_t { sides(&mut lowered.graph, &rows, derived) } else { None };
+        let sides = if linear && on_t { sides(&mut lowered.graph, rows, derived) } else { None };
         Timed { read: select(lowered, outputs), sides: sides.unwrap_or_default() }
     }
 

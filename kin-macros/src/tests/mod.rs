@@ -7,6 +7,7 @@ pub mod mangled;
 mod messages;
 mod pathological;
 mod slopes;
+mod tables;
 
 use std::path::Path;
 

@@ -117,7 +117,7 @@ fn every_branch_knows_what_it_reads_and_gives_the_same_values() {
     for _ in 0..600 {
         let (mut g, outputs) = graph(&mut random);
         let outputs = prepare(&mut g, &outputs);
-        let branches = Branches::longer_than(1, &g, &outputs, |_| false);
+        let branches = Branches::longer_than(1, &g, &outputs, |_| false, |_| false);
         choices += branches.choices.len();
         inner += branches.choices.iter().filter(|choice| choice.reads.len() > 2).count();
         for _ in 0..4 {
@@ -158,7 +158,7 @@ fn pieces(n: usize) -> (Graph, Vec<Node>) {
 fn a_table_of_pieces_computes_one_piece() {
     let (mut g, outputs) = pieces(20);
     let outputs = prepare(&mut g, &outputs);
-    let branches = Branches::new(&g, &outputs, |_| false);
+    let branches = Branches::new(&g, &outputs, |_| false, |_| false);
     assert_eq!(branches.choices.len(), 19, "the last piece is too short to ask for");
     let whole: usize = g.reachable(&outputs).iter().map(|&node| work(g.op(node))).sum();
     for (at, most) in [(0.2, 30), (10.0, 40), (30.0, 50)] {
@@ -174,11 +174,11 @@ fn a_table_of_pieces_computes_one_piece() {
 fn short_and_very_deep_choices_stay_selections() {
     let (mut g, outputs) = pieces(DEEPEST + 40);
     let outputs = prepare(&mut g, &outputs);
-    assert_eq!(Branches::new(&g, &outputs, |_| false).choices.len(), DEEPEST);
+    assert_eq!(Branches::new(&g, &outputs, |_| false, |_| false).choices.len(), DEEPEST);
     let mut g = Graph::default();
     let x = g.input(Input::Parameter(0));
     let (zero, minus) = (g.zero(), g.neg(x));
     let condition = g.compare(Comparison::Less, x, zero);
     let size = g.select(condition, minus, x);
-    assert!(Branches::new(&g, &[size], |_| false).choices.is_empty());
+    assert!(Branches::new(&g, &[size], |_| false, |_| false).choices.is_empty());
 }

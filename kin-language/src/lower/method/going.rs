@@ -93,12 +93,15 @@ impl Reader {
                 best.map(Value::some)
             }
             "scan" => self.scanned(all, &f, call),
-            "position" | "find" => {
+            "position" | "find" | "partition_point" => {
                 let mut conditions = Vec::new();
                 for value in &all {
-                    let input = if call.name == "find" { borrowed(value) } else { value.clone() };
+                    let input = if call.name == "position" { value.clone() } else { borrowed(value) };
                     let holds = self.apply(&f, vec![input], &[], call)?;
                     conditions.push(self.condition(holds, call));
+                }
+                if call.name == "partition_point" {
+                    return self.count_before(&conditions, call);
                 }
                 self.first_of(&all, &conditions, call)
             }
@@ -144,7 +147,10 @@ impl Reader {
             cut = match self.graph.truth(condition) {
                 Some(true) => cut,
                 Some(false) => here,
-                None => self.joined(condition, &cut, &here, call)?,
+                None => {
+                    let ends = self.graph.not(condition);
+                    self.joined(ends, &here, &cut, call)?
+                }
             };
         }
         Ok(cut)
@@ -162,6 +168,16 @@ impl Reader {
             }
         }
         Ok(Value::Iterator(kept))
+    }
+
+    /// How many conditions hold before the first one that does not.
+    fn count_before(&mut self, conditions: &[Node], call: &Call) -> Read {
+        let mut count = Value::count(conditions.len());
+        for (k, &condition) in conditions.iter().enumerate().rev() {
+            let ends = self.graph.not(condition);
+            count = self.joined(ends, &Value::count(k), &count, call)?;
+        }
+        Ok(count)
     }
 
     /// The first element whose condition holds, or its place.

@@ -55,8 +55,8 @@ impl Reader {
                 _,
             ) => self.picked(all, call),
             (
-                "reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position" | "find" | "take_while"
-                | "skip_while" | "map_while",
+                "reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position" | "partition_point"
+                | "find" | "take_while" | "skip_while" | "map_while",
                 _,
             ) => self.gone_over(all, call),
             ("fold", [start, f]) => {

@@ -17,6 +17,9 @@ impl Kernel<'_> {
         if self.numbers == super::Numbers::Dual {
             return self.dual_evaluation(node);
         }
+        if let Some(value) = self.looked_up(node) {
+            return Some(value);
+        }
         match self.graph().op(node) {
             Op::Law(law, x, order) => {
                 let law_place = template::place(&self.lowered.laws[law]);
