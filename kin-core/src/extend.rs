@@ -6,7 +6,7 @@
 
 #[doc(inline)]
 pub use crate::model::constraint::{
-    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Written,
+    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Written,
 };
 #[doc(inline)]
 pub use crate::model::coordinates::Target;

@@ -8,7 +8,7 @@ mod refused;
 mod whole;
 
 use crate::model::blame::{Asked, Blame, Input, Part};
-use crate::model::constraint::{Constraint, Entry, Facts, Parameters, Written};
+use crate::model::constraint::{Constraint, Entry, Facts, Parameters, Parts, Written};
 use crate::model::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
 use crate::model::law::Law;
 use crate::model::mechanism::Pose;
@@ -32,17 +32,17 @@ macro_rules! facts {
 /// A constraint shows a trait of its own that it implements.
 macro_rules! shows {
     (Parameters) => {
-        fn as_parameters(&self) -> Option<&dyn Parameters> {
-            Some(self)
+        fn parts(&self) -> Parts<'_> {
+            Parts { parameters: Some(self), ..Parts::default() }
         }
 
-        fn as_parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
+        fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
             Some(self)
         }
     };
     (Written) => {
-        fn as_written(&self) -> Option<&dyn Written> {
-            Some(self)
+        fn parts(&self) -> Parts<'_> {
+            Parts { written: Some(self), ..Parts::default() }
         }
     };
 }

@@ -773,17 +773,16 @@ const _: () = {
             );
             put(q_d_3, (-4.0) * fma(t48, t84, fma(t83, t46, fma(t52, t81, t85))));
         }
-        fn as_parameters(
-            &self,
-        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
+        fn parts(&self) -> ::kin::emitted::Parts<'_> {
+            ::kin::emitted::Parts {
+                parameters: ::core::option::Option::Some(self),
+                written: ::core::option::Option::Some(self),
+                in_lanes: ::core::option::Option::None,
+            }
         }
-        fn as_parameters_mut(
+        fn parameters_mut(
             &mut self,
         ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
-        }
-        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
             ::core::option::Option::Some(self)
         }
     }

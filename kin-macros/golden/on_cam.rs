@@ -340,55 +340,16 @@ const _: () = {
                 fma(t20, t20 * law1[2], fma(-2.0, t30, -leaf0.0.v2)),
             );
         }
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
-            ::core::option::Option::Some(self)
+        fn parts(&self) -> ::kin::emitted::Parts<'_> {
+            ::kin::emitted::Parts {
+                parameters: ::core::option::Option::Some(self),
+                written: ::core::option::Option::Some(self),
+                in_lanes: ::core::option::Option::Some(self),
+            }
         }
-        fn laws(
-            &self,
-            at: &::kin::emitted::At<'_>,
-            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
-        ) {
-            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
-                .state(0) else { return };
-            let ::core::option::Option::Some(
-                [follower_x,
-                follower_y,
-                _,
-                follower_sin,
-                follower_cos,
-                ],
-            ) = at.state(1) else { return };
-            let follower_y = *follower_y;
-            let follower_sin = *follower_sin;
-            let follower_cos = *follower_cos;
-            let cam_y = *cam_y;
-            let t0 = (follower_y
-                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
-            let follower_x = *follower_x;
-            let cam_x = *cam_x;
-            let t1 = (follower_x
-                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
-            let cam_cos = *cam_cos;
-            let cam_sin = *cam_sin;
-            let [x_0] = [
-                ::kin::emitted::math::atan2(
-                    (cam_cos * t0) - (cam_sin * t1),
-                    (cam_cos * t1) + (cam_sin * t0),
-                ),
-            ];
-            visit("profile", &self.profile, x_0);
-        }
-        fn as_parameters(
-            &self,
-        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
-        }
-        fn as_parameters_mut(
+        fn parameters_mut(
             &mut self,
         ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
-        }
-        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
             ::core::option::Option::Some(self)
         }
     }
@@ -438,6 +399,41 @@ const _: () = {
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
     impl ::kin::emitted::Written for on_cam {
+        fn laws(
+            &self,
+            at: &::kin::emitted::At<'_>,
+            visit: &mut dyn FnMut(&str, &::kin::Law, f64),
+        ) {
+            let ::core::option::Option::Some([cam_x, cam_y, _, cam_sin, cam_cos]) = at
+                .state(0) else { return };
+            let ::core::option::Option::Some(
+                [follower_x,
+                follower_y,
+                _,
+                follower_sin,
+                follower_cos,
+                ],
+            ) = at.state(1) else { return };
+            let follower_y = *follower_y;
+            let follower_sin = *follower_sin;
+            let follower_cos = *follower_cos;
+            let cam_y = *cam_y;
+            let t0 = (follower_y
+                + ((self.tip.x * follower_sin) + (self.tip.y * follower_cos))) - cam_y;
+            let follower_x = *follower_x;
+            let cam_x = *cam_x;
+            let t1 = (follower_x
+                + ((self.tip.x * follower_cos) - (self.tip.y * follower_sin))) - cam_x;
+            let cam_cos = *cam_cos;
+            let cam_sin = *cam_sin;
+            let [x_0] = [
+                ::kin::emitted::math::atan2(
+                    (cam_cos * t0) - (cam_sin * t1),
+                    (cam_cos * t1) + (cam_sin * t0),
+                ),
+            ];
+            visit("profile", &self.profile, x_0);
+        }
         #[cold]
         fn table(
             &self,

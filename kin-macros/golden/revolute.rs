@@ -216,20 +216,16 @@ const _: () = {
                 ),
             );
         }
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
-            ::core::option::Option::Some(self)
+        fn parts(&self) -> ::kin::emitted::Parts<'_> {
+            ::kin::emitted::Parts {
+                parameters: ::core::option::Option::Some(self),
+                written: ::core::option::Option::Some(self),
+                in_lanes: ::core::option::Option::Some(self),
+            }
         }
-        fn as_parameters(
-            &self,
-        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
-        }
-        fn as_parameters_mut(
+        fn parameters_mut(
             &mut self,
         ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
-        }
-        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
             ::core::option::Option::Some(self)
         }
     }

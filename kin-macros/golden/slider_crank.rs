@@ -249,17 +249,16 @@ const _: () = {
             let theta3_sin = *theta3_sin;
             put(q_d_1, fma(self.l2, t1 * (timed[2] * t1), self.l3 * (theta3_sin * t0)));
         }
-        fn as_parameters(
-            &self,
-        ) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
+        fn parts(&self) -> ::kin::emitted::Parts<'_> {
+            ::kin::emitted::Parts {
+                parameters: ::core::option::Option::Some(self),
+                written: ::core::option::Option::Some(self),
+                in_lanes: ::core::option::Option::None,
+            }
         }
-        fn as_parameters_mut(
+        fn parameters_mut(
             &mut self,
         ) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
-            ::core::option::Option::Some(self)
-        }
-        fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
             ::core::option::Option::Some(self)
         }
     }

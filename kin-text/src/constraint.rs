@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use kin::constraint::{Attached, Attachment, Constraint, Facts, Parameters, RouteReason, Written};
+use kin::constraint::{Attached, Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written};
 use kin::coordinates::{Argument, Coordinate, Target, Trig};
 use kin::data::{Datum, Describer};
 use kin::emitted::graph::{Dual3_64, Given, Table, give_law};
@@ -152,45 +152,25 @@ impl Constraint for ReadConstraint {
         self.read.measured.get(k).map_or([f64::NAN; 4], |(value, _)| self.asked(value, at, Some(rates)))
     }
 
-    fn ends(&self, k: usize) -> Option<[f64; 2]> {
-        let ends = self.read.measured.get(k)?.1.as_ref()?;
-        Some(ends.each_ref().map(|end| self.asked(end, &nowhere(), None)[0]))
-    }
-
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         self.broken(&self.read.branches, at).map(|(_, text)| text.as_str())
     }
 
-    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
-        let mut x = vec![0.0; self.read.asked_laws.len()];
-        self.compute(&self.read.asked, at, &mut x);
-        for (&number, x) in self.read.asked_laws.iter().zip(x) {
-            let named = self
-                .read
-                .signature
-                .parameters
-                .iter()
-                .find(|parameter| matches!(parameter.kind, ParameterKind::Law(k) if k == number));
-            if let (Some(parameter), Some(law)) = (named, self.laws.get(number)) {
-                visit(&parameter.name, law, x);
-            }
-        }
+    fn parts(&self) -> Parts<'_> {
+        Parts { parameters: Some(self), written: Some(self), in_lanes: None }
     }
 
-    fn as_parameters(&self) -> Option<&dyn Parameters> {
-        Some(self)
-    }
-
-    fn as_parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
-        Some(self)
-    }
-
-    fn as_written(&self) -> Option<&dyn Written> {
+    fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
         Some(self)
     }
 }
 
 impl Parameters for ReadConstraint {
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        let ends = self.read.measured.get(k)?.1.as_ref()?;
+        Some(ends.each_ref().map(|end| self.asked(end, &nowhere(), None)[0]))
+    }
+
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let signature = &self.read.signature;
         for parameter in &signature.parameters {
@@ -255,6 +235,22 @@ impl Parameters for ReadConstraint {
 }
 
 impl Written for ReadConstraint {
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        let mut x = vec![0.0; self.read.asked_laws.len()];
+        self.compute(&self.read.asked, at, &mut x);
+        for (&number, x) in self.read.asked_laws.iter().zip(x) {
+            let named = self
+                .read
+                .signature
+                .parameters
+                .iter()
+                .find(|parameter| matches!(parameter.kind, ParameterKind::Law(k) if k == number));
+            if let (Some(parameter), Some(law)) = (named, self.laws.get(number)) {
+                visit(&parameter.name, law, x);
+            }
+        }
+    }
+
     fn attachments(&self) -> Vec<Attachment> {
         let all = &self.read.attachments;
         let mut numbers = vec![0.0; all.iter().map(|one| one.local.len()).sum()];

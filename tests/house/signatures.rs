@@ -111,10 +111,11 @@ fn an_unclear_argument_is_seen() {
     assert_eq!(names, ["a", "b", "d", "f", "g"]);
 }
 
-/// The one trait of the library stays small: seventeen questions, of which four hand on to other traits.
+/// The one trait of the library stays small: its description, ten formulas, and one way each to see and to
+/// change what has traits of its own.
 #[test]
 fn the_trait_of_constraints_is_small() {
-    const MOST: usize = 17;
+    const MOST: usize = 14;
     let path = std::path::Path::new(ROOT).join("kin-core/src/model/constraint/mod.rs");
     let file = syn::parse_file(&std::fs::read_to_string(path).expect("readable")).expect("Rust");
     let methods = file.items.iter().find_map(|item| match item {

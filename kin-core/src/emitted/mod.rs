@@ -20,7 +20,7 @@ use crate::model::dimension::{self, Name};
 
 pub use crate::model::blame::{Asked, Blame, Source};
 pub use crate::model::constraint::{
-    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Written,
+    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Written,
 };
 pub use crate::model::coordinates::{Argument, Target, Trig};
 pub use crate::model::dimension::{Bindings, IntoNumber, IntoParameter};

@@ -7,7 +7,7 @@
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use crate::model::blame::{Asked, Blame};
-use crate::model::constraint::{Attachment, Constraint, Facts, Parameters, RouteReason, Written};
+use crate::model::constraint::{Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written};
 use crate::model::coordinates::Argument;
 use crate::model::law::Law;
 use crate::model::state::{At, Rates};
@@ -97,40 +97,34 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
         self.0.measure(k, at, rates)
     }
 
-    fn ends(&self, k: usize) -> Option<[f64; 2]> {
-        self.0.ends(k)
-    }
-
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         self.0.wrong_branch(at)
     }
 
-    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
-        self.0.laws(at, visit);
+    fn parts(&self) -> Parts<'_> {
+        Parts { written: Some(self), in_lanes: None, ..self.0.parts() }
     }
 
-    fn as_parameters(&self) -> Option<&dyn Parameters> {
-        self.0.as_parameters()
-    }
-
-    fn as_parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
-        self.0.as_parameters_mut()
-    }
-
-    fn as_written(&self) -> Option<&dyn Written> {
-        Some(self)
+    fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
+        self.0.parameters_mut()
     }
 }
 
 /// The answers of its own route, but for the formula: a run on the dual route evaluates the user's body.
 impl<E: Equation<N, M>, const N: usize, const M: usize> Written for ByDual<E, N, M> {
     fn attachments(&self) -> Vec<Attachment> {
-        self.0.as_written().map(|own| own.attachments()).unwrap_or_default()
+        self.0.parts().written.map(|own| own.attachments()).unwrap_or_default()
     }
 
     /// A term that is not finite on one route is not on the other.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
-        self.0.as_written()?.blame(asked)
+        self.0.parts().written?.blame(asked)
+    }
+
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        if let Some(own) = self.0.parts().written {
+            own.laws(at, visit);
+        }
     }
 }
 

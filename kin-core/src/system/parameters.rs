@@ -103,7 +103,7 @@ impl System {
 
     /// True if some constraint has kernels over lanes.
     pub(crate) fn has_lanes(&self) -> bool {
-        self.equations.blocks.iter().any(|block| block.constraint.in_lanes().is_some())
+        self.equations.blocks.iter().any(|block| block.constraint.parts().in_lanes.is_some())
     }
 
     /// The place of a parameter by its number among all of them.

@@ -6,7 +6,7 @@ use quote::{quote, quote_spanned};
 
 use super::functions::Parts;
 use super::kernel::Kernel;
-use super::lanes::{self, LaneCode};
+use super::lanes;
 use super::route::DualReason;
 use super::{
     attachments, blame, demands, described, editor, facts, functions, measures, rewrite, template, unlinted,
@@ -29,7 +29,7 @@ struct Frame<'a> {
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
     /// Kernels over lanes, where they are asked for.
-    lanes: Option<LaneCode>,
+    lanes: Option<TokenStream>,
 }
 
 /// The equation over dual numbers.
@@ -116,7 +116,7 @@ impl<'a> Frame<'a> {
         let leaves = if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let kinds = source.arguments.iter().flat_map(super::kinds);
-        let lane_kernels = self.lanes.as_ref().map(|lanes| &lanes.implementations);
+        let lane_kernels = &self.lanes;
         let as_data = described::described(source, &kind, &n, &m);
         let constraint = self.constraint(&kind, parts, lowered);
         let lengths = lengths(source);
@@ -147,8 +147,11 @@ impl<'a> Frame<'a> {
         let (arguments, describe) = (self.arguments(), described::describe(source, lowered));
         let (visit, set) = super::parameter_methods(&source.arguments);
         let take = described::take(source);
-        let in_lanes = self.lanes.as_ref().map(|lanes| &lanes.method);
-        let measures = measures::methods(source);
+        let in_lanes = match self.lanes {
+            Some(_) => quote!(::core::option::Option::Some(self)),
+            None => quote!(::core::option::Option::None),
+        };
+        let (ends, measure) = (measures::ends(source), measures::measure(source));
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
         let (formulas, written) = (&parts.formulas, &parts.written);
@@ -163,17 +166,16 @@ impl<'a> Frame<'a> {
                     #arguments
                 }
                 #formulas
-                #in_lanes
-                #measures
+                #measure
                 #branch
-                #laws
-                fn as_parameters(&self) -> ::core::option::Option<&dyn ::kin::emitted::Parameters> {
-                    ::core::option::Option::Some(self)
+                fn parts(&self) -> ::kin::emitted::Parts<'_> {
+                    ::kin::emitted::Parts {
+                        parameters: ::core::option::Option::Some(self),
+                        written: ::core::option::Option::Some(self),
+                        in_lanes: #in_lanes,
+                    }
                 }
-                fn as_parameters_mut(&mut self) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
-                    ::core::option::Option::Some(self)
-                }
-                fn as_written(&self) -> ::core::option::Option<&dyn ::kin::emitted::Written> {
+                fn parameters_mut(&mut self) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {
                     ::core::option::Option::Some(self)
                 }
             }
@@ -181,12 +183,14 @@ impl<'a> Frame<'a> {
             impl ::kin::emitted::Parameters for #name {
                 #visit
                 #set
+                #ends
                 #refusal
                 #take
                 #describe
             }
             #unlinted
             impl ::kin::emitted::Written for #name {
+                #laws
                 #written
             }
         }

@@ -19,12 +19,6 @@ use kin_graph::{Graph, Input, LeafNumber, Node, Op};
 use kin_language::lower::Lowered;
 use kin_language::parse::Argument;
 
-/// The method of `impl Constraint`, and the two implementations beside it.
-pub struct LaneCode {
-    pub method: TokenStream,
-    pub implementations: TokenStream,
-}
-
 /// One evaluation: what it is computed from, and the nodes that come out of it.
 struct Evaluation {
     key: String,
@@ -39,16 +33,13 @@ struct Outside {
     evaluations: Vec<Evaluation>,
 }
 
-/// The method that says that there are kernels over lanes.
-fn method() -> TokenStream {
-    quote! {
-        fn in_lanes(&self) -> ::core::option::Option<&dyn ::kin::emitted::InLanes> {
-            ::core::option::Option::Some(self)
-        }
-    }
-}
-
-pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> LaneCode {
+/// The kernels over lanes, two implementations beside `impl Constraint`.
+pub fn lanes(
+    name: &Ident,
+    arguments: &[Argument],
+    lowered: &mut Lowered,
+    derived: &Derivatives,
+) -> TokenStream {
     let g = &lowered.graph;
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let (to_c, c) = functions::outputs("c", quote!(at.rows(c)), &derived.rows, |_| true);
@@ -74,35 +65,32 @@ pub fn lanes(name: &Ident, arguments: &[Argument], lowered: &mut Lowered, derive
         }
     });
     let (in_lanes, unlinted) = (outside.in_lanes(name, arguments, lowered), super::unlinted());
-    LaneCode {
-        method: method(),
-        implementations: quote! {
-            #unlinted
-            #in_lanes
-            #unlinted
-            impl ::kin::emitted::LaneKernel for #name {
-                #[inline(always)]
-                fn linearize<__S: ::kin::emitted::Level>(
-                    at: &::kin::emitted::LaneAt<'_, __S>,
-                    c: &mut [::kin::emitted::Wide<__S>],
-                    c_q: &mut [::kin::emitted::Wide<__S>],
-                ) {
-                    #to_c
-                    #to_c_q
-                    #linearize
-                }
-                #velocity
-                #[inline(always)]
-                fn acceleration_rhs<__S: ::kin::emitted::Level>(
-                    at: &::kin::emitted::LaneAt<'_, __S>,
-                    qd: &::kin::emitted::LaneRates<'_, __S>,
-                    q_d: &mut [::kin::emitted::Wide<__S>],
-                ) {
-                    #to_q_d
-                    #acceleration
-                }
+    quote! {
+        #unlinted
+        #in_lanes
+        #unlinted
+        impl ::kin::emitted::LaneKernel for #name {
+            #[inline(always)]
+            fn linearize<__S: ::kin::emitted::Level>(
+                at: &::kin::emitted::LaneAt<'_, __S>,
+                c: &mut [::kin::emitted::Wide<__S>],
+                c_q: &mut [::kin::emitted::Wide<__S>],
+            ) {
+                #to_c
+                #to_c_q
+                #linearize
             }
-        },
+            #velocity
+            #[inline(always)]
+            fn acceleration_rhs<__S: ::kin::emitted::Level>(
+                at: &::kin::emitted::LaneAt<'_, __S>,
+                qd: &::kin::emitted::LaneRates<'_, __S>,
+                q_d: &mut [::kin::emitted::Wide<__S>],
+            ) {
+                #to_q_d
+                #acceleration
+            }
+        }
     }
 }
 

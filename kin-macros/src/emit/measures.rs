@@ -16,33 +16,35 @@ pub fn facts(source: &ConstraintFn) -> TokenStream {
     if source.measures.is_empty() { quote!() } else { quote!(measures: &[#(#told),*],) }
 }
 
-/// `ends` and `measure` of `impl Constraint`; nothing where there is none.
-pub fn methods(source: &ConstraintFn) -> TokenStream {
-    if source.measures.is_empty() {
-        return quote!();
-    }
+/// `ends` of `impl Parameters`; nothing where no measure has any.
+pub fn ends(source: &ConstraintFn) -> TokenStream {
     let mentioned =
         source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
     let (bindings, number) = (demands::bindings(&source.arguments, mentioned), super::own("number"));
     let ends = numbered(source)
         .filter_map(|(k, measure)| measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],)));
     let ends: Vec<TokenStream> = ends.collect();
-    let ends = if ends.is_empty() {
-        quote!()
-    } else {
-        quote! {
-            fn ends(&self, #number: usize) -> ::core::option::Option<[f64; 2]> {
-                #(#bindings)*
-                let ends: [f64; 2] = match #number {
-                    #(#ends)*
-                    _ => return ::core::option::Option::None,
-                };
-                ::core::option::Option::Some(ends)
-            }
-        }
-    };
+    if ends.is_empty() {
+        return quote!();
+    }
     quote! {
-        #ends
+        fn ends(&self, #number: usize) -> ::core::option::Option<[f64; 2]> {
+            #(#bindings)*
+            let ends: [f64; 2] = match #number {
+                #(#ends)*
+                _ => return ::core::option::Option::None,
+            };
+            ::core::option::Option::Some(ends)
+        }
+    }
+}
+
+/// `measure` of `impl Constraint`; nothing where there is none.
+pub fn measure(source: &ConstraintFn) -> TokenStream {
+    if source.measures.is_empty() {
+        return quote!();
+    }
+    quote! {
         #[cold]
         fn measure(&self, k: usize, at: &::kin::emitted::At<'_>, rates: &[::kin::emitted::Rates<'_>; 3]) -> [f64; 4] {
             ::kin::dual_route::measure(self, k, at, rates)

@@ -34,7 +34,7 @@ pub struct LaneMismatch {
 ///
 /// States where a term is not finite are left out.
 pub fn lanes(constraint: &dyn Constraint) -> Result<usize, Box<LaneMismatch>> {
-    let Some(kernels) = constraint.in_lanes() else { return Ok(0) };
+    let Some(kernels) = constraint.parts().in_lanes else { return Ok(0) };
     let n = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
     let mut spread = Spread(0x6C62_272E_07BB_0142);
     let mut vector = || (0..n).map(|_| spread.next()).collect::<Vec<f64>>();

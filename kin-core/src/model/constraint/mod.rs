@@ -8,7 +8,6 @@ mod route;
 mod written;
 
 use crate::model::coordinates::Argument;
-use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::lanes::InLanes;
 
@@ -91,7 +90,7 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// False, and nothing written, where that is not known (default, unless it has a formula): a run that is
     /// asked for the jerk then ends with an error by name.
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
-        let Some(written) = self.as_written() else { return false };
+        let Some(written) = self.parts().written else { return false };
         written.jerk_rhs(&self.arguments(), at, [qd, qdd], rhs)
     }
 
@@ -101,12 +100,6 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         [f64::NAN; 4]
     }
 
-    /// The ends of the range of measure k, if it has any: those of a slot.
-    fn ends(&self, k: usize) -> Option<[f64; 2]> {
-        let _ = k;
-        None
-    }
-
     /// The fault of a position where C = 0 holds but not as it is meant, such as with an axis turned by 180°.
     /// Looked at whenever a position has been found.
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
@@ -114,30 +107,24 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         None
     }
 
-    /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is
-    /// not known.
-    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
-        let _ = (at, visit);
+    /// The traits of its own that it has beside its formulas; none by default.
+    fn parts(&self) -> Parts<'_> {
+        Parts::default()
     }
 
-    /// The same for kernels over lanes, if it has them (`#[constraint(lanes)]`): several mechanisms of a
-    /// sweep advance together.
-    fn in_lanes(&self) -> Option<&dyn InLanes> {
+    /// Its parameters, to be changed; [`Parts::parameters`] shows them.
+    fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
         None
     }
+}
 
-    /// Its parameters, if it has any that can be read by name.
-    fn as_parameters(&self) -> Option<&dyn Parameters> {
-        None
-    }
-
-    /// Its parameters, to be changed.
-    fn as_parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
-        None
-    }
-
-    /// Its equation as it was written, if that is known.
-    fn as_written(&self) -> Option<&dyn Written> {
-        None
-    }
+/// A constraint beside its formulas, each side of it a trait of its own; `None` where it has none.
+#[derive(Clone, Copy, Default)]
+pub struct Parts<'a> {
+    /// Its parameters, which can be read by name.
+    pub parameters: Option<&'a dyn Parameters>,
+    /// Its equation as it was written.
+    pub written: Option<&'a dyn Written>,
+    /// Its kernels over lanes (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
+    pub in_lanes: Option<&'a dyn InLanes>,
 }

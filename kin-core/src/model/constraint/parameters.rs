@@ -4,7 +4,7 @@ use super::Constraint;
 use crate::model::describer::Describer;
 use crate::model::dimension::Bindings;
 
-/// The parameters of a constraint. [`Constraint::as_parameters`] shows them; emitted constraints have them.
+/// The parameters of a constraint. [`Constraint::parts`] shows them; emitted constraints have them.
 pub trait Parameters {
     /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64));
@@ -24,6 +24,12 @@ pub trait Parameters {
             number += 1;
         });
         wanted.is_some_and(|name| self.set_parameter(&name, value))
+    }
+
+    /// The ends of the range of measure k of [`super::Facts::measures`], if it has any: those of a slot.
+    fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        let _ = k;
+        None
     }
 
     /// The reason why the parameters make no sense, if so: a mechanism refuses the constraint with these
@@ -50,34 +56,39 @@ const UNKNOWN: &str = "it was not made by `#[constraint]`, so its parameters are
 impl dyn Constraint + '_ {
     /// [`Parameters::parameters`]
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-        if let Some(own) = self.as_parameters() {
+        if let Some(own) = self.parts().parameters {
             own.parameters(visit);
         }
     }
 
     /// [`Parameters::set_parameter`]
     pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
-        self.as_parameters_mut().is_some_and(|own| own.set_parameter(name, value))
+        self.parameters_mut().is_some_and(|own| own.set_parameter(name, value))
     }
 
     /// [`Parameters::set_parameter_at`]
     pub fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-        self.as_parameters_mut().is_some_and(|own| own.set_parameter_at(index, value))
+        self.parameters_mut().is_some_and(|own| own.set_parameter_at(index, value))
+    }
+
+    /// [`Parameters::ends`]
+    pub fn ends(&self, k: usize) -> Option<[f64; 2]> {
+        self.parts().parameters?.ends(k)
     }
 
     /// [`Parameters::refusal`]
     pub fn refusal(&self) -> Option<String> {
-        self.as_parameters().and_then(|own| own.refusal())
+        self.parts().parameters.and_then(|own| own.refusal())
     }
 
     /// [`Parameters::take_bindings`]
     pub fn take_bindings(&mut self) -> Bindings {
-        self.as_parameters_mut().map_or(Bindings::NONE, |own| own.take_bindings())
+        self.parameters_mut().map_or(Bindings::NONE, |own| own.take_bindings())
     }
 
     /// [`Parameters::describe`]
     pub fn describe(&self, to: &mut Describer) {
-        match self.as_parameters() {
+        match self.parts().parameters {
             Some(own) => own.describe(to),
             None => to.refuse(UNKNOWN),
         }

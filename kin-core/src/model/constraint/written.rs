@@ -6,6 +6,7 @@ use crate::model::blame::{Asked, Blame};
 use crate::model::coordinates::Argument;
 use crate::model::formula::jerk::Along;
 use crate::model::formula::{Given, Outside, Table};
+use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec3;
 use crate::numbers::real::Dual3_64;
@@ -28,7 +29,7 @@ pub enum Attached {
     Direction(Vec3),
 }
 
-/// The equation as it was written. [`Constraint::as_written`] shows it; emitted constraints have it.
+/// The equation as it was written. [`Constraint::parts`] shows it; emitted constraints have it.
 pub trait Written {
     /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)`
     /// with nothing that moves inside: for drawings and messages. Empty where that is not known (default).
@@ -41,6 +42,12 @@ pub trait Written {
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         let (table, parameters) = self.table()?;
         table.blame(asked, &parameters, &|number, x, to| self.outside(number, x, to))
+    }
+
+    /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is
+    /// not known.
+    fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        let _ = (at, visit);
     }
 
     /// Its formula and the values of its parameters. Emitted on the symbolic route; default none.
@@ -61,18 +68,25 @@ pub trait Written {
 impl dyn Constraint + '_ {
     /// [`Written::attachments`]
     pub fn attachments(&self) -> Vec<Attachment> {
-        self.as_written().map(|own| own.attachments()).unwrap_or_default()
+        self.parts().written.map(|own| own.attachments()).unwrap_or_default()
     }
 
     /// [`Written::blame`]
     pub fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
-        self.as_written()?.blame(asked)
+        self.parts().written?.blame(asked)
     }
 
     /// Hands its formula over, with the values of the parameters and what computes the rest; `None` where
     /// there is no formula.
     pub(crate) fn formula<T>(&self, with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T) -> Option<T> {
-        self.as_written()?.formula(with)
+        self.parts().written?.formula(with)
+    }
+
+    /// [`Written::laws`]
+    pub fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
+        if let Some(own) = self.parts().written {
+            own.laws(at, visit);
+        }
     }
 }
 

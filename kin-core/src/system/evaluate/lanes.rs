@@ -72,7 +72,7 @@ impl<'a> LaneSystems<'a> {
         let lanes = |k: usize| {
             systems
                 .iter()
-                .filter_map(move |system| system.equations().blocks[k].constraint.in_lanes())
+                .filter_map(move |system| system.equations().blocks[k].constraint.parts().in_lanes)
                 .collect()
         };
         LaneSystems { systems, own: (0..count).map(lanes).collect() }
@@ -97,7 +97,7 @@ impl<S: Level> WideEquations<S> {
 
     /// One more constraint.
     fn append(&mut self, block: &super::Block, varied: bool) {
-        let (kernels, depends) = (block.constraint.in_lanes(), block.constraint.facts().dependence);
+        let (kernels, depends) = (block.constraint.parts().in_lanes, block.constraint.facts().dependence);
         let [parameters, times] = kernels.map_or([0, 0], InLanes::n_known);
         let (first, between) = (self.n_known, self.n_known + parameters);
         self.n_known = between + times;

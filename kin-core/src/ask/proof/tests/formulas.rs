@@ -4,7 +4,7 @@ use kin_graph::{Formula, Node, Number, evaluate};
 
 use crate::ask::proof::bounds::Bounds;
 use crate::ask::proof::bounds::Part;
-use crate::model::constraint::{Entry, Facts, Written};
+use crate::model::constraint::{Entry, Facts, Parts, Written};
 use crate::model::formula::bounds::{Inputs, opaque, row, trusted};
 use crate::model::formula::time::{can_jump, over_time, signals, slopes};
 use crate::model::formula::{Given, Outside, Table, give_law, nothing_outside};
@@ -336,8 +336,8 @@ impl Constraint for Half {
         q_d.fill(0.0);
     }
 
-    fn as_written(&self) -> Option<&dyn Written> {
-        Some(self)
+    fn parts(&self) -> Parts<'_> {
+        Parts { written: Some(self), ..Parts::default() }
     }
 }
 
