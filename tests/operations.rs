@@ -152,3 +152,24 @@ fn every_function_of_f64_that_the_readme_speaks_of_is_listed() {
     let missing: Vec<&str> = words.split_whitespace().filter(|word| !LISTED.contains(word)).collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
+
+/// `log` and `copysign` are no functions of their own but other ways to write what the list has: to the last
+/// bit the same as f64's.
+#[constraint(symbolic)]
+fn written_otherwise(a: Coord, b: Coord) -> [f64; 2] {
+    [a.log(b), a.copysign(b)]
+}
+
+#[test]
+fn logarithms_to_a_base_and_copied_signs_are_those_of_f64_to_the_last_bit() {
+    const VALUES: [f64; 9] = [0.0, -0.0, 1e-300, 0.1, 1.0, -1.5, 7.3, 1e300, f64::INFINITY];
+    for a in VALUES {
+        for b in VALUES {
+            let c = terms(&written_otherwise(any_coord(), any_coord()), &[a, b], &[], 0.0).c;
+            for (own, expected) in c.iter().zip([a.log(b), a.copysign(b)]) {
+                let same = own.to_bits() == expected.to_bits() || own.is_nan() && expected.is_nan();
+                assert!(same, "{a} {b}: {own}, not {expected}");
+            }
+        }
+    }
+}

@@ -1,8 +1,8 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
+mod cache;
 pub(crate) mod dimensions;
 pub(crate) mod evaluate;
-mod kept;
 pub(crate) mod measures;
 pub(crate) mod parameters;
 pub(crate) mod scale;
@@ -24,9 +24,9 @@ use crate::model::loads::Loads;
 use crate::model::mechanism::Limit;
 use crate::model::units::Units;
 use crate::system::scaled::Model;
+use cache::Cache;
 use dimensions::Dimensions;
 use evaluate::{Block, Equations};
-use kept::Kept;
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
@@ -55,7 +55,7 @@ pub struct System {
     pub(crate) limits: Vec<Limit>,
     /// The constraints with conditions or other kinks, which a run has to look for.
     switching: Arc<[usize]>,
-    kept: Kept,
+    cache: Cache,
     /// Masses, gravity and what else acts; nothing of it is asked before forces are.
     pub(crate) loads: Arc<Loads>,
 }
@@ -130,7 +130,7 @@ impl System {
             linear,
             limits,
             switching,
-            kept: Kept::default(),
+            cache: Cache::default(),
             loads: Arc::default(),
         }
     }
@@ -304,12 +304,12 @@ impl System {
     /// Something was set: whatever was made of the system before counts no more.
     pub(crate) fn forget(&mut self) {
         self.linear.forget();
-        self.kept.forget();
+        self.cache.forget();
     }
 
     /// Things that upper rooms keep beside the system.
-    pub(crate) fn kept(&self) -> &Kept {
-        &self.kept
+    pub(crate) fn cache(&self) -> &Cache {
+        &self.cache
     }
 
     pub(crate) fn links(&self) -> &[f64] {

@@ -71,3 +71,43 @@ fn a_hiding_name_is_seen() {
     let text = "mod fours {} struct Crew { tall: f64 } enum E { Squares } impl E { fn tall() {} } fn f() { let tall = 1; }";
     assert_eq!(hiding(text), ["fours", "Crew", "tall", "Squares", "tall"]);
 }
+
+/// Types of one room that are called the same as those of another make a reader ask which one is meant.
+#[test]
+fn common_names_are_given_once_in_the_core() {
+    for name in ["Place", "Sweep", "Driver", "Stop", "Motion", "System", "Linear"] {
+        let is_it = |path: &std::path::PathBuf| {
+            let file = syn::parse_file(&std::fs::read_to_string(path).expect("readable")).expect("Rust");
+            let types = file.items.iter().filter_map(|item| match item {
+                syn::Item::Struct(item) => Some(&item.ident),
+                syn::Item::Enum(item) => Some(&item.ident),
+                syn::Item::Trait(item) => Some(&item.ident),
+                syn::Item::Type(item) => Some(&item.ident),
+                _ => None,
+            });
+            types.filter(|ident| *ident == name).count() == 1
+        };
+        let found: Vec<_> = rust_files("kin-core/src").into_iter().filter(is_it).collect();
+        assert!(found.len() <= 1, "{name}: {found:#?}");
+    }
+}
+
+#[test]
+fn folders_of_the_core_have_names_of_their_own() {
+    let root = std::path::Path::new(ROOT).join("kin-core/src");
+    let mut folders: std::collections::BTreeMap<String, Vec<String>> = Default::default();
+    for path in rust_files("kin-core/src") {
+        let folder = path.parent().expect("a folder").to_path_buf();
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let own = folder.strip_prefix(&root).expect("below the root").display().to_string();
+        let known = folders.entry(name).or_default();
+        if !known.contains(&own) {
+            known.push(own);
+        }
+    }
+    // Code over lanes, checks and tests stand beside their own subject, a motion as data below its making.
+    let twice = folders.iter().filter(|(name, all)| {
+        all.len() > 1 && !["tests", "lanes", "check", "motion"].contains(&name.as_str())
+    });
+    assert_eq!(twice.collect::<Vec<_>>(), []);
+}

@@ -61,7 +61,7 @@ impl System {
         self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), None))
     }
 
-    /// The same run, watched: `watch` is called before each plain step with the number of times that are
+    /// The same run, watched: `progress` is called before each plain step with the number of times that are
     /// done; the run goes on while it says so. A program calls it once a block of times.
     ///
     /// Errors: those of a run; [`Error::Stopped`], with the motion up to there.
@@ -69,9 +69,9 @@ impl System {
         &self,
         times: impl AsRef<[f64]>,
         options: &Options,
-        mut watch: impl FnMut(usize) -> bool,
+        mut progress: impl FnMut(usize) -> bool,
     ) -> Result<Motion> {
-        self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), Some(&mut watch)))
+        self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), Some(&mut progress)))
     }
 
     /// A run with what has happened on its way.

@@ -146,11 +146,11 @@ impl Walk<'_> {
             moved = nearest(model, measures, &moved, t, &|row| self.keeps(rows_kept, row), &open, self.steps);
         }
         let active = |row: usize| self.keeps(rows_kept, row) && !self.open.contains(&row);
-        let mut squares = LevenbergMarquardt::new(*model, measures, Vec::new(), time_is_free);
-        (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
+        let mut minimiser = LevenbergMarquardt::new(*model, measures, Vec::new(), time_is_free);
+        (0..model.m()).filter(|row| !active(*row)).for_each(|row| minimiser.weights[row] = 0.0);
         let from =
-            squares.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
-        let place = squares.minimise(from, self.steps);
+            minimiser.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
+        let place = minimiser.minimise(from, self.steps);
         let shares = place.q.iter().zip(q).zip(&measures.sizes).map(|((a, b), size)| ((a - b) / size).abs());
         let far = shares.fold(0.0_f64, f64::max) >= MOVED * reach;
         (far && model.met(&place.point, &place.q, measures, &active)).then_some((place.q, place.t))

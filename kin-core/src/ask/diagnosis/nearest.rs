@@ -21,19 +21,19 @@ pub(super) fn nearest(
     const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
     const ROUNDS: usize = 3;
     let mut q = from.to_vec();
-    let mut squares = LevenbergMarquardt::new(*model, measures, Vec::new(), false);
-    (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
+    let mut minimiser = LevenbergMarquardt::new(*model, measures, Vec::new(), false);
+    (0..model.m()).filter(|row| !active(*row)).for_each(|row| minimiser.weights[row] = 0.0);
     for round in 0..WEIGHTS.len() + ROUNDS {
         match WEIGHTS.get(round) {
-            Some(weight) => rows.iter().for_each(|row| squares.weights[*row] = *weight),
+            Some(weight) => rows.iter().for_each(|row| minimiser.weights[*row] = *weight),
             None => {
                 let Ok(point) = model.linearize(&q, t) else { break };
                 let others = (0..model.m()).filter(|row| !rows.contains(row));
-                others.for_each(|row| squares.shifts[row] += point.c[row]);
+                others.for_each(|row| minimiser.shifts[row] += point.c[row]);
             }
         }
-        let Some(place) = squares.place(&q, t) else { break };
-        q = squares.minimise(place, steps).q;
+        let Some(place) = minimiser.place(&q, t) else { break };
+        q = minimiser.minimise(place, steps).q;
     }
     q
 }

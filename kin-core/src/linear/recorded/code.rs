@@ -53,14 +53,14 @@ impl Code {
 }
 
 /// The place of a number in a memory of the right length.
-pub(crate) trait Place: Copy + Default {
+pub(crate) trait PlaceWidth: Copy + Default {
     type Memory: ?Sized;
     fn new(place: u32) -> Self;
     fn get(self, memory: &Self::Memory) -> f64;
     fn set(self, memory: &mut Self::Memory, x: f64);
 }
 
-impl Place for u8 {
+impl PlaceWidth for u8 {
     type Memory = [f64; SMALL];
 
     fn new(place: u32) -> Self {
@@ -78,7 +78,7 @@ impl Place for u8 {
     }
 }
 
-impl Place for u32 {
+impl PlaceWidth for u32 {
     type Memory = [f64];
 
     fn new(place: u32) -> Self {
@@ -168,7 +168,7 @@ macro_rules! by_opcode {
     };
 }
 
-impl<P: Place> Flat<P> {
+impl<P: PlaceWidth> Flat<P> {
     fn push(&mut self, step: &Step, Operands { products, plus, minus }: &Operands<'_>) {
         let shape = step.shape();
         match self.runs.last_mut() {
@@ -201,7 +201,7 @@ impl<P: Place> Flat<P> {
 
 /// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
 #[inline(always)]
-fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(
+fn short<'a, P: PlaceWidth, const OPCODE: u8, const LENGTH: usize>(
     mut more: u32,
     mut places: &'a [P],
     memory: &mut P::Memory,
@@ -220,7 +220,7 @@ fn short<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(
 }
 
 #[inline(never)]
-fn rare<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(
+fn rare<'a, P: PlaceWidth, const OPCODE: u8, const LENGTH: usize>(
     more: u32,
     places: &'a [P],
     memory: &mut P::Memory,
@@ -229,7 +229,7 @@ fn rare<'a, P: Place, const OPCODE: u8, const LENGTH: usize>(
 }
 
 #[inline(never)]
-fn long<'a, P: Place>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
+fn long<'a, P: PlaceWidth>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
     let Some((shape, steps)) = run else { return places };
     let (own, rest) = places.split_at(shape.length() * steps as usize);
     own.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory));
@@ -238,7 +238,7 @@ fn long<'a, P: Place>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P
 
 /// One step; `places` are its own.
 #[inline(always)]
-fn compute<P: Place>(shape: Shape, places: &[P], memory: &mut P::Memory) {
+fn compute<P: PlaceWidth>(shape: Shape, places: &[P], memory: &mut P::Memory) {
     let Shape { kind, products, plus, minus } = shape;
     let (factors, terms) = places[2..].split_at(2 * products);
     let start = places[1].get(memory);

@@ -14,7 +14,7 @@ pub use carried::Result;
 #[non_exhaustive]
 pub enum Error {
     /// A mechanism that cannot be driven, whatever its pose: equations are missing or contradictory.
-    #[error("{diagnosis}{}", text::kept(.motion))]
+    #[error("{diagnosis}{}", text::computed_before(.motion))]
     CannotBeDriven {
         /// The diagnosis, by name.
         diagnosis: Box<Diagnosis>,
@@ -48,7 +48,7 @@ pub enum Error {
 
     /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
     #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
-        [.movable, .dependent], .unmet)), text::kept(.motion))]
+        [.movable, .dependent], .unmet)), text::computed_before(.motion))]
     SingularAt {
         /// Time.   \[s\]
         t: f64,
@@ -74,7 +74,7 @@ pub enum Error {
 
     /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate there.
     #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
-        text::toggle(.movable, .dependent, .diagnosis), text::kept(.motion))]
+        text::toggle(.movable, .dependent, .diagnosis), text::computed_before(.motion))]
     Toggle {
         /// The time t* of the toggle.   \[s\]
         t: f64,
@@ -142,7 +142,7 @@ pub enum Error {
     },
 
     /// A constraint gave a value or derivative that is infinite or not a number.
-    #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", words::at(*.t, .units), words::row(.row), text::kept(.motion))]
+    #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", words::at(*.t, .units), words::row(.row), text::computed_before(.motion))]
     NotFinite {
         /// Time.   \[s\]
         t: f64,
@@ -325,7 +325,7 @@ pub enum Error {
     },
 
     /// A sweep or run that was told to stop ([`crate::Sweep::stop_when`], [`crate::System::run_watched`]).
-    #[error("{}{}", text::stopped([*.done, *.all], .motion), text::kept(.motion))]
+    #[error("{}{}", text::stopped([*.done, *.all], .motion), text::computed_before(.motion))]
     Stopped {
         /// Cases or times that were done.
         done: usize,

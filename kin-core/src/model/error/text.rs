@@ -18,10 +18,10 @@ pub(super) fn no_convergence(
             format!(
                 "\n  Nearest solved t = {}. Try a smaller time step, or the loop cannot close beyond it.{}",
                 at(t, units),
-                kept(motion)
+                computed_before(motion)
             )
         }
-        Some(t) => format!("\n  Nearest solved t = {}.{found}{}", at(t, units), kept(motion)),
+        Some(t) => format!("\n  Nearest solved t = {}.{found}{}", at(t, units), computed_before(motion)),
         None if found.is_empty() => {
             "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string()
         }
@@ -89,7 +89,7 @@ pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>
         "t = {at}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or \
          constraint with a kink, or a position that is singular in more than one way; `Follow::Unchecked` goes \
          on without asking.{}",
-        kept(motion)
+        computed_before(motion)
     )
 }
 
@@ -102,7 +102,7 @@ pub(super) fn wrong_branch(
     format!(
         "t = {at}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, \
          or turn one of the directions round.{}",
-        kept(motion)
+        computed_before(motion)
     )
 }
 
@@ -118,12 +118,12 @@ pub(super) fn law_jumps(
         "t = {at}: the law `{law}` of `{constraint}` jumps at {}: its {what} there, which no body can follow.\n  \
          Let its parts meet, or stop before it.{}",
         time(x),
-        kept(motion)
+        computed_before(motion)
     )
 }
 
 /// Says that the motion before the failure is not lost.
-pub(super) fn kept(motion: &Option<Box<Motion>>) -> String {
+pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
     let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?)))
     else {
         return String::new();

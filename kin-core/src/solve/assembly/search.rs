@@ -141,9 +141,9 @@ fn minimise(
         } else {
             Vec::new()
         };
-        let mut squares = LevenbergMarquardt::new(model, measures, holds, false);
-        (0..model.m()).filter(|row| !active(*row)).for_each(|row| squares.weights[row] = 0.0);
-        let place = squares.minimise(squares.place(&q, t)?, most);
+        let mut minimiser = LevenbergMarquardt::new(model, measures, holds, false);
+        (0..model.m()).filter(|row| !active(*row)).for_each(|row| minimiser.weights[row] = 0.0);
+        let place = minimiser.minimise(minimiser.place(&q, t)?, most);
         steps += place.steps;
         q.clone_from(&place.q);
         last = Some(Iterate { steps, ..place });

@@ -113,8 +113,8 @@ impl Check {
     }
 
     /// True if the ends of a step tell all that time does in between.
-    pub(crate) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
-        self.explicit || self.drive.is_told(from, to, pivot)
+    pub(crate) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        self.explicit || self.drive.ends_suffice(from, to, pivot)
     }
 
     /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the
@@ -146,7 +146,7 @@ impl Check {
             return Err(Objection::TurnedOver);
         }
         let [from, to] = [t - h, t];
-        if !self.tells(from, to, least) && self.hides(newton, from, to, least) {
+        if !self.ends_suffice(from, to, least) && self.hides(newton, from, to, least) {
             return Err(Objection::Hidden);
         }
         std::mem::swap(&mut self.now, &mut self.negative);

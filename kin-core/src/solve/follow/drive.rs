@@ -185,7 +185,7 @@ impl Drive {
 
     /// True if, by what was seen before, the step surely holds nothing that its ends do not tell.
     #[inline]
-    pub(crate) fn is_told(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+    pub(crate) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         if self.ends_suffice {
             return true;
         }
@@ -238,8 +238,8 @@ impl Drive {
     }
 
     /// For steps between two times that are looked at no more: e_k of Σ_k e_k hᵏ ≤ p², where p is the smaller
-    /// of the smallest pivots at both ends of a step h, is what [`Drive::is_told`] asks, with room for what
-    /// changes meanwhile. The pivot is that of the position in hand. `None` where that does not do.
+    /// of the smallest pivots at both ends of a step h, is what [`Drive::ends_suffice`] asks, with room for
+    /// what changes meanwhile. The pivot is that of the position in hand. `None` where that does not do.
     pub(crate) fn outlook(
         &mut self,
         equations: &Equations,

@@ -54,14 +54,14 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
 }
 
 /// The sentence about a mechanism that cannot be compiled.
-fn told(Refusal { constraint, reason }: &Refusal) -> String {
+fn sentence(Refusal { constraint, reason }: &Refusal) -> String {
     let what = if constraint.is_empty() { "the mechanism".to_string() } else { format!("`{constraint}`") };
     format!("{what} cannot be compiled: {reason}")
 }
 
 /// The error for it.
 pub(crate) fn refused(refusal: &Refusal) -> Error {
-    let reason = format!("{}; leave `Options::engine` at `Engine::Auto`", told(refusal));
+    let reason = format!("{}; leave `Options::engine` at `Engine::Auto`", sentence(refusal));
     Error::InvalidOptions { reason }
 }
 
@@ -73,7 +73,7 @@ pub(super) fn run(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, wanted:
     let plain = |refusal: &Refusal, motion: &mut Motion| match wanted {
         Wanted::Compiled => Err(refused(refusal)),
         _ => {
-            motion.plain = Some(told(refusal).into());
+            motion.plain = Some(sentence(refusal).into());
             Ok(())
         }
     };
@@ -83,7 +83,7 @@ pub(super) fn run(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, wanted:
     }
     run.reach(*first, motion)?;
     let Some(stepper) = run.stepper() else { return Ok(()) };
-    match programs::kept(&stepper.newton, *first) {
+    match programs::cached(&stepper.newton, *first) {
         Ok(tape) => replay(run, times, motion, &tape),
         Err(refusal) => plain(&refusal, motion).and_then(|()| run.reach_all(rest, motion)),
     }

@@ -39,29 +39,29 @@ pub(crate) struct Stepper<'a> {
     options: &'a Options,
     explain: Option<Explain>,
     /// None before the first time.
-    driver: Option<Driver<'a>>,
+    position: Option<Position<'a>>,
 }
 
 impl<'a> Stepper<'a> {
     pub(crate) fn new(system: &'a System, options: &'a Options, explain: Option<Explain>) -> Self {
-        Stepper { system, options, explain, driver: None }
+        Stepper { system, options, explain, position: None }
     }
 
     /// Solves at the next time and appends it to the motion.
     pub(super) fn reach(&mut self, t: f64, law_breaks: &mut LawBreaks, motion: &mut Motion) -> Result<()> {
-        let (driver, outcome) = match &mut self.driver {
-            Some(driver) => {
-                let outcome = driver.advance(t)?;
-                (driver, outcome)
+        let (position, outcome) = match &mut self.position {
+            Some(position) => {
+                let outcome = position.advance(t)?;
+                (position, outcome)
             }
             None => {
-                let (driver, outcome) = Driver::assembled(self.system, self.options, t, self.explain)?;
-                (self.driver.insert(driver), outcome)
+                let (position, outcome) = Position::assembled(self.system, self.options, t, self.explain)?;
+                (self.position.insert(position), outcome)
             }
         };
-        law_breaks.look(self.system, &driver.instant, &mut motion.breaks)?;
-        motion.append(t, driver.rows(), outcome, driver.worst);
-        motion.misfit = driver.misfit;
+        law_breaks.look(self.system, &position.instant, &mut motion.breaks)?;
+        motion.append(t, position.rows(), outcome, position.worst);
+        motion.misfit = position.misfit;
         Ok(())
     }
 }
@@ -74,22 +74,22 @@ pub(crate) fn at(
     options: &Options,
     explain: Explain,
 ) -> Result<Solution> {
-    let (driver, outcome) = match start {
-        None => Driver::assembled(system, options, t, Some(explain))?,
-        Some(start) => Driver::from_start(system, options, t, (start, explain))?,
+    let (position, outcome) = match start {
+        None => Position::assembled(system, options, t, Some(explain))?,
+        Some(start) => Position::from_start(system, options, t, (start, explain))?,
     };
-    let worst = system.equations().equation(driver.worst);
+    let worst = system.equations().equation(position.worst);
     let report = Report {
         iterations: outcome.iterations,
         residual: outcome.residual,
         worst,
-        smallest_pivot: driver.solver.smallest_pivot(),
+        smallest_pivot: position.solver.smallest_pivot(),
     };
-    Ok(Solution { t, q: driver.q.to_vec(), qd: driver.qd.to_vec(), qdd: driver.qdd.to_vec(), report })
+    Ok(Solution { t, q: position.q.to_vec(), qd: position.qd.to_vec(), qdd: position.qdd.to_vec(), report })
 }
 
 /// The point in hand, and the means to go on from it.
-struct Driver<'a> {
+struct Position<'a> {
     system: &'a System,
     model: Model<'a>,
     options: &'a Options,
@@ -128,7 +128,7 @@ struct Driver<'a> {
     drive: Option<Drive>,
 }
 
-impl Driver<'_> {
+impl Position<'_> {
     /// To another time, in smaller steps of time where that is needed.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
         (self.steps, self.iterations) = (0, 0);
@@ -157,7 +157,7 @@ impl Driver<'_> {
     /// is factored.
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let options = self.options;
-        let mut rows = Rows { driver: self, t, iterations: 0 };
+        let mut rows = Rows { position: self, t, iterations: 0 };
         let found = iterate::newton(&mut rows, options, true, (true, 0.0));
         let iterations = rows.iterations;
         found.then(|| self.outcome(iterations))
@@ -254,7 +254,7 @@ impl Driver<'_> {
 
 /// A position that all rows ask for.
 struct Rows<'d, 'a> {
-    driver: &'d mut Driver<'a>,
+    position: &'d mut Position<'a>,
     t: f64,
     iterations: usize,
 }
@@ -263,22 +263,22 @@ impl Iterating for Rows<'_, '_> {
     type Number = f64;
 
     fn look(&mut self, _: bool, done: bool) -> [bool; 2] {
-        self.driver.steps += 1;
-        [self.driver.factor(self.t).is_some(), done]
+        self.position.steps += 1;
+        [self.position.factor(self.t).is_some(), done]
     }
 
     fn residual(&self) -> f64 {
-        self.driver.point.c.iter().fold(0.0, |m, c| c.abs().max(m))
+        self.position.point.c.iter().fold(0.0, |m, c| c.abs().max(m))
     }
 
     fn solve(&mut self) {
-        let Driver { rhs, point, .. } = &mut *self.driver;
+        let Position { rhs, point, .. } = &mut *self.position;
         rhs.iter_mut().zip(&point.c).for_each(|(rhs, c)| *rhs = -c);
-        self.driver.solve_for_rhs();
+        self.position.solve_for_rhs();
     }
 
     fn correction(&self, _: f64) -> f64 {
-        padded::largest_share(self.driver.x.whole(), self.driver.shares.whole())
+        padded::largest_share(self.position.x.whole(), self.position.shares.whole())
     }
 
     /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
@@ -287,17 +287,17 @@ impl Iterating for Rows<'_, '_> {
     }
 
     fn end(&mut self, _: bool) -> bool {
-        let driver = &mut *self.driver;
-        let met = driver.model.met(&driver.point, &driver.q, &driver.measures, &|_| true);
-        padded::add(driver.q.whole_mut(), driver.x.whole());
-        if met && driver.has_jumped(self.t) {
-            driver.q.iter_mut().zip(&driver.x).for_each(|(q, dq)| *q -= dq);
+        let position = &mut *self.position;
+        let met = position.model.met(&position.point, &position.q, &position.measures, &|_| true);
+        padded::add(position.q.whole_mut(), position.x.whole());
+        if met && position.has_jumped(self.t) {
+            position.q.iter_mut().zip(&position.x).for_each(|(q, dq)| *q -= dq);
         }
         met
     }
 
     fn step(&mut self, open: bool, _: f64) -> bool {
-        padded::add(self.driver.q.whole_mut(), self.driver.x.whole());
+        padded::add(self.position.q.whole_mut(), self.position.x.whole());
         self.iterations += 1;
         open
     }
@@ -313,7 +313,7 @@ enum Trouble {
     Objected(Objection),
 }
 
-impl Stepping for Driver<'_> {
+impl Stepping for Position<'_> {
     type Trouble = Trouble;
 
     fn keep(&mut self) {

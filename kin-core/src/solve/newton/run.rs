@@ -10,7 +10,7 @@ use crate::system::System;
 use crate::system::evaluate::Instant;
 
 /// Asked before each plain step, with the number of times that are done: the run ends where it says no.
-pub(crate) type Watch<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
+pub(crate) type Progress<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
 
 /// Position, velocity and acceleration at each of the times.
 pub(crate) fn run<'a>(
@@ -18,12 +18,12 @@ pub(crate) fn run<'a>(
     times: &[f64],
     options: &'a Options,
     explain: Option<Explain>,
-    watch: Option<Watch<'a>>,
+    progress: Option<Progress<'a>>,
 ) -> Result<Motion> {
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
-    run.watch = watch.map(|watch| (watch, times.len()));
+    run.progress = progress.map(|progress| (progress, times.len()));
     let wanted = compiled::wanted(system, times, options)?;
     if let Err(error) = compiled::run(&mut run, times, &mut motion, wanted) {
         return Err(run.failed(error, motion));
@@ -37,16 +37,16 @@ pub(crate) struct Run<'a> {
     system: &'a System,
     options: &'a Options,
     explain: Option<Explain>,
-    driver: Driver<'a>,
+    stepper: AnyStepper<'a>,
     law_breaks: LawBreaks,
     /// With the number of all times.
-    watch: Option<(Watch<'a>, usize)>,
+    progress: Option<(Progress<'a>, usize)>,
 }
 
-/// The solver that advances a run.
-enum Driver<'a> {
+/// The steps that advance a run.
+enum AnyStepper<'a> {
     Plain(Box<Stepper<'a>>),
-    /// The solver of a mechanism with more equations than coordinates.
+    /// Those of a mechanism with more equations than coordinates.
     Redundant(Box<redundant::Stepper<'a>>),
 }
 
@@ -57,12 +57,12 @@ impl<'a> Run<'a> {
         if options.jerk {
             system.knows_jerk()?;
         }
-        let driver = if system.is_redundant() {
-            Driver::Redundant(Box::new(redundant::Stepper::new(system, options, explain)))
+        let stepper = if system.is_redundant() {
+            AnyStepper::Redundant(Box::new(redundant::Stepper::new(system, options, explain)))
         } else {
-            Driver::Plain(Box::new(Stepper::new(system, options)))
+            AnyStepper::Plain(Box::new(Stepper::new(system, options)))
         };
-        Ok(Run { system, options, explain, driver, law_breaks: LawBreaks::default(), watch: None })
+        Ok(Run { system, options, explain, stepper, law_breaks: LawBreaks::default(), progress: None })
     }
 
     /// The same at each of the times, one by one.
@@ -73,15 +73,15 @@ impl<'a> Run<'a> {
     /// Solves at the next time and appends it to the motion, with what has been met since the last one.
     #[inline]
     pub(crate) fn reach(&mut self, t: f64, motion: &mut Motion) -> Result<()> {
-        if let Some((watch, all)) = &mut self.watch
-            && !watch(motion.len())
+        if let Some((progress, all)) = &mut self.progress
+            && !progress(motion.len())
         {
             let before = Some(Box::new(motion.last()));
             return Err(Error::Stopped { done: motion.len(), all: *all, motion: before });
         }
-        let stepper = match &mut self.driver {
-            Driver::Plain(stepper) => stepper,
-            Driver::Redundant(stepper) => return stepper.reach(t, &mut self.law_breaks, motion),
+        let stepper = match &mut self.stepper {
+            AnyStepper::Plain(stepper) => stepper,
+            AnyStepper::Redundant(stepper) => return stepper.reach(t, &mut self.law_breaks, motion),
         };
         let reached = stepper.reach(t);
         if !stepper.passed.is_empty() {
@@ -100,25 +100,25 @@ impl<'a> Run<'a> {
 
     /// The plain steps; `None` of a mechanism with more equations than coordinates.
     pub(super) fn stepper(&self) -> Option<&Stepper<'a>> {
-        match &self.driver {
-            Driver::Plain(stepper) => Some(stepper),
-            Driver::Redundant(_) => None,
+        match &self.stepper {
+            AnyStepper::Plain(stepper) => Some(stepper),
+            AnyStepper::Redundant(_) => None,
         }
     }
 
     /// The same, to be led elsewhere.
     pub(super) fn stepper_mut(&mut self) -> Option<&mut Stepper<'a>> {
-        match &mut self.driver {
-            Driver::Plain(stepper) => Some(stepper),
-            Driver::Redundant(_) => None,
+        match &mut self.stepper {
+            AnyStepper::Plain(stepper) => Some(stepper),
+            AnyStepper::Redundant(_) => None,
         }
     }
 
     /// True if the ends of a step tell all that time does in between.
-    pub(super) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
-        match &mut self.driver {
-            Driver::Plain(stepper) => stepper.tells(from, to, pivot),
-            Driver::Redundant(_) => false,
+    pub(super) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        match &mut self.stepper {
+            AnyStepper::Plain(stepper) => stepper.ends_suffice(from, to, pivot),
+            AnyStepper::Redundant(_) => false,
         }
     }
 
@@ -130,7 +130,7 @@ impl<'a> Run<'a> {
     /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot
     /// being this.
     pub(super) fn go_on(&mut self, motion: &Motion, pivot: f64) {
-        if let Driver::Plain(stepper) = &mut self.driver {
+        if let AnyStepper::Plain(stepper) = &mut self.stepper {
             stepper.go_on(motion, pivot);
         }
     }
@@ -138,8 +138,8 @@ impl<'a> Run<'a> {
     /// The error that ends the run, with what was computed before and, if it is to be said, what is wrong.
     pub(crate) fn failed(&self, error: Error, motion: Motion) -> Error {
         let error = error.with_motion(motion);
-        match (&self.driver, self.explain) {
-            (Driver::Plain(_), Some(explain)) => (explain.explained)(error, self.system, self.options),
+        match (&self.stepper, self.explain) {
+            (AnyStepper::Plain(_), Some(explain)) => (explain.explained)(error, self.system, self.options),
             _ => error,
         }
     }

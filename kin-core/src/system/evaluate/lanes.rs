@@ -249,7 +249,7 @@ impl<S: Level> WideEquations<S> {
                 Some(table) => table.velocity_rhs(&seen, &group.c_t, rhs),
                 None => {
                     let alone = LaneByLane { blocks: &self.blocks, seen: &seen, batch, t: instant.t };
-                    group.c_t.iter().for_each(|place| alone.right_side(&mut self.scratch, place, false, rhs));
+                    group.c_t.iter().for_each(|place| alone.right_side(&mut self.scratch, place, None, rhs));
                 }
             }
         }
@@ -270,7 +270,8 @@ impl<S: Level> WideEquations<S> {
                 Some(table) => table.acceleration_rhs(&seen, &group.q_d, q_d),
                 None => {
                     let alone = LaneByLane { blocks: &self.blocks, seen: &seen, batch, t: instant.t };
-                    group.q_d.iter().for_each(|place| alone.right_side(&mut self.scratch, place, true, q_d));
+                    let mut of = |place| alone.right_side(&mut self.scratch, place, Some(rates), q_d);
+                    group.q_d.iter().for_each(&mut of);
                 }
             }
         }
@@ -314,25 +315,25 @@ impl<S: Level> LaneByLane<'_, '_, S> {
         }
     }
 
-    /// −C_t, or Q_d if `second`.
+    /// −C_t, or Q_d where rates q̇ are given.
     #[inline(never)]
-    fn right_side(&self, scratch: &mut Scratch, place: &LaneBlock, second: bool, rhs: &mut [Wide<S>]) {
-        let own = &self.blocks[place.number as usize];
+    fn right_side(&self, room: &mut Scratch, block: &LaneBlock, qd: Option<&[Wide<S>]>, rhs: &mut [Wide<S>]) {
+        let own = &self.blocks[block.number as usize];
         let rhs = &mut rhs[own.rows.range()];
         rhs.fill(Wide::splat(self.seen.simd, 0.0));
         for (lane, system) in self.batch.systems.iter().enumerate() {
-            let block = &system.equations().blocks[place.number as usize];
-            self.gather(|of| of.state, own, self.seen.states, lane, &mut scratch.states);
-            take(rhs, lane, &mut scratch.c);
-            let at = At::new(self.t, &scratch.states, self.arguments(own));
-            if second {
-                self.gather(|of| of.rates, own, self.seen.rates, lane, &mut scratch.rates);
-                let rates = Rates::new(&scratch.rates, self.arguments(own));
-                block.constraint.acceleration_rhs(&at, &rates, 1.0, &mut scratch.c);
+            let there = &system.equations().blocks[block.number as usize];
+            self.gather(|of| of.state, own, self.seen.states, lane, &mut room.states);
+            take(rhs, lane, &mut room.c);
+            let at = At::new(self.t, &room.states, self.arguments(own));
+            if let Some(qd) = qd {
+                self.gather(|of| of.rates, own, qd, lane, &mut room.rates);
+                let rates = Rates::new(&room.rates, self.arguments(own));
+                there.constraint.acceleration_rhs(&at, &rates, 1.0, &mut room.c);
             } else {
-                block.constraint.velocity_rhs(&at, &mut scratch.c);
+                there.constraint.velocity_rhs(&at, &mut room.c);
             }
-            put(&scratch.c, lane, rhs);
+            put(&room.c, lane, rhs);
         }
     }
 

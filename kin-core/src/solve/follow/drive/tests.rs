@@ -146,21 +146,31 @@ fn what_is_told_by_what_was_seen() {
         drive
     };
     // 2 · 4 c · 0.5 ≤ 0.05 · 0.64
-    let told = |c: f64, [from, to]: [f64; 2]| drive(c, 9).is_told(from, to, 0.8);
-    assert_eq!([[2.0, 4.0], [4.0, 2.0], [8.0, 10.0], [3.0, 1.0]].map(|step| told(0.0079, step)), [true; 4]);
-    assert_eq!([[2.0, 4.0], [4.0, 2.0]].map(|step| told(0.0081, step)), [false; 2]);
-    assert_eq!([[0.8, 2.0], [9.0, 10.5], [9.9, 12.0], [2.0, 0.9]].map(|step| told(0.0, step)), [false; 4]);
+    let suffices = |c: f64, [from, to]: [f64; 2]| drive(c, 9).ends_suffice(from, to, 0.8);
+    assert_eq!(
+        [[2.0, 4.0], [4.0, 2.0], [8.0, 10.0], [3.0, 1.0]].map(|step| suffices(0.0079, step)),
+        [true; 4]
+    );
+    assert_eq!([[2.0, 4.0], [4.0, 2.0]].map(|step| suffices(0.0081, step)), [false; 2]);
+    assert_eq!(
+        [[0.8, 2.0], [9.0, 10.5], [9.9, 12.0], [2.0, 0.9]].map(|step| suffices(0.0, step)),
+        [false; 4]
+    );
     let mut even = drive(0.0, 9);
     even.off = Bound([0.0, 0.02, 0.0, 0.0]);
     assert_eq!(
-        [even.is_told(4.0, 2.0, 0.8), even.is_told(2.0, 4.0, 0.8), even.is_told(4.0, 3.0, 0.8)],
+        [
+            even.ends_suffice(4.0, 2.0, 0.8),
+            even.ends_suffice(2.0, 4.0, 0.8),
+            even.ends_suffice(4.0, 3.0, 0.8)
+        ],
         [false, false, true]
     );
     let mut once = drive(0.0, 1);
-    assert_eq!([once.is_told(2.0, 3.0, 1.0), once.is_told(2.0, 3.0, 1.0)], [true, false]);
-    assert!(!Drive::new(system.equations()).is_told(0.0, 1e-9, 1.0));
+    assert_eq!([once.ends_suffice(2.0, 3.0, 1.0), once.ends_suffice(2.0, 3.0, 1.0)], [true, false]);
+    assert!(!Drive::new(system.equations()).ends_suffice(0.0, 1e-9, 1.0));
     once.ends_suffice = true;
-    assert!(once.is_told(-5.0, 50.0, 0.0));
+    assert!(once.ends_suffice(-5.0, 50.0, 0.0));
     assert!(Drive::new(driven(Law::constant(1.0)).equations()).sources.len() <= 1);
 }
 
@@ -170,7 +180,7 @@ fn an_even_motor_is_told_for_good() {
     let system = driven(Law::linear(1.0, 2.0));
     let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
     assert!(!drive.ends_suffice && !hides(&mut drive, &system, [0.0, 5.0], &mut lever));
-    assert!(drive.ends_suffice && drive.is_told(-1e9, 1e9, 0.0));
+    assert!(drive.ends_suffice && drive.ends_suffice(-1e9, 1e9, 0.0));
     assert!(drive.sources[0].terms.is_empty() && lever.moved.is_empty() && drive.looks == u32::MAX);
 }
 

@@ -204,7 +204,7 @@ impl<'p, S: Level> Block<'p, S> {
                 end = End::Objection;
                 break;
             }
-            if !run.tells(before, t, least) {
+            if !run.ends_suffice(before, t, least) {
                 end = End::Asked;
                 break;
             }

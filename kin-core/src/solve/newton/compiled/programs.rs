@@ -27,7 +27,7 @@ struct Made {
 }
 
 /// The program for a run that begins at the position in hand.
-pub(super) fn kept(newton: &Newton<'_>, t: f64) -> Compiling {
+pub(super) fn cached(newton: &Newton<'_>, t: f64) -> Compiling {
     let (system, pose) = (newton.system, bits(newton, t));
     let mut programs = known(system);
     if let Some(made) = programs.asked.iter().chain(&programs.last).find(|made| made.pose == pose) {
@@ -35,15 +35,15 @@ pub(super) fn kept(newton: &Newton<'_>, t: f64) -> Compiling {
     }
     let tape = tape(newton, t);
     programs.last = Some(Made { pose, tape: tape.clone() });
-    system.kept().put(Arc::new(programs));
+    system.cache().put(Arc::new(programs));
     tape
 }
 
 /// The same where it was asked for, to be kept for all runs that begin there.
 pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
-    let tape = kept(newton, t);
+    let tape = cached(newton, t);
     let asked = Some(Made { pose: bits(newton, t), tape: tape.clone() });
-    newton.system.kept().put(Arc::new(Programs { asked, ..known(newton.system) }));
+    newton.system.cache().put(Arc::new(Programs { asked, ..known(newton.system) }));
     tape
 }
 
@@ -53,7 +53,7 @@ pub(super) fn is_asked(system: &System) -> bool {
 }
 
 fn known(system: &System) -> Programs {
-    system.kept().get::<Programs>().map(|programs| (*programs).clone()).unwrap_or_default()
+    system.cache().get::<Programs>().map(|programs| (*programs).clone()).unwrap_or_default()
 }
 
 /// All that an elimination is chosen by.

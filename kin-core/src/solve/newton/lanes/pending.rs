@@ -113,23 +113,23 @@ impl<S: Level> NullaryFnOnce for Turn<'_, S> {
     }
 }
 
-/// From numbers over lanes to lanes of numbers, each filled up to a multiple of 4: by squares of four numbers
+/// From numbers over lanes to lanes of numbers, each filled up to a multiple of 4: by blocks of four numbers
 /// and four lanes.
 #[inline(always)]
 fn turn<S: Level>(simd: S, all: &[Wide<S>], own: &mut [[f64; 4]]) {
     let quads = all.len().div_ceil(4);
     let own = &mut own[..Wide::<S>::LANES * quads];
-    let (squares, rest) =
+    let (blocks, rest) =
         if Wide::<S>::LANES.is_multiple_of(4) { all.as_chunks::<4>() } else { (&[][..], all) };
     for (lanes, rows) in own.chunks_exact_mut((4 * quads).max(1)).enumerate() {
         let (first, rest) = rows.split_at_mut(2 * quads);
         let ((one, two), (three, four)) = (first.split_at_mut(quads), rest.split_at_mut(quads));
-        for ((((square, one), two), three), four) in squares.iter().zip(one).zip(two).zip(three).zip(four) {
-            let [a, b, c, d] = square;
+        for ((((block, one), two), three), four) in blocks.iter().zip(one).zip(two).zip(three).zip(four) {
+            let [a, b, c, d] = block;
             [*one, *two, *three, *four] = simd.turn([of(a, lanes), of(b, lanes), of(c, lanes), of(d, lanes)]);
         }
     }
-    for (k, x) in (4 * squares.len()..).zip(rest) {
+    for (k, x) in (4 * blocks.len()..).zip(rest) {
         for (lane, x) in x.as_slice().iter().enumerate() {
             own[lane * quads + k / 4][k % 4] = *x;
         }

@@ -2,7 +2,7 @@
 
 use super::errors::unmet;
 use super::solver::{Solver, scales};
-use super::{Driver, Options, Outcome};
+use super::{Options, Outcome, Position};
 use crate::model::error::Result;
 use crate::numbers::padded::Padded;
 use crate::solve::assembly::search::{self, Found};
@@ -12,7 +12,7 @@ use crate::solve::newton::predictor::Predictor;
 use crate::system::System;
 use crate::system::scaled::{Measures, Point};
 
-impl<'a> Driver<'a> {
+impl<'a> Position<'a> {
     fn new(
         system: &'a System,
         (options, explain): (&'a Options, Option<Explain>),
@@ -27,7 +27,7 @@ impl<'a> Driver<'a> {
             .map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
         let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
         let zeros = || Padded::new(n, 0.0);
-        Driver {
+        Position {
             scales: scales(&model, &measures),
             solver: Solver::new(&model),
             instant: equations.instant(),
@@ -109,11 +109,11 @@ impl<'a> Driver<'a> {
             });
         };
         let steps = found.place.steps;
-        let mut driver = Driver::new(system, (options, explain), t, (found.place.q, found.measures));
-        let solved = driver.solve(t).and_then(|outcome| driver.rates(t).map(|()| outcome));
-        let Some(outcome) = solved else { return Err(driver.blamed(true, t)) };
-        match driver.wrong() {
-            None => Ok((driver, Outcome { iterations: outcome.iterations + steps, ..outcome })),
+        let mut position = Position::new(system, (options, explain), t, (found.place.q, found.measures));
+        let solved = position.solve(t).and_then(|outcome| position.rates(t).map(|()| outcome));
+        let Some(outcome) = solved else { return Err(position.blamed(true, t)) };
+        match position.wrong() {
+            None => Ok((position, Outcome { iterations: outcome.iterations + steps, ..outcome })),
             Some(error) => Err(error),
         }
     }

@@ -1,12 +1,12 @@
 //! Steps of redundant mechanisms, judged by what they have: no signs of determinants.
 
 use super::super::Follow;
-use super::Driver;
+use super::Position;
 use crate::numbers::padded;
 use crate::solve::follow::{Lever, Objection, Span, misses_too_far, turns_too_far};
 use crate::system::evaluate::Instant;
 
-impl Driver<'_> {
+impl Position<'_> {
     /// The objection to the step to `target`: it turns something too far, a prediction from either end misses
     /// the other by more than is sure to be one branch, or drives may move further in between. Signs of
     /// determinants, which rectangular matrices have not, are not asked.
@@ -25,9 +25,9 @@ impl Driver<'_> {
         }
         let mut drive = self.drive.take()?;
         let equations = self.model.equations;
-        let hides = !drive.is_told(from, target, pivot) && {
+        let hides = !drive.ends_suffice(from, target, pivot) && {
             let mut lever =
-                LeastSquaresLever { instant: equations.instant_at(target, &self.q), driver: self };
+                LeastSquaresLever { instant: equations.instant_at(target, &self.q), position: self };
             drive.hides(Span { equations, from, to: target, pivot }, &mut lever)
         };
         self.drive = Some(drive);
@@ -38,7 +38,7 @@ impl Driver<'_> {
 /// The matrix in hand as a lever, in the sense of least squares.
 struct LeastSquaresLever<'d, 'a> {
     instant: Instant,
-    driver: &'d mut Driver<'a>,
+    position: &'d mut Position<'a>,
 }
 
 impl Lever for LeastSquaresLever<'_, '_> {
@@ -47,11 +47,11 @@ impl Lever for LeastSquaresLever<'_, '_> {
     }
 
     fn moved(&mut self, first: usize, b: &[f64]) -> f64 {
-        let driver = &mut *self.driver;
-        driver.rhs.fill(0.0);
-        driver.rhs.iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
-        driver.solve_for_rhs();
-        padded::largest_share(driver.x.whole(), driver.shares.whole())
+        let position = &mut *self.position;
+        position.rhs.fill(0.0);
+        position.rhs.iter_mut().skip(first).zip(b).for_each(|(place, b)| *place = *b);
+        position.solve_for_rhs();
+        padded::largest_share(position.x.whole(), position.shares.whole())
     }
 
     fn bend(&mut self) -> f64 {

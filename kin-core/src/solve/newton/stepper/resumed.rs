@@ -6,8 +6,8 @@ use crate::solve::motion::Motion;
 impl Stepper<'_> {
     /// True if the ends of a step between two times, with that smallest pivot, tell all that time does in
     /// between.
-    pub(in crate::solve::newton) fn tells(&mut self, from: f64, to: f64, pivot: f64) -> bool {
-        self.check.as_mut().is_none_or(|check| check.tells(from, to, pivot))
+    pub(in crate::solve::newton) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+        self.check.as_mut().is_none_or(|check| check.ends_suffice(from, to, pivot))
     }
 
     /// The last three times of a motion are those before the next step; at the last one the smallest pivot is

@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// One thing of whatever type, or nothing. A copy of a system has the same.
 #[derive(Default)]
-pub(crate) struct Kept(Mutex<Option<Arc<dyn Any + Send + Sync>>>);
+pub(crate) struct Cache(Mutex<Option<Arc<dyn Any + Send + Sync>>>);
 
-impl Kept {
+impl Cache {
     /// The thing that is kept, if it is of that type.
     pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         self.now().and_then(|known| known.downcast().ok())
@@ -20,7 +20,7 @@ impl Kept {
 
     /// Nothing is kept any more.
     pub(super) fn forget(&mut self) {
-        *self = Kept::default();
+        *self = Cache::default();
     }
 
     fn now(&self) -> Option<Arc<dyn Any + Send + Sync>> {
@@ -28,9 +28,9 @@ impl Kept {
     }
 }
 
-impl Clone for Kept {
+impl Clone for Cache {
     fn clone(&self) -> Self {
-        Kept(Mutex::new(self.now()))
+        Cache(Mutex::new(self.now()))
     }
 }
 
@@ -40,11 +40,11 @@ mod tests {
 
     #[test]
     fn what_is_kept_is_found_by_its_type_and_by_copies_until_it_is_forgotten() {
-        let mut kept = Kept::default();
-        kept.put(Arc::new(3_u8));
-        let copy = kept.clone();
-        assert_eq!((kept.get::<u8>().as_deref(), kept.get::<u16>()), (Some(&3), None));
-        kept.forget();
-        assert_eq!((kept.get::<u8>(), copy.get::<u8>().as_deref()), (None, Some(&3)));
+        let mut cache = Cache::default();
+        cache.put(Arc::new(3_u8));
+        let copy = cache.clone();
+        assert_eq!((cache.get::<u8>().as_deref(), cache.get::<u16>()), (Some(&3), None));
+        cache.forget();
+        assert_eq!((cache.get::<u8>(), copy.get::<u8>().as_deref()), (None, Some(&3)));
     }
 }
