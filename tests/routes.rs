@@ -97,16 +97,49 @@ fn with_a_macro(x: Coord, k: f64) -> f64 {
     squared!(x) - k
 }
 
+mod shapes {
+    pub const HEIGHTS: [f64; 2] = [0.5, 1.5];
+
+    pub fn wide(k: f64) -> f64 {
+        2.0 * k
+    }
+}
+
+#[constraint]
+fn with_constants(x: Coord, k: f64) -> f64 {
+    const OWN: f64 = 2.0;
+    x * shapes::HEIGHTS[1] - OWN * shapes::wide(k) * std::f64::consts::PI + f64::from_bits(k.to_bits())
+}
+
+/// So do constants and functions of parameters; what the function holds itself and the standard library's are
+/// known.
+#[test]
+fn constants_outside_are_named() {
+    let constraint = with_constants(any_coord(), 2.0);
+    let RouteReason::ReadBut { outside } = constraint.explain_route() else {
+        panic!("{:?}", constraint.explain_route())
+    };
+    let mut found: Vec<_> =
+        outside.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
+    found.sort();
+    let at = |word: &str| place("fn with_constants", word);
+    assert_eq!(found, [("shapes::HEIGHTS", at("shapes::HEIGHTS")), ("shapes::wide", at("shapes::wide"))]);
+    let text = constraint.explain_route().to_string();
+    assert!(text.starts_with("symbolic, but for what only the program knows: `shapes::"), "{text}");
+    assert_eq!(constraint.route(), Route::Symbolic);
+    check::derivatives(constraint);
+}
+
 /// Functions outside of the constraint stay the program's own, and so do its macros: both are named.
 #[test]
 fn what_only_the_program_knows_is_named() {
     let constraint = with_a_helper(any_coord(), any_coord(), 2.0);
-    let RouteReason::ReadBut { called } = constraint.explain_route() else {
+    let RouteReason::ReadBut { outside } = constraint.explain_route() else {
         panic!("{:?}", constraint.explain_route())
     };
-    let found: Vec<_> = called.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
-    let places = [place("fn with_a_helper", "horner(x"), place("fn with_a_helper", "horner(y")];
-    assert_eq!(found, places.map(|place| ("horner", place)));
+    let found: Vec<_> = outside.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
+    let at = |word: &str| place("fn with_a_helper", word);
+    assert_eq!(found, [("horner", at("horner(x")), ("horner", at("horner(y")), ("GAIN", at("GAIN"))]);
     assert_eq!(constraint.route(), Route::Symbolic);
     let text = constraint.explain_route().to_string();
     assert!(text.starts_with("symbolic, but for what only the program knows: `horner` at "), "{text}");

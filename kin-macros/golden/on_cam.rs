@@ -110,7 +110,7 @@ const _: () = {
                     ::kin::emitted::Entry::new(0, 5),
                 ],
                 reason: ::kin::RouteReason::ReadBut {
-                    called: &[
+                    outside: &[
                         (
                             "wear",
                             ::kin::emitted::Source {

@@ -93,6 +93,26 @@ impl Template {
         found
     }
 
+    /// The constants and the functions by path, of the program's own, that it reads: as they are written, with
+    /// their places.
+    pub fn named(&self) -> Vec<(String, Span)> {
+        let (mut found, mut callee) = (Vec::new(), None);
+        self.visit(&mut |template| {
+            // What is called is visited right behind its call.
+            let is_callee = callee.take() == Some(std::ptr::from_ref(template));
+            match template {
+                Template::Call(called, ..) => callee = Some(std::ptr::from_ref(&**called)),
+                Template::Path(path, _) if is_own(path, is_callee) => {
+                    let span = path.to_token_stream().into_iter().next().map(|token| token.span());
+                    let name = crate::error::tidy(&path.to_token_stream().to_string());
+                    found.extend(span.map(|span| (name, span)));
+                }
+                _ => {}
+            }
+        });
+        found
+    }
+
     /// Of how many templates it is made.
     pub fn size(&self) -> usize {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()
@@ -200,4 +220,16 @@ impl Template {
             Template::When(condition, a) => format!("({}) when {condition:?}", a.key()),
         }
     }
+}
+
+/// True for a constant or, as what is called, a function that is neither of the standard library nor of a
+/// number's type.
+fn is_own(path: &syn::ExprPath, is_callee: bool) -> bool {
+    let names = crate::vocabulary::names(path);
+    let (Some(first), Some(last)) = (names.first(), names.last()) else { return false };
+    let of_all = matches!(first.as_str(), "std" | "core" | "alloc" | "kin")
+        || matches!(first.as_str(), "f64" | "f32" | "u64" | "u32" | "u8" | "i64" | "i32" | "usize" | "isize");
+    let is_constant = last.len() > 1 && !last.contains(char::is_lowercase);
+    let is_function = is_callee && last.starts_with(char::is_lowercase);
+    !of_all && !crate::constants::is_known(path) && (is_constant || is_function)
 }

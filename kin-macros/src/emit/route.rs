@@ -16,26 +16,28 @@ pub enum DualReason<'a> {
 /// `.cargo/config.toml` is a good place for it.
 const CRATE_WIDE: &str = "KIN_WARN_DUAL";
 
-/// The `RouteReason` of a body that has been read, but perhaps for functions that only rustc knows.
+/// The `RouteReason` of a body that has been read, but perhaps for functions and constants that only rustc knows.
 pub fn read(lowered: &Lowered) -> TokenStream {
-    let mut called: Vec<(String, Span)> =
-        lowered.leaves.iter().flat_map(|leaf| leaf.template.called()).collect();
+    let called = lowered.leaves.iter().flat_map(|leaf| leaf.template.called());
+    let values = lowered.leaves.iter().chain(&lowered.opaques);
+    let mut outside: Vec<(String, Span)> =
+        called.chain(values.flat_map(|value| value.template.named())).collect();
     let mut seen = Vec::new();
-    called.retain(|(_, span)| {
+    outside.retain(|(_, span)| {
         let at = (span.start().line, span.start().column);
         !seen.contains(&at) && {
             seen.push(at);
             true
         }
     });
-    if called.is_empty() {
+    if outside.is_empty() {
         return quote!(::kin::RouteReason::Read);
     }
-    let called = called.iter().map(|(name, span)| {
+    let outside = outside.iter().map(|(name, span)| {
         let source = place(*span);
         quote!((#name, #source))
     });
-    quote!(::kin::RouteReason::ReadBut { called: &[#(#called),*] })
+    quote!(::kin::RouteReason::ReadBut { outside: &[#(#outside),*] })
 }
 
 impl DualReason<'_> {

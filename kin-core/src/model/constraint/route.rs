@@ -32,11 +32,11 @@ impl fmt::Display for Route {
 pub enum RouteReason {
     /// [`Route::Symbolic`]: the compiler has read the whole body.
     Read,
-    /// [`Route::Symbolic`]: the compiler has read the body but for the program's own functions, whose values
-    /// and derivatives come from dual numbers.
+    /// [`Route::Symbolic`]: the compiler has read the body but for what stands outside of it: the program's
+    /// own functions, whose values and derivatives come from dual numbers, and its constants.
     ReadBut {
-        /// Each function with the token where it is called.
-        called: &'static [(&'static str, Source)],
+        /// Each function and constant with the token where it stands.
+        outside: &'static [(&'static str, Source)],
     },
     /// [`Route::Dual`]: something in the body cannot be read by the compiler.
     Unread {
@@ -89,9 +89,9 @@ impl fmt::Display for RouteReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             RouteReason::Read => f.write_str("symbolic: the compiler has read the whole body"),
-            RouteReason::ReadBut { called } => {
+            RouteReason::ReadBut { outside } => {
                 let one = |(name, source): &(&str, Source)| format!("`{name}` at {source}");
-                let all: Vec<String> = called.iter().map(one).collect();
+                let all: Vec<String> = outside.iter().map(one).collect();
                 write!(f, "symbolic, but for what only the program knows: {}", all.join(", "))
             }
             RouteReason::Unread { what, source } => {
