@@ -47,9 +47,8 @@ fn however_a_table_is_searched_its_numbers_are_looked_up() {
             _ => 0,
         };
         assert!(branches <= most, "{name}: {branches} branches in {text}");
-        let halved = text.contains("partition_point");
-        let in_order = !matches!(name.as_str(), "by_while" | "out_of_order");
-        assert_eq!(halved, in_order, "{name}: {text}");
+        // Few knots are compared one after the other.
+        assert!(text.contains("emitted::first(") && !text.contains("partition_point"), "{name}: {text}");
     }
 }
 
@@ -83,7 +82,7 @@ fn a_longer_table_is_a_longer_table_and_no_more_code() {
         let begin = text.find(&format!("fn {name}")).unwrap_or_else(|| panic!("no {name}"));
         let body = &text[begin..];
         let end = body[1..].find("fn ").map_or(body.len(), |end| end + 1);
-        assert!(body[..end].contains("partition_point"), "{}", &body[..end]);
+        assert_eq!(body[..end].contains("partition_point"), n == 200, "{}", &body[..end]);
         ["fma (", "put (", "if ", "let "].map(|word| body[..end].matches(word).count())
     };
     for name in ["linearize", "acceleration_rhs"] {
