@@ -15,6 +15,7 @@ mod splines;
 mod surfaces;
 mod tables;
 mod types;
+mod unread;
 
 /// Constraints that take the slow route, each for a reason that is asserted where it stands: nothing that is
 /// written in them says how often their loops turn.
@@ -32,5 +33,5 @@ fn the_corpus_is_large_and_hardly_any_of_it_is_slow() {
     };
     let (symbolic, slow) = (on_route("Symbolic"), on_route("Dual"));
     assert!(slow.len() == SLOW.len() && slow.iter().zip(SLOW).all(|(a, b)| a.ends_with(b)), "{slow:?}");
-    assert!(symbolic.len() > 225 && 20 * slow.len() < symbolic.len(), "{}", symbolic.len());
+    assert!(symbolic.len() > 250 && 20 * slow.len() < symbolic.len(), "{}", symbolic.len());
 }

@@ -167,6 +167,9 @@ impl Reader {
                 None => Err(Unreadable::new(at, "a loop over something whose length is not known here")),
             },
             Value::Array(all) | Value::Iterator(all) => Ok(Some(all)),
+            Value::Opaque(ref template) if self.integers_of(template).is_some() => {
+                Ok(self.integers_of(template))
+            }
             Value::Poison => Ok(None),
             Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "None") => {
                 Ok(Some(adt.fields.into_iter().map(|(_, value)| value).collect()))

@@ -121,6 +121,10 @@ impl Reader {
                 };
                 self.typed(value, ty, at)
             }
+            name if self.own.is_type(name) => {
+                let made = self.own_method(name, "from", vec![value], at)?;
+                made.ok_or_else(|| Unreadable::new(ty, format!("a conversion into `{name}`")))
+            }
             _ => Err(Unreadable::new(
                 ty,
                 format!("a conversion into `{}`", crate::error::tidy(&ty.to_token_stream().to_string())),

@@ -206,6 +206,11 @@ impl Reader {
         });
         let integer = given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
         let all: Vec<Value> = all.into_iter().map(|value| self.loaded(value)).collect();
+        if let Some(Value::Adt(adt)) = all.first() {
+            let (ty, name) = (adt.type_name(), if plus { "sum" } else { "product" });
+            let sum = self.own_method(&ty, name, vec![Value::Iterator(all)], call)?;
+            return sum.ok_or_else(|| Unreadable::new(&call.whole.method, format!("`{name}` of `{ty}`")));
+        }
         if integer || matches!(all.first(), Some(Value::Integer(..))) {
             let given =
                 given.and_then(|ty| IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string()));

@@ -1,19 +1,24 @@
 //! Methods of values that only rustc knows.
 
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::Call;
 use crate::lower::template::Template;
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable};
-use crate::parse::Shape;
-use crate::vocabulary::{is_scalar_method, is_vector_method};
+use crate::parse::{Shape, literal_length};
+use crate::vocabulary::{is_integer, is_scalar_method, is_vector_method};
 
 impl Reader {
     /// Where a number is needed for it to be read, a name of f64's vocabulary takes the receiver for one, and
     /// a vector beside it takes it for a vector; unless the receiver is a parameter itself, whose type is the
     /// user's.
     pub(super) fn opaque_method(&mut self, template: Template, call: Call) -> Read {
+        if matches!(call.name.as_str(), "iter" | "into_iter" | "len" | "windows" | "chunks" | "map")
+            && let Some(all) = self.integers_of(&template)
+        {
+            return self.list_method(all, true, call);
+        }
         let own = matches!(template, Template::Parameter(_));
         let applies = call.arguments.iter().any(|value| matches!(value, Value::Function(_)));
         if self.is_option(&template) || applies && super::option::WITH_CLOSURES.contains(&call.name.as_str())
@@ -53,6 +58,20 @@ impl Reader {
             Value::Scalar(n) => self.scalar_method(n, call),
             other => Ok(other),
         }
+    }
+
+    /// The elements of a parameter that is declared as an array of integers or conditions: its type says how
+    /// many there are.
+    pub fn integers_of(&self, template: &Template) -> Option<Vec<Value>> {
+        let Template::Parameter(name) = template else { return None };
+        let syn::Type::Array(array) = self.parameter_types.get(&name.to_string())? else { return None };
+        let element = array.elem.to_token_stream().to_string();
+        let n = literal_length(&array.len).filter(|_| element == "bool" || is_integer(&element))?;
+        let at = |k: usize| {
+            let k = Template::Tokens(proc_macro2::Literal::usize_unsuffixed(k).to_token_stream());
+            Value::Opaque(Template::Index(Box::new(template.clone()), Box::new(k)))
+        };
+        Some((0..n).map(at).collect())
     }
 
     /// True if a value is a parameter that is declared as an `Option`.
