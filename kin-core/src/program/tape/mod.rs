@@ -2,6 +2,7 @@
 //! found out once a run.
 
 pub(in crate::program) mod replay;
+mod rows;
 mod schedule;
 pub(crate) mod times;
 
@@ -45,11 +46,19 @@ pub(in crate::program) enum Kind {
 
 /// Where a step writes, and its operands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::program) struct Step {
-    pub out: u32,
-    pub a: u32,
-    pub b: u32,
-    pub c: u32,
+pub(in crate::program) struct Step<P = u32> {
+    pub out: P,
+    pub a: P,
+    pub b: P,
+    pub c: P,
+}
+
+impl Step {
+    /// The same with places of one byte, if they are that small.
+    fn short(self) -> Option<Step<u8>> {
+        let [out, a, b, c] = [self.out, self.a, self.b, self.c].map(|place| u8::try_from(place).ok());
+        Some(Step { out: out?, a: a?, b: b?, c: c? })
+    }
 }
 
 /// Steps of one kind, by how many there are.
@@ -64,7 +73,13 @@ pub(in crate::program) struct Run {
 pub(in crate::program) struct Stage {
     pub runs: Vec<Run>,
     pub steps: Vec<Step>,
+    /// All steps with places of one byte; none where some place is larger. In a memory of [`SHORT`] numbers
+    /// no such place has to be looked at before it is read.
+    pub short: Vec<Step<u8>>,
 }
+
+/// Numbers of a memory whose places are one byte.
+pub(in crate::program) const SHORT: usize = 1 << u8::BITS;
 
 /// A program on a memory of `places` numbers.
 #[derive(Clone, Debug, Default)]
@@ -103,6 +118,11 @@ impl Stage {
             Some(run) if run.kind == kind => run.steps += 1,
             _ => self.runs.push(Run { kind, steps: 1 }),
         }
+    }
+
+    /// Makes places one byte, if all are that small.
+    pub(in crate::program) fn shorten(&mut self) {
+        self.short = self.steps.iter().map(|step| step.short()).collect::<Option<_>>().unwrap_or_default();
     }
 }
 

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use kin_graph::{Comparison, Function, Function2};
 use pulp::NullaryFnOnce;
 
-use super::{Kind, Run, Stage, Step};
+use super::{Kind, Run, SHORT, Stage, Step};
 use crate::model::law::Law;
 use crate::numbers::lanes::{Level, Mask, Wide};
 
@@ -22,18 +22,60 @@ impl<S: Level> NullaryFnOnce for Replay<'_, S> {
 
     #[inline(always)]
     fn call(self) {
-        let (mut steps, memory) = (&self.stage.steps[..], self.memory);
-        for Run { kind, steps: count } in &self.stage.runs {
-            let (own, rest) = steps.split_at(*count as usize);
-            steps = rest;
-            run(*kind, own, self.laws, memory);
+        let Replay { stage, laws, memory, .. } = self;
+        match memory.first_chunk_mut::<SHORT>() {
+            Some(memory) if !stage.short.is_empty() => all(&stage.runs, &stage.short, laws, memory),
+            _ => all(&stage.runs, &stage.steps, laws, memory),
         }
+    }
+}
+
+/// A memory, and how its places are told.
+trait Places<S: Level> {
+    type Place: Copy;
+    fn get(&self, place: Self::Place) -> Wide<S>;
+    fn put(&mut self, place: Self::Place, number: Wide<S>);
+}
+
+macro_rules! places {
+    ($memory:ty, $place:ty) => {
+        impl<S: Level> Places<S> for $memory {
+            type Place = $place;
+
+            #[inline(always)]
+            fn get(&self, place: $place) -> Wide<S> {
+                self[place as usize]
+            }
+
+            #[inline(always)]
+            fn put(&mut self, place: $place, number: Wide<S>) {
+                self[place as usize] = number;
+            }
+        }
+    };
+}
+
+places!([Wide<S>], u32);
+places!([Wide<S>; SHORT], u8);
+
+/// Run by run.
+#[inline(always)]
+fn all<S: Level, M: Places<S> + ?Sized>(
+    runs: &[Run],
+    mut steps: &[Step<M::Place>],
+    laws: &[Law],
+    memory: &mut M,
+) {
+    for Run { kind, steps: count } in runs {
+        let (own, rest) = steps.split_at(*count as usize);
+        steps = rest;
+        run(*kind, own, laws, memory);
     }
 }
 
 /// The steps of one run.
 #[inline(always)]
-fn run<S: Level>(kind: Kind, steps: &[Step], laws: &[Law], memory: &mut [Wide<S>]) {
+fn run<S: Level, M: Places<S> + ?Sized>(kind: Kind, steps: &[Step<M::Place>], laws: &[Law], memory: &mut M) {
     match kind {
         Kind::Add => two(steps, memory, |a, b| a + b),
         Kind::Sub => two(steps, memory, |a, b| a - b),
@@ -46,9 +88,9 @@ fn run<S: Level>(kind: Kind, steps: &[Step], laws: &[Law], memory: &mut [Wide<S>
         Kind::NegatedSum => three(steps, memory, |a, b, c| -a.mul_add(b, c)),
         Kind::SinCos => {
             for step in steps {
-                let (sin, cos) = memory[step.a as usize].sin_cos();
-                memory[step.out as usize] = sin;
-                memory[step.c as usize] = cos;
+                let (sin, cos) = memory.get(step.a).sin_cos();
+                memory.put(step.out, sin);
+                memory.put(step.c, cos);
             }
         }
         Kind::One(Function::Sqrt) => one(steps, memory, Wide::sqrt),
@@ -68,24 +110,35 @@ fn run<S: Level>(kind: Kind, steps: &[Step], laws: &[Law], memory: &mut [Wide<S>
 }
 
 #[inline(always)]
-fn one<S: Level>(steps: &[Step], memory: &mut [Wide<S>], f: impl Fn(Wide<S>) -> Wide<S>) {
+fn one<S: Level, M: Places<S> + ?Sized>(
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+    f: impl Fn(Wide<S>) -> Wide<S>,
+) {
     for step in steps {
-        memory[step.out as usize] = f(memory[step.a as usize]);
+        memory.put(step.out, f(memory.get(step.a)));
     }
 }
 
 #[inline(always)]
-fn two<S: Level>(steps: &[Step], memory: &mut [Wide<S>], f: impl Fn(Wide<S>, Wide<S>) -> Wide<S>) {
+fn two<S: Level, M: Places<S> + ?Sized>(
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+    f: impl Fn(Wide<S>, Wide<S>) -> Wide<S>,
+) {
     for step in steps {
-        memory[step.out as usize] = f(memory[step.a as usize], memory[step.b as usize]);
+        memory.put(step.out, f(memory.get(step.a), memory.get(step.b)));
     }
 }
 
 #[inline(always)]
-fn three<S: Level>(steps: &[Step], memory: &mut [Wide<S>], f: impl Fn(Wide<S>, Wide<S>, Wide<S>) -> Wide<S>) {
+fn three<S: Level, M: Places<S> + ?Sized>(
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+    f: impl Fn(Wide<S>, Wide<S>, Wide<S>) -> Wide<S>,
+) {
     for step in steps {
-        memory[step.out as usize] =
-            f(memory[step.a as usize], memory[step.b as usize], memory[step.c as usize]);
+        memory.put(step.out, f(memory.get(step.a), memory.get(step.b), memory.get(step.c)));
     }
 }
 
@@ -103,22 +156,27 @@ fn compare<S: Level>(comparison: Comparison, a: Wide<S>, b: Wide<S>) -> Mask<S> 
 
 /// A function that goes lane by lane: a function of its own, for it calls others anyway.
 #[inline(never)]
-fn one_by_one<S: Level>(f: Function, steps: &[Step], memory: &mut [Wide<S>]) {
+fn one_by_one<S: Level, M: Places<S> + ?Sized>(f: Function, steps: &[Step<M::Place>], memory: &mut M) {
     let value = f.value();
     one(steps, memory, |a| a.map(value));
 }
 
 #[inline(never)]
-fn two_by_two<S: Level>(f: Function2, steps: &[Step], memory: &mut [Wide<S>]) {
+fn two_by_two<S: Level, M: Places<S> + ?Sized>(f: Function2, steps: &[Step<M::Place>], memory: &mut M) {
     let value = f.value();
     two(steps, memory, |a, b| a.map2(b, value));
 }
 
 /// A derivative of a law and the two that follow it; not a number where that is not known.
 #[inline(never)]
-fn ask<S: Level>(law: Option<&Law>, order: u8, steps: &[Step], memory: &mut [Wide<S>]) {
+fn ask<S: Level, M: Places<S> + ?Sized>(
+    law: Option<&Law>,
+    order: u8,
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+) {
     for step in steps {
-        let x = memory[step.a as usize];
+        let x = memory.get(step.a);
         let mut jet = [x; 3];
         for (lane, x) in x.as_slice().iter().enumerate() {
             let [f, f1, f2, f3] = law.map_or([f64::NAN; 4], |law| law.jet(*x));
@@ -129,9 +187,6 @@ fn ask<S: Level>(law: Option<&Law>, order: u8, steps: &[Step], memory: &mut [Wid
             };
             jet.iter_mut().zip(own).for_each(|(wide, number)| wide.as_mut_slice()[lane] = number);
         }
-        [step.out, step.b, step.c]
-            .into_iter()
-            .zip(jet)
-            .for_each(|(place, number)| memory[place as usize] = number);
+        [step.out, step.b, step.c].into_iter().zip(jet).for_each(|(place, number)| memory.put(place, number));
     }
 }

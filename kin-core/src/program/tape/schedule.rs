@@ -44,6 +44,7 @@ pub(crate) fn schedule(program: Program) -> Tape {
     tape.places = places.next as usize;
     (tape.columns, tape.rows) = (program.torn, program.rows);
     (tape.laws, tape.blocks) = (program.laws, program.blocks);
+    [&mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
     tape
 }
 

@@ -5,18 +5,17 @@
 //! others go on.
 
 use std::marker::PhantomData;
-use std::ops::Range;
 
 use pulp::NullaryFnOnce;
 
 use super::replay::Replay;
-use super::{Stage, Tape};
+use super::{SHORT, Stage, Tape};
 use crate::numbers::lanes::lanewise::misses;
 use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::system::stop;
 
 /// A coordinate as a polynomial of time.
-pub(crate) type Curve = [f64; 7];
+pub(crate) type Curve = [f64; 9];
 
 /// Orders of what is computed: q, q̇ and q̈.
 pub(crate) const ORDERS: usize = 3;
@@ -34,53 +33,53 @@ pub(crate) struct Limits {
     pub rows: Vec<f64>,
     /// Newton steps at most.
     pub steps: usize,
+    /// A pivot or determinant is at least this share of what it was at the mark.
+    pub pivot: f64,
+    /// The most by which anything may turn between two times.
+    pub reach: f64,
     /// One over the size of each coordinate, and 1 for those that turn, else 0.
     pub shares: Vec<f64>,
     pub turns: Vec<f64>,
 }
 
-/// The findings about each lane; numbers of a lane stand at its place.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Judged {
-    /// True if Newton's method has converged and C = 0 holds as written.
-    pub met: Vec<bool>,
-    /// How far the prediction from either end of a step misses the other, and by how much anything turns; not
-    /// a number where something is none.
-    pub miss: Vec<f64>,
-    pub reach: Vec<f64>,
-    /// The least of pivots and determinants, as a share of what it was at the mark, and whether a block has
-    /// turned over.
-    pub pivot: Vec<f64>,
-    pub turned: Vec<bool>,
-    pub residual: Vec<f64>,
-    pub steps: Vec<f64>,
+/// The findings about each lane.
+#[derive(Clone, Copy)]
+pub(crate) struct Judged<S: Level> {
+    /// How far the prediction from either end of a step misses the other; not a number where that cannot be
+    /// said, or anything else is objected to: Newton's method has not converged, C = 0 does not hold as it is
+    /// written, a block has turned over, a pivot is small, something has turned too far.
+    pub miss: Wide<S>,
+    /// The least of pivots and determinants, as a share of what it was at the mark.
+    pub pivot: Wide<S>,
+    pub residual: Wide<S>,
 }
 
 /// A tape with its memory over lanes.
 pub(crate) struct Times<'p, S: Level> {
-    simd: S,
-    tape: &'p Tape,
+    pub(super) simd: S,
+    pub(super) tape: &'p Tape,
     memory: Vec<Wide<S>>,
     /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes.
-    lines: Vec<f64>,
-    /// The same of the lanes, order by order, lane by lane.
-    table: Vec<f64>,
+    pub(super) lines: Vec<f64>,
     /// Pivots and determinants where the signs and sizes were those of a position that is known.
     marks: Vec<Vec<f64>>,
-    pub judged: Judged,
+    pub judged: Judged<S>,
+    /// How many Newton steps each lane took.
+    pub steps: Vec<usize>,
 }
 
 impl<'p, S: Level> Times<'p, S> {
     pub(crate) const LANES: usize = Wide::<S>::LANES;
-    const STRIDE: usize = Self::LANES + 1;
+    pub(super) const STRIDE: usize = Self::LANES + 1;
 
     pub(crate) fn new(simd: S, tape: &'p Tape) -> Self {
-        let mut memory = vec![Wide::splat(simd, 0.0); tape.places];
+        let mut memory = vec![Wide::splat(simd, 0.0); tape.places.max(SHORT)];
         tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
         let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
-        let room = |lanes: usize| vec![0.0; lanes * ORDERS * tape.values.len()];
-        let (lines, table) = (room(Self::STRIDE), room(Self::LANES));
-        Times { simd, tape, memory, lines, table, marks, judged: Judged::default() }
+        let (lines, none) =
+            (vec![0.0; Self::STRIDE * ORDERS * tape.values.len()], Wide::splat(simd, f64::NAN));
+        let judged = Judged { miss: none, pivot: none, residual: none };
+        Times { simd, tape, memory, lines, marks, judged, steps: vec![0; Self::LANES] }
     }
 
     /// Which coordinates are torn.
@@ -88,7 +87,7 @@ impl<'p, S: Level> Times<'p, S> {
         &self.tape.columns
     }
 
-    /// The position before the first lane.
+    /// The position before the first lane of the first group; of a later one it is the last lane's.
     pub(crate) fn begin(&mut self, before: [&[f64]; ORDERS]) {
         for (order, all) in before.into_iter().enumerate() {
             all.iter().enumerate().for_each(|(column, x)| self.lines[Self::line(column, order)] = *x);
@@ -105,7 +104,7 @@ impl<'p, S: Level> Times<'p, S> {
         }
     }
 
-    fn line(column: usize, order: usize) -> usize {
+    pub(super) fn line(column: usize, order: usize) -> usize {
         (column * ORDERS + order) * Self::STRIDE
     }
 
@@ -113,13 +112,6 @@ impl<'p, S: Level> Times<'p, S> {
     pub(crate) fn of(&self, column: usize, order: usize) -> &[f64] {
         let first = Self::line(column, order) + 1;
         &self.lines[first..first + Self::LANES]
-    }
-
-    /// One order of all coordinates in some lanes, lane after lane.
-    pub(crate) fn rows(&self, order: usize, lanes: Range<usize>) -> &[f64] {
-        let n = self.tape.values.len();
-        let first = order * Self::LANES * n;
-        &self.table[first + lanes.start * n..first + lanes.end * n]
     }
 
     /// The row with the largest |C_i| in a lane.
@@ -180,59 +172,43 @@ impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
             times.memory[*place as usize] = own;
         }
         times.replay(&tape.time);
-        let (converged, steps) = times.newton(limits);
+        let converged = times.newton(limits);
         times.replay(&tape.rest);
         if begins {
             times.mark();
         }
         let (met, residual) = times.verified(limits);
         let (pivot, turned) = times.guarded();
-        times.write();
-        times.turn();
+        times.write(begins);
         let [miss, reach] = times.missed(t - from, limits);
-        let numbers = [
-            (&mut times.judged.miss, miss),
-            (&mut times.judged.reach, reach),
-            (&mut times.judged.pivot, pivot),
-        ];
-        numbers.into_iter().for_each(|(list, wide)| put(list, wide));
-        [(&mut times.judged.residual, residual), (&mut times.judged.steps, steps)]
-            .into_iter()
-            .for_each(|(list, wide)| put(list, wide));
-        let conditions = [(&mut times.judged.met, converged & met), (&mut times.judged.turned, turned)];
-        for (list, mask) in conditions {
-            list.clear();
-            list.extend(mask.as_numbers().as_slice().iter().map(|x| *x != 0.0));
-        }
+        let (least, most) = (Wide::splat(simd, limits.pivot), Wide::splat(simd, limits.reach));
+        let good = converged & met & !turned & pivot.ge(least) & reach.le(most);
+        let miss = good.select(miss, Wide::splat(simd, f64::NAN));
+        times.judged = Judged { miss, pivot, residual };
     }
-}
-
-/// Quad numbers from there on.
-#[inline(always)]
-fn four(all: &[f64], first: usize) -> [f64; 4] {
-    let own = &all[first..first + 4];
-    [own[0], own[1], own[2], own[3]]
-}
-
-fn put<S: Level>(list: &mut Vec<f64>, wide: Wide<S>) {
-    list.clear();
-    list.extend_from_slice(wide.as_slice());
 }
 
 impl<S: Level> Times<'_, S> {
     #[inline(always)]
     fn replay(&mut self, stage: &Stage) {
-        Replay { stage, laws: &self.tape.laws, memory: &mut self.memory, level: PhantomData }.call();
+        // One function for all stages.
+        self.simd.vectorize(Replay {
+            stage,
+            laws: &self.tape.laws,
+            memory: &mut self.memory,
+            level: PhantomData,
+        });
     }
 
-    /// Newton's method; where it has converged, and after how many steps.
+    /// Newton's method; where it has converged.
     #[inline(always)]
-    fn newton(&mut self, limits: &Limits) -> (Mask<S>, Wide<S>) {
+    fn newton(&mut self, limits: &Limits) -> Mask<S> {
         let (simd, tape) = (self.simd, self.tape);
-        let (mut open, mut steps) = (Mask::splat(simd, true), Wide::splat(simd, 0.0));
+        let mut open = Mask::splat(simd, true);
+        self.steps.fill(0);
         let mut previous = Wide::splat(simd, f64::INFINITY);
         if tape.torn.is_empty() {
-            return (open, steps);
+            return open;
         }
         for _ in 0..=limits.steps {
             self.replay(&tape.correct);
@@ -246,9 +222,13 @@ impl<S: Level> Times<'_, S> {
                 let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
                 self.memory[*place as usize] = open.select(own + change, own);
             }
-            steps = steps + open.as_numbers();
+            let taken = open.as_numbers();
+            self.steps
+                .iter_mut()
+                .zip(taken.as_slice())
+                .for_each(|(steps, x)| *steps += usize::from(*x != 0.0));
         }
-        (!open, steps)
+        !open
     }
 
     /// Where the correction in hand and what made it are as small as they have to be, and the largest of it
@@ -306,7 +286,7 @@ impl<S: Level> Times<'_, S> {
 
     /// q with its last correction, q̇ and q̈ into the lines, behind what stood in the last lane.
     #[inline(always)]
-    fn write(&mut self) {
+    fn write(&mut self, begins: bool) {
         let tape = self.tape;
         for column in 0..tape.values.len() {
             let q =
@@ -314,31 +294,11 @@ impl<S: Level> Times<'_, S> {
             let rates =
                 [tape.rates[column], tape.second_rates[column]].map(|place| self.memory[place as usize]);
             for (order, numbers) in [q, rates[0], rates[1]].into_iter().enumerate() {
-                let first = Self::line(column, order);
-                self.lines[first + 1..first + Self::STRIDE].copy_from_slice(numbers.as_slice());
-            }
-        }
-    }
-
-    /// From lines of coordinates to rows of lanes, by squares that are turned in registers.
-    #[inline(always)]
-    fn turn(&mut self) {
-        let n = self.tape.values.len();
-        for order in 0..ORDERS {
-            let rows = &mut self.table[order * Self::LANES * n..(order + 1) * Self::LANES * n];
-            for column in (0..n / 4 * 4).step_by(4) {
-                for lane in (0..Self::LANES).step_by(4) {
-                    let line = |k: usize| four(&self.lines, Self::line(column + k, order) + 1 + lane);
-                    let square = self.simd.turn([line(0), line(1), line(2), line(3)]);
-                    for (k, own) in square.iter().enumerate() {
-                        let first = (lane + k) * n + column;
-                        rows[first..first + 4].copy_from_slice(own);
-                    }
+                let line = &mut self.lines[Self::line(column, order)..][..Self::STRIDE];
+                if !begins {
+                    line[0] = line[Self::LANES];
                 }
-            }
-            for column in n / 4 * 4..n {
-                let line = &self.lines[Self::line(column, order) + 1..][..Self::LANES];
-                line.iter().zip(rows.chunks_exact_mut(n)).for_each(|(x, row)| row[column] = *x);
+                line[1..].copy_from_slice(numbers.as_slice());
             }
         }
     }

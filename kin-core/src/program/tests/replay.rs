@@ -13,12 +13,14 @@ use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
 use crate::program::schedule;
 use crate::program::stages::Program;
 use crate::program::tape::replay::Replay;
-use crate::program::tape::{Stage, Tape};
+use crate::program::tape::{SHORT, Stage, Tape};
 
 /// All stages of a tape at one pose for each lane.
 struct Replayed<'a> {
     tape: &'a Tape,
     poses: &'a [(f64, Vec<f64>)],
+    /// Numbers of the memory, as many at least as the tape has places.
+    room: usize,
 }
 
 impl WithLevel for Replayed<'_> {
@@ -26,7 +28,7 @@ impl WithLevel for Replayed<'_> {
 
     fn run<S: Level>(self, simd: S) -> Self::Output {
         let tape = self.tape;
-        let mut memory = vec![Wide::splat(simd, f64::NAN); tape.places];
+        let mut memory = vec![Wide::splat(simd, f64::NAN); self.room.max(tape.places)];
         tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
         for lane in 0..Wide::<S>::LANES {
             let (t, q) = &self.poses[lane % self.poses.len()];
@@ -90,10 +92,10 @@ fn every_number_of_a_tape_is_that_of_its_program() {
             (motion.times()[k], motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect())
         };
         let poses: Vec<(f64, Vec<f64>)> = (0..motion.len()).map(pose).collect();
-        for lanes in [2, 4, 8] {
-            let Ok(found) = Lanes::Only(lanes).dispatch(Replayed { tape: &tape, poses: &poses }) else {
-                continue;
-            };
+        // Places of four bytes, and of one where the memory has as many as those tell.
+        for (lanes, room) in [2, 4, 8].into_iter().flat_map(|lanes| [(lanes, 0), (lanes, SHORT)]) {
+            let replayed = Replayed { tape: &tape, poses: &poses, room };
+            let Ok(found) = Lanes::Only(lanes).dispatch(replayed) else { continue };
             for ((t, q), found) in poses.iter().zip(found) {
                 let expected = scalar(&program, *t, q);
                 let size = expected.iter().fold(1.0_f64, |m, x| m.max(x.abs()));

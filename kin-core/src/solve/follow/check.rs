@@ -28,7 +28,7 @@ pub(super) const SAFE: f64 = 0.25;
 const FADED: f64 = 0.5;
 
 /// No body turns by more than this in one step.   \[rad\]
-pub(super) const REACH: f64 = 1.0;
+pub(crate) const REACH: f64 = 1.0;
 
 /// True if a body turns further in a step than can be judged.
 #[inline(always)]

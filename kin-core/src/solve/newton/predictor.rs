@@ -41,7 +41,7 @@ impl Pace {
     }
 }
 
-fn is_same(h: f64, other: f64) -> bool {
+pub(super) fn is_same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 

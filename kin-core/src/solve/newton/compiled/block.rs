@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-use super::curve::curve;
+use super::curve::{Curves, at};
 use super::holds::Sums;
 use crate::model::error::Result;
 use crate::model::units::Unit;
 use crate::numbers::lanes::Level;
 use crate::program::Tape;
 use crate::program::times::{Curve, Limits, ORDERS, Times};
-use crate::solve::follow::{misses_too_far, turns_too_far};
+use crate::solve::follow::{REACH, misses_too_far};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
 use crate::solve::newton::{Outcome, Stop};
@@ -33,9 +33,20 @@ pub(super) struct Block<'p, S: Level> {
     instant: Instant,
     /// True if laws have breaks that are looked for time by time.
     watches: bool,
-    /// Where the torn coordinates are led by the last three times: coefficients of q in powers of time since
-    /// the last one.
+    /// Where the torn coordinates are led by earlier times: coefficients of q in powers of time since the
+    /// last one.
     curves: Vec<Curve>,
+    /// Through the last three times, and through four that reach back as far as lanes lead on; true where the
+    /// latter would have been nearer.
+    near: Curves,
+    far: Curves,
+    trusts_far: bool,
+    /// The first time that curves may reach back to, and how many breaks and singular positions there were
+    /// then.
+    since: usize,
+    met: usize,
+    /// A position that is looked at.
+    q: Vec<f64>,
     room: Sums,
     pub(super) objections: usize,
 }
@@ -52,16 +63,29 @@ enum End {
 impl<'p, S: Level> Block<'p, S> {
     pub(super) fn new(simd: S, tape: &'p Tape, run: &Run<'_>) -> Self {
         let (times, system) = (Times::new(simd, tape), run.system());
-        let curves = vec![[0.0; 7]; times.torn().len()];
+        let curves = vec![[0.0; 9]; times.torn().len()];
+        let spread = (3 * Times::<S>::LANES).div_ceil(8);
         Block {
             times,
-            limits: Limits::default(),
+            limits: Limits { pivot: LEAST, reach: REACH, ..Limits::default() },
             instant: system.equations().instant(),
             watches: !system.is_smooth(),
             curves,
+            near: Curves::through(0..ORDERS),
+            far: Curves::through([0, spread, 2 * spread, 3 * spread]),
+            trusts_far: true,
+            since: 0,
+            met: 0,
+            q: Vec::new(),
             room: Sums::default(),
             objections: 0,
         }
+    }
+
+    /// How many plain steps have to lead up to a block: where rows give all coordinates nothing has to be
+    /// guessed.
+    pub(super) fn begins_after(&self) -> usize {
+        if self.curves.is_empty() { 1 } else { ORDERS }
     }
 
     /// Computes times from the last one of the motion, which is a plain step's, as far as there is no
@@ -70,6 +94,10 @@ impl<'p, S: Level> Block<'p, S> {
         let (first, worst) = (motion.len(), motion.worst);
         let Some(mut pivot) = self.limit(run, motion) else { return Ok(0) };
         let begun = pivot;
+        let met = motion.breaks.len() + motion.singular.len();
+        if met > self.met {
+            (self.met, self.since) = (met, first - 1);
+        }
         loop {
             // The first group begins with the plain step's own time.
             let from = if motion.len() == first { first - 1 } else { motion.len() };
@@ -78,9 +106,13 @@ impl<'p, S: Level> Block<'p, S> {
                 break;
             }
             self.guess(motion);
-            let before = from - 1;
-            self.times.begin([motion.q(before), motion.qd(before), motion.qdd(before)]);
-            let guess = (times[motion.len() - 1], &self.curves[..]);
+            // Before the first time of all there is none: what leads to it is not judged.
+            let before = from.saturating_sub(1);
+            if from < first {
+                self.times.begin([motion.q(before), motion.qd(before), motion.qdd(before)]);
+            }
+            let guessed = motion.len() - 1;
+            let guess = (times[guessed], &self.curves[..]);
             self.times.solve(times[before], &times[from..to], guess, &self.limits, from < first);
             if from < first && !self.agrees(motion, first - 1) {
                 self.objections += 1;
@@ -94,6 +126,7 @@ impl<'p, S: Level> Block<'p, S> {
             if !matches!(end, End::None) {
                 break;
             }
+            self.compare(motion, guessed);
         }
         if motion.len() > first && !run.holds(motion, &self.limits.rows, &mut self.room) {
             self.objections += 1;
@@ -153,19 +186,41 @@ impl<'p, S: Level> Block<'p, S> {
             }
             Stop::Converged { .. } => newton.allow(tolerance, &mut limits.rows),
         }
-        (motion.len() >= ORDERS)
+        (motion.len() >= self.begins_after())
             .then(|| newton.linear.smallest_pivot())
             .filter(|pivot| pivot.is_finite() && *pivot > 0.0)
     }
 
-    /// Where the last three times lead the torn coordinates.
+    /// Where earlier times lead the torn coordinates.
     fn guess(&mut self, motion: &Motion) {
-        let last = motion.len() - 1;
-        let times = [0, 1, 2].map(|k| motion.times()[last - k] - motion.times()[last]);
-        for (curve_of, column) in self.curves.iter_mut().zip(self.times.torn()) {
-            let rates = [0, 1, 2].map(|k| [motion.qd(last - k)[*column], motion.qdd(last - k)[*column]]);
-            *curve_of = curve(motion.q(last)[*column], times, rates);
+        if self.curves.is_empty() {
+            return;
         }
+        let last = motion.len() - 1;
+        let reaches = last >= self.since + self.far.reach_back();
+        let lead = if self.trusts_far && reaches { &mut self.far } else { &mut self.near };
+        lead.lead(motion, last);
+        let of = |column: &usize| lead.of(motion, last, *column);
+        self.curves.iter_mut().zip(self.times.torn()).for_each(|(curve, column)| *curve = of(column));
+    }
+
+    /// Where Newton's method took more than one step from number `before` to the last one of the motion: were
+    /// the right times asked where they lead?
+    fn compare(&mut self, motion: &Motion, before: usize) {
+        let last = motion.len() - 1;
+        if before < self.since + self.far.reach_back() || self.times.steps.iter().all(|steps| *steps < 2) {
+            return;
+        }
+        let s = motion.times()[last] - motion.times()[before];
+        let mut off = [0.0_f64; 2];
+        for (off, curves) in off.iter_mut().zip([&mut self.near, &mut self.far]) {
+            curves.lead(motion, before);
+            for (column, size) in self.times.torn().iter().zip(&self.limits.sizes) {
+                let miss = at(&curves.of(motion, before, *column), s) - motion.q(last)[*column];
+                *off = off.max(miss.abs() / size);
+            }
+        }
+        self.trusts_far = off[1] <= off[0];
     }
 
     /// True if the first lane has what the plain step has.
@@ -193,23 +248,29 @@ impl<'p, S: Level> Block<'p, S> {
         motion: &mut Motion,
     ) -> End {
         let (first, mut before, mut end) = (lanes.start, motion.times()[motion.len() - 1], End::None);
+        let Block { times: solved, instant, q, .. } = self;
+        let branches = !run.system().equations().branches().is_empty();
         let mut taken = first..first;
-        for lane in lanes {
-            let (judged, t) = (&self.times.judged, times[lane]);
-            let own = begun * judged.pivot[lane];
+        let own = times[lanes.clone()].iter().zip(solved.judged.miss.as_slice()[lanes.clone()].iter());
+        for ((t, miss), share) in own.zip(&solved.judged.pivot.as_slice()[lanes]) {
+            let own = begun * share;
             let least = own.min(*pivot);
-            let near = !turns_too_far(judged.reach[lane]) && !misses_too_far(judged.miss[lane], least);
-            let good = judged.met[lane] && !judged.turned[lane] && judged.pivot[lane] >= LEAST && near;
-            if !(good && self.is_meant(run, t, lane)) {
+            // A miss that is not a number is an objection.
+            let mut good = !misses_too_far(*miss, least);
+            if branches && good {
+                solved.position(taken.end, q);
+                good = is_meant(run, (*t, q), instant);
+            }
+            if !good {
                 end = End::Objection;
                 break;
             }
-            if !run.ends_suffice(before, t, least) {
+            if !run.ends_suffice(before, *t, least) {
                 end = End::Asked;
                 break;
             }
-            (*pivot, before) = (own, t);
-            taken.end = lane + 1;
+            (*pivot, before) = (own, *t);
+            taken.end += 1;
         }
         self.keep(times, taken, motion);
         end
@@ -217,32 +278,26 @@ impl<'p, S: Level> Block<'p, S> {
 
     /// Appends lanes to a motion.
     fn keep(&self, times: &[f64], lanes: Range<usize>, motion: &mut Motion) {
-        let judged = &self.times.judged;
-        for lane in lanes.clone() {
-            let outcome =
-                Outcome { iterations: judged.steps[lane] as usize, residual: judged.residual[lane] };
-            if motion.is_worse(outcome) {
-                motion.worst = Some((outcome.residual, self.times.worst(lane)));
-            }
-            motion.iterations.push(outcome.iterations);
+        let (judged, first) = (&self.times.judged, lanes.start);
+        let residuals = &judged.residual.as_slice()[lanes.clone()];
+        let most = residuals.iter().copied().fold(0.0, f64::max);
+        if let Some(lane) = residuals.iter().position(|own| *own == most)
+            && motion.is_worse(Outcome { iterations: 0, residual: most })
+        {
+            motion.worst = Some((most, self.times.worst(first + lane)));
         }
-        motion.residuals.extend_from_slice(&judged.residual[lanes.clone()]);
+        motion.iterations.extend_from_slice(&self.times.steps[lanes.clone()]);
+        motion.residuals.extend_from_slice(residuals);
         motion.times.extend_from_slice(&times[lanes.clone()]);
-        let orders = [&mut motion.q, &mut motion.qd, &mut motion.qdd];
-        orders
-            .into_iter()
-            .enumerate()
-            .for_each(|(order, to)| to.extend_from_slice(self.times.rows(order, lanes.clone())));
+        self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd]);
     }
+}
 
-    /// True if the position in a lane is what constraints mean.
-    fn is_meant(&mut self, run: &Run<'_>, t: f64, lane: usize) -> bool {
-        let equations = run.system().equations();
-        if equations.branches().is_empty() {
-            return true;
-        }
-        equations.set_time(t, &mut self.instant);
-        equations.set_position(self.times.rows(0, lane..lane + 1), &mut self.instant);
-        equations.first_wrong(&self.instant).is_none()
-    }
+/// True if a position is what constraints mean.
+#[cold]
+fn is_meant(run: &Run<'_>, (t, q): (f64, &[f64]), instant: &mut Instant) -> bool {
+    let equations = run.system().equations();
+    equations.set_time(t, instant);
+    equations.set_position(q, instant);
+    equations.first_wrong(instant).is_none()
 }

@@ -1,0 +1,87 @@
+//! From lanes to times: the lines of coordinates become rows of all coordinates, one a time.
+
+use std::ops::Range;
+
+use pulp::NullaryFnOnce;
+
+use super::times::{ORDERS, Times};
+use crate::numbers::lanes::Level;
+
+/// The side of the squares that are turned in registers.
+const SIDE: usize = 4;
+
+impl<S: Level> Times<'_, S> {
+    /// Appends q, q̇ and q̈ in some lanes to these lists, a row a lane.
+    pub(crate) fn append(&self, lanes: Range<usize>, lists: [&mut Vec<f64>; ORDERS]) {
+        self.simd.vectorize(Turning { times: self, lanes, lists });
+    }
+
+    /// q in a lane, into a list.
+    pub(crate) fn position(&self, lane: usize, list: &mut Vec<f64>) {
+        list.clear();
+        list.extend((0..self.tape.values.len()).map(|column| self.of(column, 0)[lane]));
+    }
+}
+
+/// Lanes on their way into the function that has the machine's instructions.
+struct Turning<'x, 'p, S: Level> {
+    times: &'x Times<'p, S>,
+    lanes: Range<usize>,
+    lists: [&'x mut Vec<f64>; ORDERS],
+}
+
+impl<S: Level> NullaryFnOnce for Turning<'_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Turning { times, lanes, lists } = self;
+        let n = times.tape.values.len();
+        for (order, list) in lists.into_iter().enumerate() {
+            let begun = list.len();
+            lengthen(list, lanes.len() * n);
+            let rows = &mut list[begun..];
+            for column in (0..n / SIDE * SIDE).step_by(SIDE) {
+                times.turn::<SIDE>(order, column, &lanes, rows);
+            }
+            match n % SIDE {
+                1 => times.turn::<1>(order, n - 1, &lanes, rows),
+                2 => times.turn::<2>(order, n - 2, &lanes, rows),
+                3 => times.turn::<3>(order, n - 3, &lanes, rows),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Room for so many numbers more, none of them a number yet.
+#[inline(never)]
+fn lengthen(list: &mut Vec<f64>, count: usize) {
+    list.extend(std::iter::repeat_n(f64::NAN, count));
+}
+
+impl<S: Level> Times<'_, S> {
+    /// Some coordinates from `column` on into the rows of these lanes, by squares that are turned in
+    /// registers.
+    #[inline(always)]
+    fn turn<const WIDTH: usize>(&self, order: usize, column: usize, lanes: &Range<usize>, rows: &mut [f64]) {
+        let n = self.tape.values.len();
+        for first in (0..Self::LANES).step_by(SIDE) {
+            let mut square = [[0.0; SIDE]; SIDE];
+            for (k, line) in square.iter_mut().enumerate().take(WIDTH) {
+                line.copy_from_slice(&self.lines[Self::line(column + k, order) + 1 + first..][..SIDE]);
+            }
+            let turned = self.simd.turn(square);
+            if lanes.start <= first && first + SIDE <= lanes.end {
+                for (k, own) in turned.iter().enumerate() {
+                    rows[(first + k - lanes.start) * n + column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
+                }
+                continue;
+            }
+            for lane in first.max(lanes.start)..(first + SIDE).min(lanes.end) {
+                let own = &turned[lane - first];
+                rows[(lane - lanes.start) * n + column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
+            }
+        }
+    }
+}
