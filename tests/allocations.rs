@@ -49,8 +49,8 @@ fn number_of_steps_does_not_change_the_number_of_allocations() {
     m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     let system = m.build().unwrap();
-    let protocol = Options { stop: Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
     let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let protocol = Options { stop: Stop::ResidualOnly(1e-10), predict: false, ..plain.clone() };
     for options in [plain, protocol] {
         allocations(&system, 2, &options);
         assert_eq!(allocations(&system, 20, &options), allocations(&system, 2000, &options));

@@ -109,17 +109,68 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
 fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
     let system = driven();
     let all = [
-        Options { jerk: true, ..auto() },
-        Options { predict: false, ..auto() },
-        Options { stop: Stop::ResidualOnly(1e-10), ..auto() },
+        (Options { jerk: true, ..auto() }, "the jerk is computed by plain steps"),
+        (Options { predict: false, ..auto() }, "a program always predicts"),
+        (
+            Options { stop: Stop::ResidualOnly(1e-10), ..auto() },
+            "a stop rule by the residual alone is that of plain steps",
+        ),
     ];
-    for options in all {
+    for (options, reason) in all {
         let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
+        assert_eq!((motion.engine().compiled, motion.why_plain()), (0, Some(reason)), "{options:?}");
+        // Of so few times no program was looked for.
+        let motion = system.run_with(linspace(0.0, 1.0, 201), &options).expect("runs");
         assert_eq!((motion.engine().compiled, motion.why_plain()), (0, None), "{options:?}");
     }
     // Following is asked of programs too.
     let options = Options { follow: Follow::Unchecked, ..auto() };
     assert!(system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs").engine().compiled > 1900);
+}
+
+/// The jerk is that of plain steps to the last digit, whatever engine is asked for; Compiled says so instead.
+#[test]
+fn the_jerk_is_the_same_whichever_engine_is_asked_for() {
+    let (system, times) = (driven(), linspace(0.0, 1.0, 2001));
+    let run = |engine: Engine| system.run_with(&times, &Options { jerk: true, engine, ..Options::default() });
+    let (by_auto, plain) = (run(Engine::Auto).expect("runs"), run(Engine::Plain).expect("runs"));
+    assert!((0..times.len()).all(|k| by_auto.qddd(k) == plain.qddd(k) && by_auto.qdd(k) == plain.qdd(k)));
+    let error = run(Engine::Compiled).expect_err("refused").to_string();
+    assert!(error.contains("the jerk is computed by plain steps"), "{error}");
+    let program = system.run_with(&times, &compiled()).expect("runs");
+    assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10) && program.qddd(7).is_empty());
+}
+
+/// Parts are plain to the last digit, unless a program is asked for: then each of them is computed by the one
+/// that was made at the beginning.
+#[test]
+fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
+    let (system, times) = (driven(), linspace(0.0, 2.0, 4000));
+    let whole =
+        system.run_with(&times, &Options { engine: Engine::Plain, ..Options::default() }).expect("runs");
+    for (options, least) in [(auto(), 0), (compiled(), 900)] {
+        let (mut k, mut off) = (0, [0.0_f64; 3]);
+        let keep = |part: &Motion| {
+            assert!(part.engine().compiled >= least && part.why_plain().is_none(), "{:?}", part.engine());
+            assert!(least > 0 || part.engine().compiled == 0);
+            for own in 0..part.len() {
+                let pairs =
+                    [(part.q(own), whole.q(k)), (part.qd(own), whole.qd(k)), (part.qdd(own), whole.qdd(k))];
+                for (off, (a, b)) in off.iter_mut().zip(pairs) {
+                    let most = a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + b.abs()));
+                    *off = most.fold(*off, f64::max);
+                }
+                k += 1;
+            }
+            Ok(())
+        };
+        system.run_in_parts(times.iter().copied(), 1000, &options, keep).expect("runs");
+        let bound = if least > 0 { 1e-10 } else { 0.0 };
+        assert!(k == times.len() && off.iter().all(|off| *off <= bound), "{off:?}");
+    }
+    let refused = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
+    let error = refused.run_in_parts([0.0, 0.1], 1, &compiled(), |_| Ok(())).expect_err("refused");
+    assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
 }
 
 /// Cases of a sweep are those of plain steps, whatever engine is asked for.

@@ -103,9 +103,10 @@ impl System {
 
     /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one
     /// part after the other, each a motion of its own that can be asked whatever a motion can be asked, and
-    /// keeps of it what is wanted. Memory is that of one part, and the times may come from any iterator. All
-    /// numbers are those of the run in one by plain steps ([`crate::Engine::Plain`]), whatever the options
-    /// say of the engine.
+    /// keeps of it what is wanted. Memory is that of one part, and the times may come from any iterator,
+    /// which is asked for those of a part at once. All numbers are those of the run in one by plain steps
+    /// ([`crate::Engine::Plain`]), to the last digit, unless a program is asked for by
+    /// [`crate::Engine::Compiled`]: its last digits hang on where parts end.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -139,18 +140,25 @@ impl System {
         let (size, mut times) = (size.max(1), times.into_iter().peekable());
         options.check_memory(1, size, self.n_coordinates())?;
         let mut run = newton::run::Run::new(self, options, Some(EXPLAIN))?;
+        let mut computing = newton::compiled::Computing::in_parts(self, options)?;
         let mut order = newton::run::Order::default();
         let mut before: Option<Motion> = None;
         while times.peek().is_some() {
             let mut part = Motion::new(self, size.min(times.size_hint().0.max(1)));
+            let (mut own, mut ordered) = (Vec::with_capacity(part.times.capacity()), Ok(()));
             for t in times.by_ref().take(size) {
-                let reached = order.check(t).and_then(|()| run.reach(t, &mut part));
-                if let Err(error) = reached {
-                    self.note_after(before.as_ref(), &mut part);
-                    return Err(run.failed(error, part));
+                ordered = order.check(t);
+                if ordered.is_err() {
+                    break;
                 }
+                own.push(t);
             }
+            // Times before one that is out of order are computed all the same.
+            let done = computing.run(&mut run, &own, &mut part).and(ordered);
             self.note_after(before.as_ref(), &mut part);
+            if let Err(error) = done {
+                return Err(run.failed(error, part));
+            }
             keep(&part)?;
             before = Some(part.last());
         }

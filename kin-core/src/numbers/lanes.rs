@@ -35,7 +35,21 @@ pub(crate) trait WithLevel {
     fn run<S: Level>(self, simd: S) -> Self::Output;
 }
 
+/// Nothing, to find out whether there are lanes.
+struct Nothing;
+
+impl WithLevel for Nothing {
+    type Output = ();
+
+    fn run<S: Level>(self, _: S) {}
+}
+
 impl Lanes {
+    /// True if the machine has the lanes that are meant.
+    pub(crate) fn are_there(self) -> bool {
+        self.dispatch(Nothing).is_ok()
+    }
+
     /// Does it with the lanes that are meant; gives it back where the machine does not have them, or none are
     /// wanted.
     pub(crate) fn dispatch<W: WithLevel>(self, work: W) -> Result<W::Output, W> {

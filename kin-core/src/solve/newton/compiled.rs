@@ -11,13 +11,13 @@ mod holds;
 pub(crate) mod programs;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::run::Run;
 use super::{Engine, Options, Stop};
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
-use crate::program::times::ORDERS;
 use crate::program::{REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
@@ -35,6 +35,8 @@ const A_NODE: usize = 20;
 const FEWEST: usize = 32;
 
 const JUMPS: &str = "its equation can jump where coordinates move";
+const NO_LANES: &str =
+    "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
 
 /// True if anything is known to stand in the way of a program, before a pose is.
 pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
@@ -65,39 +67,77 @@ pub(crate) fn refused(refusal: &Refusal) -> Error {
     Error::InvalidOptions { reason }
 }
 
-/// Position, velocity and acceleration at each of the times, into the motion.
-pub(super) fn run(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, wanted: Wanted) -> Result<()> {
-    let (Some((first, rest)), true) = (times.split_first(), wanted != Wanted::Plain) else {
-        return run.reach_all(times, motion);
-    };
-    let plain = |refusal: &Refusal, motion: &mut Motion| match wanted {
-        Wanted::Compiled => Err(refused(refusal)),
-        _ => {
-            motion.plain = Some(sentence(refusal).into());
-            Ok(())
+/// The means that compute the times of a run: found out at the first one, and the same for all its parts.
+pub(crate) struct Computing {
+    wanted: Wanted,
+    lanes: Lanes,
+    begun: bool,
+    tape: Option<Arc<Tape>>,
+    /// Why there is no program, where one was looked for.
+    plain: Option<Arc<str>>,
+}
+
+impl Computing {
+    /// As these options ask for it, for so many times. Errors: options that a program does not know, where
+    /// one is asked for.
+    pub(crate) fn new(system: &System, times: usize, options: &Options) -> Result<Self> {
+        let (wanted, plain) = wanted(system, times, options)?;
+        Ok(Computing { wanted, lanes: Lanes::Best, begun: false, tape: None, plain: plain.map(Into::into) })
+    }
+
+    /// The same of a run in parts: numbers must not hang on where parts end, so that a program computes them
+    /// only where it is asked for by name.
+    pub(crate) fn in_parts(system: &System, options: &Options) -> Result<Self> {
+        let times = if options.engine == Engine::Compiled { usize::MAX } else { 0 };
+        Self::new(system, times, options)
+    }
+
+    /// Position, velocity and acceleration at each of the times, the next ones of the run, into a motion that
+    /// has none yet.
+    pub(crate) fn run(&mut self, run: &mut Run<'_>, times: &[f64], motion: &mut Motion) -> Result<()> {
+        if let (Some(first), false) = (times.first(), std::mem::replace(&mut self.begun, !times.is_empty())) {
+            self.begin(run, *first, motion)?;
         }
-    };
-    if let Err(refusal) = can_be(run.system()) {
-        plain(&refusal, motion)?;
-        return run.reach_all(times, motion);
+        motion.plain.clone_from(&self.plain);
+        match &self.tape {
+            Some(tape) => replay(run, times, motion, tape, self.lanes),
+            None => run.reach_all(&times[motion.len()..], motion),
+        }
     }
-    run.reach(*first, motion)?;
-    let Some(stepper) = run.stepper() else { return Ok(()) };
-    match programs::cached(&stepper.newton, *first) {
-        Ok(tape) => replay(run, times, motion, &tape),
-        Err(refusal) => plain(&refusal, motion).and_then(|()| run.reach_all(rest, motion)),
+
+    /// Makes the program, at the first position.
+    fn begin(&mut self, run: &mut Run<'_>, first: f64, motion: &mut Motion) -> Result<()> {
+        if self.wanted == Wanted::Plain {
+            return Ok(());
+        }
+        let missing = || Err(Refusal { constraint: String::new(), reason: NO_LANES });
+        let here = if self.lanes.are_there() { can_be(run.system()) } else { missing() };
+        let made = match here {
+            Ok(()) => {
+                run.reach(first, motion)?;
+                let Some(stepper) = run.stepper() else { return Ok(()) };
+                programs::cached(&stepper.newton, first)
+            }
+            Err(refusal) => Err(refusal),
+        };
+        match made {
+            Ok(tape) => self.tape = Some(tape),
+            Err(refusal) if self.wanted == Wanted::Compiled => return Err(refused(&refusal)),
+            Err(refusal) => self.plain = Some(sentence(&refusal).into()),
+        }
+        Ok(())
     }
 }
 
-/// All times beyond the first one by a tape, where the machine has lanes.
-fn replay(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, tape: &Tape) -> Result<()> {
-    match Lanes::Best.dispatch(Work { run, times, motion, tape }) {
+/// All times that the motion does not have yet by a tape, where the machine has lanes.
+fn replay(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, tape: &Tape, lanes: Lanes) -> Result<()> {
+    match lanes.dispatch(Work { run, times, motion, tape }) {
         Ok(done) => done,
-        Err(Work { run, motion, .. }) => run.reach_all(&times[1..], motion),
+        Err(Work { run, motion, .. }) => run.reach_all(&times[motion.len()..], motion),
     }
 }
 
-/// A run beyond its first time, on its way to the lanes of the machine.
+/// Times of a run, on their way to the lanes of the machine.
 struct Work<'x, 'a> {
     run: &'x mut Run<'a>,
     times: &'x [f64],
@@ -114,7 +154,7 @@ impl WithLevel for Work<'_, '_> {
         let (mut pause, mut patience) = (0_usize, 1);
         while let Some(&t) = times.get(motion.len()) {
             run.reach(t, motion)?;
-            if pause > 0 || motion.len() < ORDERS {
+            if pause > 0 || motion.len() < block.begins_after() {
                 pause = pause.saturating_sub(1);
                 continue;
             }
@@ -136,36 +176,36 @@ pub(super) enum Wanted {
     Compiled,
 }
 
-/// The way that these options ask for, for so many times. Errors: options that a program does not know, where
-/// one is asked for.
-pub(super) fn wanted(system: &System, times: &[f64], options: &Options) -> Result<Wanted> {
+/// The way that these options ask for, for so many times, and what stands in the way of a program that would
+/// have paid. Errors: options that a program does not know, where one is asked for.
+fn wanted(system: &System, times: usize, options: &Options) -> Result<(Wanted, Option<&'static str>)> {
     let stands_in_the_way = match options {
         Options { jerk: true, .. } => Some("the jerk is computed by plain steps"),
-        Options { predict: false, .. } => {
-            Some("a program always predicts; leave `Options::predict` as it is")
-        }
+        Options { predict: false, .. } => Some("a program always predicts"),
         _ => None,
     };
     match (options.engine, stands_in_the_way) {
-        (Engine::Plain, _) => Ok(Wanted::Plain),
-        (Engine::Compiled, None) => Ok(Wanted::Compiled),
+        (Engine::Plain, _) => Ok((Wanted::Plain, None)),
+        (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
         (Engine::Compiled, Some(reason)) => Err(Error::InvalidOptions {
-            reason: format!("{reason}, or leave `Options::engine` at `Engine::Auto`"),
+            reason: format!("{reason}; leave `Options::engine` at `Engine::Auto` for that"),
         }),
+        (Engine::Auto, _) if !pays(system, times) => Ok((Wanted::Plain, None)),
         // The protocol of published comparisons is that of single steps.
-        (Engine::Auto, None) if !matches!(options.stop, Stop::ResidualOnly(_)) && pays(system, times) => {
-            Ok(Wanted::Tried)
+        (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => {
+            Ok((Wanted::Plain, Some("a stop rule by the residual alone is that of plain steps")))
         }
-        (Engine::Auto, _) => Ok(Wanted::Plain),
+        (Engine::Auto, None) => Ok((Wanted::Tried, None)),
+        (Engine::Auto, reason) => Ok((Wanted::Plain, reason)),
     }
 }
 
 /// True if so many times take longer by plain steps than to be compiled and computed by a program.
-fn pays(system: &System, times: &[f64]) -> bool {
+fn pays(system: &System, times: usize) -> bool {
     if programs::is_asked(system) {
-        return times.len() >= FEWEST;
+        return times >= FEWEST;
     }
-    if times.len() < ENOUGH {
+    if times < ENOUGH {
         return false;
     }
     // Constraints of one kind share their table.
@@ -180,7 +220,7 @@ fn pays(system: &System, times: &[f64]) -> bool {
             })
         })
         .sum();
-    times.len() * blocks.len() >= A_NODE * nodes
+    times.saturating_mul(blocks.len()) >= A_NODE * nodes
 }
 
 #[cfg(test)]

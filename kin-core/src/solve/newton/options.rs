@@ -61,7 +61,7 @@ pub struct Options {
     /// default [`Follow::Smooth`].
     pub follow: Follow,
     /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Auto`]. Single
-    /// positions, runs in parts and sweeps are always plain.
+    /// positions and sweeps are always plain, runs in parts unless [`Engine::Compiled`] is asked for.
     pub engine: Engine,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1
     /// GiB). A run that needs more is refused before it begins; [`crate::System::run_in_parts`] needs the
@@ -75,8 +75,9 @@ pub struct Options {
 pub enum Engine {
     /// A program where one can be made and pays, for which there have to be a thousand times at least, or
     /// 32 after a call of [`crate::System::compile`]; else plain steps. Plain too are runs with the jerk,
-    /// without prediction, and with [`Stop::ResidualOnly`]. [`crate::Motion::engine`] tells how many times a
-    /// program has computed, [`crate::Motion::why_plain`] what stood in the way of one.
+    /// without prediction, and with [`Stop::ResidualOnly`], and all runs on a machine without AVX2 and FMA,
+    /// AVX-512 or Neon. [`crate::Motion::engine`] tells how many times a program has computed,
+    /// [`crate::Motion::why_plain`] what stood in the way of one.
     ///
     /// A program is kept for the next run that begins at the same time and position, until anything is set in
     /// the system.

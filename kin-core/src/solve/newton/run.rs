@@ -24,8 +24,8 @@ pub(crate) fn run<'a>(
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
     run.progress = progress.map(|progress| (progress, times.len()));
-    let wanted = compiled::wanted(system, times, options)?;
-    if let Err(error) = compiled::run(&mut run, times, &mut motion, wanted) {
+    let mut computing = compiled::Computing::new(system, times.len(), options)?;
+    if let Err(error) = computing.run(&mut run, times, &mut motion) {
         return Err(run.failed(error, motion));
     }
     motion.beyond_a_turn = times.first().map(|&t| system.beyond_a_turn(t)).unwrap_or_default();

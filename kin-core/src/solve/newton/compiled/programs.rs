@@ -13,7 +13,7 @@ pub(crate) type Compiling = std::result::Result<Arc<Tape>, Refusal>;
 
 /// The program that was asked for by [`System::compile`], and the last one that a run has made.
 #[derive(Clone, Default)]
-struct Programs {
+pub(super) struct Programs {
     asked: Option<Made>,
     last: Option<Made>,
 }

@@ -7,15 +7,22 @@ use crate::{Engine, linspace};
 
 /// A run by a program that was made of another system, or changed.
 fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&mut Program)) -> Motion {
+    run_by(system, times, made_of, |mut program| {
+        change(&mut program);
+        schedule(program)
+    })
+}
+
+/// A run by the tape that is made of the program of a system.
+fn run_by(system: &System, times: &[f64], made_of: &System, tape: impl Fn(Program) -> Tape) -> Motion {
     let options = Options { engine: Engine::Compiled, ..Options::default() };
     let (mut run, mut motion) =
         (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
     run.reach(times[0], &mut motion).expect("reaches");
     let newton = &run.stepper().expect("plain steps").newton;
     let pose = Pose { t: times[0], q: &newton.q, sizes: &newton.sizes };
-    let mut program = program(made_of, pose).expect("compiles");
-    change(&mut program);
-    replay(&mut run, times, &mut motion, &schedule(program)).expect("runs");
+    let tape = tape(program(made_of, pose).expect("compiles"));
+    replay(&mut run, times, &mut motion, &tape, Lanes::Best).expect("runs");
     motion
 }
 
@@ -59,4 +66,24 @@ fn a_program_of_another_length_is_not_believed() {
             motion.engine
         );
     }
+}
+
+/// A program that no register could run is not made: Auto says so, and Compiled is an error.
+#[test]
+fn a_machine_without_lanes_is_told_and_compiles_nothing() {
+    let (system, times) = (four_bar(1.0), linspace(0.0, 1.0, 3001));
+    let run = |engine: Engine| {
+        let options = Options { engine, ..Options::default() };
+        let mut computing = Computing::new(&system, times.len(), &options).expect("options");
+        computing.lanes = Lanes::Off;
+        let mut run = Run::new(&system, &options, None).expect("runs");
+        let mut motion = Motion::new(&system, times.len());
+        computing.run(&mut run, &times, &mut motion).map(|()| motion)
+    };
+    let (auto, plain) = (run(Engine::Auto).expect("runs"), run(Engine::Plain).expect("runs"));
+    assert!(auto.why_plain().is_some_and(|reason| reason.contains("no registers")), "{:?}", auto.why_plain());
+    assert!(auto.engine.compiled == 0 && difference(&auto, &plain) == 0.0 && plain.why_plain().is_none());
+    let error = run(Engine::Compiled).expect_err("refused").to_string();
+    assert!(error.contains("no registers") && error.contains("Engine::Auto"), "{error}");
+    assert!(system.cache().get::<programs::Programs>().is_none());
 }
