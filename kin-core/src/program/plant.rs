@@ -3,6 +3,7 @@
 use kin_graph::Node;
 
 use super::stages::Program;
+use super::tape::{Kind, Stage, Tape};
 
 /// The fault.
 #[derive(Clone, Copy, Debug)]
@@ -72,5 +73,58 @@ pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
         Fault::Guard => {
             program.guards.iter_mut().flatten().for_each(|guard| *guard = program.graph.constant(0.0))
         }
+    }
+}
+
+/// The fault of one step of a tape, as the pass that schedules could make it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Slip {
+    /// Its sign, or that of one of its terms, is the other one.
+    Sign,
+    /// It reads the place after its first operand's.
+    Operand,
+    /// It writes the place after its own.
+    Place,
+}
+
+/// Every slip.
+pub(crate) const SLIPS: [Slip; 3] = [Slip::Sign, Slip::Operand, Slip::Place];
+
+/// Makes step number k of a tape wrong; false where there is no such step.
+pub(crate) fn spoil(tape: &mut Tape, slip: Slip, mut k: usize) -> bool {
+    let places = tape.places as u32;
+    for stage in [&mut tape.time, &mut tape.correct, &mut tape.rest] {
+        if k < stage.steps.len() {
+            match slip {
+                Slip::Sign => turn(stage, k),
+                Slip::Operand => stage.steps[k].a = (stage.steps[k].a + 1) % places,
+                Slip::Place => stage.steps[k].out = (stage.steps[k].out + 1) % places,
+            }
+            stage.shorten();
+            return true;
+        }
+        k -= stage.steps.len();
+    }
+    false
+}
+
+/// Gives a step the kind with another sign: all steps become runs of one.
+fn turn(stage: &mut Stage, k: usize) {
+    let kinds: Vec<Kind> =
+        stage.runs.iter().flat_map(|run| std::iter::repeat_n(run.kind, run.steps as usize)).collect();
+    let steps = std::mem::take(&mut stage.steps);
+    stage.runs.clear();
+    for (own, (kind, step)) in kinds.into_iter().zip(steps).enumerate() {
+        let turned = match kind {
+            Kind::Add => Kind::Sub,
+            Kind::Sub => Kind::Add,
+            Kind::Fma => Kind::NegatedProduct,
+            Kind::NegatedProduct => Kind::Fma,
+            Kind::ProductLess => Kind::NegatedSum,
+            Kind::NegatedSum => Kind::ProductLess,
+            Kind::Mul => Kind::Div,
+            kind => kind,
+        };
+        stage.push(if own == k { turned } else { kind }, step);
     }
 }

@@ -54,6 +54,34 @@ fn planted_faults_never_come_to_a_number() {
     assert!(planted > 25, "{planted} of the faults were noticed; the others changed nothing");
 }
 
+/// Every step of the tape in turn, in each of three ways.
+#[test]
+fn a_tape_with_one_wrong_step_never_comes_to_a_number() {
+    let (system, times) = (four_bar(1.0), linspace(0.0, 0.5, 101));
+    let plain = system.run(&times).expect("runs");
+    let (mut steps, mut noticed) = (0, 0);
+    for slip in plant::SLIPS {
+        for k in 0.. {
+            let wrong = std::cell::Cell::new(false);
+            let motion = run_by(&system, &times, &system, |program| {
+                let mut tape = schedule(program);
+                wrong.set(plant::spoil(&mut tape, slip, k));
+                tape
+            });
+            if !wrong.get() {
+                break;
+            }
+            let off = difference(&plain, &motion);
+            assert!(off < 1e-11, "{slip:?} {k}: {off:e} {:?}", motion.engine);
+            (steps, noticed) = (steps + 1, noticed + usize::from(motion.engine.compiled == 0));
+        }
+    }
+    assert!(
+        steps > 300 && 2 * noticed > steps,
+        "{noticed} of {steps} were noticed; the others changed nothing"
+    );
+}
+
 #[test]
 fn a_program_of_another_length_is_not_believed() {
     let (system, times) = (four_bar(1.0), linspace(0.0, 1.0, 301));
