@@ -1,10 +1,15 @@
 //! A mechanism says what its units are called; files, pages and messages say it after it.
 
+#[path = "data/engines.rs"]
+mod engines;
+
 use kin::data::MotionData;
 use kin::joints::drivers::drive_distance;
 use kin::prelude::*;
 use kin::{Error, Options, Registry, Units};
 use kin_view::{Figure, Panel, Scene};
+
+use engines::Engines;
 
 /// A crank of 15 and a rod of 40 on a slider, in millimetres and milliseconds; `reach` is how far the slider
 /// is pushed.
@@ -68,7 +73,7 @@ fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<
 fn pages_and_charts_have_the_words_of_the_mechanism() -> kin::Result<()> {
     let (m, rod) = slider(5.0)?;
     let system = m.build()?;
-    let motion = system.run(linspace(0.0, 1.0, 11))?;
+    let motion = system.run_both(linspace(0.0, 1.0, 11))?;
     let x = motion.named("slider.R_x")?;
     let page = Scene::new(&system).page(&motion)?.coordinate("Slider", &x).html();
     for wanted in ["\"units\":[\"mm\",\"ms\"]", "\"unit\":\"mm/ms²\""] {
@@ -93,7 +98,7 @@ fn pages_and_charts_have_the_words_of_the_mechanism() -> kin::Result<()> {
 fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::Result<()> {
     let (m, _) = slider(5.0)?;
     let system = m.build()?;
-    let motion = system.run(linspace(0.0, 1.0, 11))?;
+    let motion = system.run_both(linspace(0.0, 1.0, 11))?;
     let proof = system.prove(&motion)?.to_string();
     assert!(proof.contains("from t = 0 ms to 1 ms") && proof.contains(" mm and "), "{proof}");
     no_metre(&proof);
@@ -106,7 +111,7 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     // Crank and rod are in line where the slider stands at √((15 + 40)² − 10²) = 54.08 mm.
     let (m, _) = slider(20.0)?;
     let system = m.build()?;
-    let error = system.run(linspace(0.0, 1.0, 41)).unwrap_err();
+    let error = system.run_both(linspace(0.0, 1.0, 41)).unwrap_err();
     let text = error.to_string();
     assert!(
         matches!(error, Error::Toggle { .. })
@@ -116,7 +121,7 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     );
     assert!(text.contains(" ms is in this error"), "{text}");
     no_metre(&text);
-    no_metre(&system.run([1.0]).unwrap_err().to_string());
+    no_metre(&system.run_both([1.0]).unwrap_err().to_string());
     Ok(())
 }
 
@@ -126,7 +131,7 @@ fn words_come_back_from_json_and_old_files_are_in_metres() -> kin::Result<()> {
     let data = m.data()?;
     let again = Mechanism::from_data(&data, &Registry::new())?.build()?;
     assert_eq!(*again.unit_words(), Units::new("mm", "ms"));
-    let motion = again.run(linspace(0.0, 1.0, 3))?;
+    let motion = again.run_both(linspace(0.0, 1.0, 3))?;
     let json = serde_json::to_string(&motion.data()).unwrap();
     assert!(json.contains(r#""units":{"length":"mm","time":"ms"}"#), "{json}");
     let back = Motion::from_data(&serde_json::from_str::<MotionData>(&json).unwrap())?;
@@ -141,7 +146,7 @@ fn words_come_back_from_json_and_old_files_are_in_metres() -> kin::Result<()> {
     let mut plain = serde_json::to_value(&data).unwrap();
     plain.as_object_mut().unwrap().remove("units");
     let old = Mechanism::from_data(&serde_json::from_value(plain).unwrap(), &Registry::new())?;
-    assert!(old.build()?.run([0.0])?.headers()[1].ends_with("[m]"));
+    assert!(old.build()?.run_both([0.0])?.headers()[1].ends_with("[m]"));
     Ok(())
 }
 

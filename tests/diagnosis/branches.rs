@@ -6,6 +6,8 @@ use kin::joints::drivers::spatial as drivers;
 use kin::joints::spatial;
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 const O: Vec3 = Vec3 { x: 0.0, y: 0.0, z: 0.0 };
 const X: Vec3 = Vec3 { x: 1.0, y: 0.0, z: 0.0 };
 const Z: Vec3 = Vec3 { x: 0.0, y: 0.0, z: 1.0 };
@@ -35,7 +37,7 @@ fn guess_that_is_upside_down_is_turned_over() {
             for axis in [X, vec3(1.0, 2.0, 0.3), vec3(-0.2, 1.0, 0.5)] {
                 let (m, _) =
                     door(hinges, SpatialPose::turned(vec3(0.2, -0.1, 0.1), axis, angle), Law::ramp(1.0));
-                let motion = m.build().unwrap().run(linspace(0.0, 1.0, 11)).unwrap();
+                let motion = m.build().unwrap().run_both(linspace(0.0, 1.0, 11)).unwrap();
                 assert!((0..motion.len()).all(|k| upright(motion.q(k))), "{hinges} {angle} {axis:?}");
             }
         }
@@ -74,7 +76,7 @@ fn axis_that_is_wrong_any_way_up_is_told() {
     let (mut m, body) = door(2, SpatialPose::at(O), Law::ramp(1.0));
     m.add("hinge 9", spatial::revolute(body, m.ground(), O, O, Z, vec3(0.0, 0.0, -1.0))).unwrap();
     let system = m.build().unwrap();
-    for error in [system.run([0.0, 0.1]).unwrap_err(), system.position(0.0).unwrap_err()] {
+    for error in [system.run_both([0.0, 0.1]).unwrap_err(), system.position(0.0).unwrap_err()] {
         let text = error.to_string();
         assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
         assert!(
@@ -89,10 +91,10 @@ fn axis_that_is_wrong_any_way_up_is_told() {
 fn redundant_runs_watch_their_laws() {
     let corner = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
     let (m, _) = door(2, SpatialPose::at(O), corner);
-    let error = m.build().unwrap().run(linspace(0.1, 1.9, 10)).unwrap_err();
+    let error = m.build().unwrap().run_both(linspace(0.1, 1.9, 10)).unwrap_err();
     assert!(matches!(error, Error::LawJumps { order: 1, .. }), "{error}");
     assert_eq!(error.motion().unwrap().len(), 5);
     let (m, _) = door(2, SpatialPose::at(O), Law::trapezoidal(2.0, 1.0, 2.0));
-    let motion = m.build().unwrap().run(linspace(-1.0, 4.0, 51)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(-1.0, 4.0, 51)).unwrap();
     assert_eq!(motion.breaks().len(), 4);
 }

@@ -3,6 +3,8 @@
 mod assemblies;
 mod branches;
 mod cost;
+#[path = "../data/engines.rs"]
+mod engines;
 mod invariance;
 mod limits;
 mod models;

@@ -3,6 +3,8 @@
 use kin::joints::drivers::spatial as drivers;
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 /// Faults of the six-bar.
 #[derive(Clone, Copy, PartialEq)]
 enum Fault {
@@ -42,12 +44,12 @@ fn six_bar(fault: Fault) -> Mechanism {
 }
 
 fn told(fault: Fault) -> String {
-    six_bar(fault).build().and_then(|system| system.run(linspace(0.0, 1.0, 21))).unwrap_err().to_string()
+    six_bar(fault).build().and_then(|system| system.run_both(linspace(0.0, 1.0, 21))).unwrap_err().to_string()
 }
 
 #[test]
 fn right_six_bar_runs() {
-    let motion = six_bar(Fault::None).build().unwrap().run(linspace(0.0, 1.0, 21)).unwrap();
+    let motion = six_bar(Fault::None).build().unwrap().run_both(linspace(0.0, 1.0, 21)).unwrap();
     assert!(!motion.summary().contains("hint"), "{}", motion.summary());
 }
 
@@ -107,7 +109,7 @@ fn degrees_given_to_a_hinge_in_space() {
         m.add("luff", spatial::revolute(jib, tower, o, z * 2.0, y, y)).unwrap();
         m.add("slewing", drivers::drive_turn(tower, m.ground(), z, z, Law::ramp(0.5))).unwrap();
         m.add("luffing", drivers::drive_turn(jib, tower, y, y, Law::linear(angle, 0.1))).unwrap();
-        m.build().unwrap().run(linspace(0.0, 1.0, 11)).unwrap().summary()
+        m.build().unwrap().run_both(linspace(0.0, 1.0, 11)).unwrap().summary()
     };
     assert!(!summary(-deg(30.0)).contains("hint"), "{}", summary(-deg(30.0)));
     let text = summary(-30.0);

@@ -4,6 +4,8 @@
 use kin::prelude::*;
 use kin::{Error, EventKind};
 
+use crate::engines::Engines;
+
 use crate::models::*;
 
 /// y = 0 before the edge, and a slope of 1 beyond it: a step of a cam.      [m]
@@ -29,7 +31,7 @@ fn swinging<C: Constraint + 'static>(make: impl FnOnce(Coordinate, Coordinate) -
 
 #[test]
 fn kinks_of_if_are_events_at_their_times() {
-    let motion = swinging(|x, y| stepped(x, y, 0.5)).run(linspace(0.0, 3.0, 7)).unwrap();
+    let motion = swinging(|x, y| stepped(x, y, 0.5)).run_both(linspace(0.0, 3.0, 7)).unwrap();
     let kinks: Vec<_> = motion.events().iter().filter(|event| event.kind == EventKind::Kink).collect();
     let exact = [0.5_f64.asin(), PI - 0.5_f64.asin()];
     assert_eq!(kinks.len(), 2, "{:?}", motion.events());
@@ -42,16 +44,16 @@ fn kinks_of_if_are_events_at_their_times() {
     }
     assert!(kinks[0].text.contains("begins to hold") && kinks[1].text.contains("ceases to hold"));
     // Backwards they come in the order of the run.
-    let back = swinging(|x, y| stepped(x, y, 0.5)).run([3.0, 2.0, 1.0, 0.0]).unwrap();
+    let back = swinging(|x, y| stepped(x, y, 0.5)).run_both([3.0, 2.0, 1.0, 0.0]).unwrap();
     assert!(back.events().len() == 2 && back.events()[0].t > back.events()[1].t);
     // Beyond reach there is none.
-    assert!(swinging(|x, y| stepped(x, y, 1.5)).run(linspace(0.0, 3.0, 7)).unwrap().events().is_empty());
+    assert!(swinging(|x, y| stepped(x, y, 1.5)).run_both(linspace(0.0, 3.0, 7)).unwrap().events().is_empty());
 }
 
 /// abs takes its other side at x = 0.2, where max holds the floor; max changes at |x − 0.2| = 0.1.
 #[test]
 fn kinks_of_abs_and_max_are_events_where_they_take_part() {
-    let motion = swinging(|x, y| folded(x, y, 0.2, 0.1)).run(linspace(0.0, 1.5, 16)).unwrap();
+    let motion = swinging(|x, y| folded(x, y, 0.2, 0.1)).run_both(linspace(0.0, 1.5, 16)).unwrap();
     let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
     for exact in [0.1_f64.asin(), 0.2_f64.asin(), 0.3_f64.asin()] {
         assert!(times.iter().any(|t| (t - exact).abs() < 1e-4), "{exact}: {:?}", motion.events());
@@ -63,7 +65,7 @@ fn kinks_of_abs_and_max_are_events_where_they_take_part() {
 fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
-    let motion = m.build().unwrap().run([0.0, 0.1]).unwrap();
+    let motion = m.build().unwrap().run_both([0.0, 0.1]).unwrap();
     let displaced = motion.displaced();
     assert_eq!(displaced.len(), 3, "{displaced:?}");
     // Nearly there: no hint. How far the crank is: its middle is drawn at (0.3, 0.4).
@@ -78,7 +80,7 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     let crank = m.link("crank", 1.0).unwrap();
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(3.0, 1.0))).unwrap();
-    let motion = m.build().unwrap().run([0.0, 0.1]).unwrap();
+    let motion = m.build().unwrap().run_both([0.0, 0.1]).unwrap();
     assert!(motion.displaced().is_empty() && motion.summary().lines().count() == 1, "{}", motion.summary());
 }
 
@@ -88,7 +90,7 @@ fn degrees_for_radians_are_hinted_at() {
     let crank = m.link("crank", 1.0).unwrap();
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(98.6, 1.0))).unwrap();
-    let text = m.build().unwrap().run([0.0, 0.1]).unwrap().summary();
+    let text = m.build().unwrap().run_both([0.0, 0.1]).unwrap().summary();
     assert!(text.contains("hint: `crank` stands 98.6 rad") && text.contains("deg("), "{text}");
 }
 
@@ -96,7 +98,7 @@ fn degrees_for_radians_are_hinted_at() {
 fn runs_without_newton_steps_do_not_read_like_faults() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
-    let text = m.build().unwrap().run(linspace(0.0, 1.0, 401)).unwrap().summary();
+    let text = m.build().unwrap().run_both(linspace(0.0, 1.0, 401)).unwrap().summary();
     assert!(text.contains("predictions met the equations at ") && !text.contains("0 Newton steps"), "{text}");
 }
 
@@ -106,7 +108,7 @@ fn handles_of_other_mechanisms_are_errors() {
     let (mut m, [crank, coupler, _]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     let system = m.build().unwrap();
-    let mut motion = system.run([0.0, 0.1]).unwrap();
+    let mut motion = system.run_both([0.0, 0.1]).unwrap();
     let (other, [foreign, ..]) = four_bar();
     let marker = other.marker("tip", foreign, (0.5, 0.5), (1.0, 0.0)).unwrap();
     let mut space = Mechanism::new("space");

@@ -3,6 +3,8 @@ use kin::diagnosis::{How, Persistence};
 use kin::prelude::*;
 use kin::{SpatialPose, linspace};
 
+use crate::engines::Engines;
+
 use crate::models::*;
 
 fn v(x: f64, y: f64, z: f64) -> Vec3 {
@@ -114,7 +116,7 @@ fn four_bar_of_five_row_revolutes_has_three_redundant_equations() {
 fn bennett_runs_through_a_turn() {
     let Bennett { system, bodies } = bennett(0.05);
     let times = linspace(0.0, 5.0, 501);
-    let motion = system.run(&times).unwrap();
+    let motion = system.run_both(&times).unwrap();
     // A point of link 2 at its second joint, and one 0.5 along that joint's axis.
     let at = frames(1.0)[2];
     let point = |t: f64| {

@@ -6,6 +6,8 @@ use kin::joints::drivers::spatial as drivers;
 use kin::prelude::*;
 use kin::{Error, Options, System};
 
+use crate::engines::Engines;
+
 use crate::models::*;
 
 /// Two bars between pins that are just as far apart as the bars are long together, seen from anywhere.
@@ -120,7 +122,7 @@ fn singular_start_says_where_to_begin() {
     let found = flat(0.0, 0.0).diagnose(0.0).unwrap();
     let Some(Elsewhere::Time(t)) = found.elsewhere else { panic!("{found}") };
     assert!(found.to_string().contains(&format!("begin at t = {t} s")), "{found}");
-    assert!(flat(0.0, 0.0).build().unwrap().run([t, t + 0.1]).is_ok());
+    assert!(flat(0.0, 0.0).build().unwrap().run_both([t, t + 0.1]).is_ok());
     // A motor that stands still: another value of it.
     let mut m = Mechanism::new("parallelogram");
     let [crank, coupler, rocker] = [("crank", 1.0), ("coupler", 2.0), ("rocker", 1.0)]
@@ -159,7 +161,7 @@ fn third_rod_of_ordinary_accuracy_is_allowed_on_request() {
         p.mechanism.add("motor", drive_angle(p.cranks[0], Law::linear(1.0, 2.0))).unwrap();
         let system = p.mechanism.build().unwrap();
         let times = linspace(0.0, 7.0, 301);
-        let error = system.run(&times).unwrap_err();
+        let error = system.run_both(&times).unwrap_err();
         let closure = advised(error.diagnosis().unwrap());
         assert!(closure > off / 3.0 && closure < 10.0 * off, "{closure} for {off}");
         assert!(error.to_string().contains(&format!("Options::closure({closure:e})")), "{error}");
@@ -196,10 +198,10 @@ fn imported_assembly_is_allowed_on_request() {
     }
     m.add("motor", drivers::drive_turn(door, m.ground(), z, z, Law::ramp(1.0))).unwrap();
     let system = m.build().unwrap();
-    let closure = advised(system.run([0.0, 0.1]).unwrap_err().diagnosis().unwrap());
+    let closure = advised(system.run_both([0.0, 0.1]).unwrap_err().diagnosis().unwrap());
     let motion = system.run_with(linspace(0.0, 6.0, 61), &Options::closure(closure)).unwrap();
     assert!(motion.misfit() > 1e-10 && motion.misfit() < 2e-8, "{}", motion.misfit());
-    assert!(system.run(linspace(0.0, 6.0, 61)).is_err());
+    assert!(system.run_both(linspace(0.0, 6.0, 61)).is_err());
 }
 
 #[test]
@@ -233,9 +235,9 @@ fn idle_turn_of_a_rod_is_held_on_request() {
     assert!(with_rod.hold_idle_turns().unwrap().is_empty());
     // The rest moves as with a rod without mass in its place.
     let times = linspace(0.0, 6.2, 101);
-    let motion = with_rod.build().unwrap().run(&times).unwrap();
+    let motion = with_rod.build().unwrap().run_both(&times).unwrap();
     let (plain, other) = make(false);
-    let plain = plain.build().unwrap().run(&times).unwrap();
+    let plain = plain.build().unwrap().run_both(&times).unwrap();
     let tip = |motion: &Motion, rocker: SpatialBody| motion.point(rocker, vec3(0.0, 1.5, 2.2)).unwrap();
     let (a, b) = (tip(&motion, rocker), tip(&plain, other));
     for k in 0..times.len() {
@@ -278,7 +280,7 @@ fn mechanism_that_cannot_be_built_can_be_asked() {
     let mut driven = m.clone();
     let motor: Box<dyn Constraint> = Box::new(drive_angle(crank, Law::linear(1.0, 1.0)));
     driven.add("motor", motor).unwrap();
-    assert!(driven.build().unwrap().run([0.0, 0.1]).is_ok());
+    assert!(driven.build().unwrap().run_both([0.0, 0.1]).is_ok());
     assert!(m.diagnose(0.0).unwrap().drivers == 0);
 }
 

@@ -1,5 +1,7 @@
 //! Named dimensions: numbers that others hang on.
 
+#[path = "../data/engines.rs"]
+mod engines;
 mod files;
 mod mistakes;
 mod samples;

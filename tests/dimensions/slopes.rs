@@ -2,6 +2,8 @@
 
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 use super::{NOMINAL, times};
 
 /// Differences of motions set to both sides, extrapolated: two steps of the fourth order.
@@ -10,7 +12,7 @@ fn differences(system: &System, name: &str, h: f64) -> Vec<f64> {
     let at = |step: f64| -> Vec<f64> {
         let mut moved = system.clone();
         moved.set(name, value + step).unwrap();
-        let m = moved.run(times()).unwrap();
+        let m = moved.run_both(times()).unwrap();
         (0..m.len()).flat_map(|k| [m.q(k), m.qd(k), m.qdd(k)].concat()).collect()
     };
     let central =
@@ -21,7 +23,7 @@ fn differences(system: &System, name: &str, h: f64) -> Vec<f64> {
 #[test]
 fn derivatives_by_dimensions_agree_with_differences() {
     let system = NOMINAL.described().unwrap().build().unwrap();
-    let motion = system.run(times()).unwrap();
+    let motion = system.run_both(times()).unwrap();
     let names = ["crank", "ratio", "offset", "speed"];
     let by = system.sensitivities(&motion, names).unwrap();
     for name in names {
@@ -39,7 +41,7 @@ fn derivatives_by_dimensions_agree_with_differences() {
 #[test]
 fn forward_and_backward_agree_and_follow_the_chain_rule() {
     let system = NOMINAL.described().unwrap().build().unwrap();
-    let motion = system.run(times()).unwrap();
+    let motion = system.run_both(times()).unwrap();
     let slider = motion.names().iter().position(|name| name == "slider.R_x").unwrap();
     let names = ["crank", "ratio", "offset", "speed", "A.u_i.x"];
     let weights = |k: usize| [0.1 * k as f64, 1.0, -0.3];
@@ -85,7 +87,7 @@ fn of_a_redundant_mechanism_what_moves_together_has_a_derivative() {
         }
     }
     let system = m.build().unwrap();
-    let motion = system.run(linspace(0.0, 1.0, 5)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 5)).unwrap();
     let refused = system.sensitivities(&motion, ["A2.u_i.x"]).map(|_| ()).unwrap_err().to_string();
     assert!(refused.contains("no derivative by `A2.u_i.x`: the mechanism is redundant"), "{refused}");
     let by = system.sensitivities(&motion, ["length"]).unwrap();
@@ -104,7 +106,7 @@ fn what_has_no_derivative_is_told_by_name() {
     m.add("x drive", drive(x, Law::constant(a.sqrt()))).unwrap();
     m.add("y drive", drive(y, Law::constant(half))).unwrap();
     let system = m.build().unwrap();
-    let motion = system.run([0.0, 1.0]).unwrap();
+    let motion = system.run_both([0.0, 1.0]).unwrap();
     for (name, told) in [
         ("a", "no derivative by `a`: `x drive.law.c` has no finite derivative by it"),
         ("half", "`half`: it is an expression of others"),

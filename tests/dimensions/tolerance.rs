@@ -6,6 +6,8 @@ use kin::prelude::*;
 use kin::{Coordinate, Distribution, Feature, Samples, Sampling, Tolerance};
 use serde_json::Value;
 
+use crate::engines::Engines;
+
 fn cases(family: &str) -> Vec<Value> {
     let text = include_str!("../data/design/tolerance_cases.json");
     let all: Vec<Value> = serde_json::from_str(text).expect("JSON");
@@ -182,7 +184,7 @@ fn rocker_angles_of_a_four_bar() {
             let degrees: f64 = degrees.parse().expect("degrees");
             let law = Law::constant(degrees.to_radians());
             let (system, [_, rocker]) = four_bar(&case, law, number(&case["nominal"])).expect("a four-bar");
-            let motion = system.run([0.0]).expect("a motion");
+            let motion = system.run_both([0.0]).expect("a motion");
             compare_all(&system, &motion, rocker.theta(), 0.0, &case);
             count += 1;
         }
@@ -195,7 +197,7 @@ fn the_least_transmission_angle_of_a_four_bar() {
     let all = cases("fourbar");
     let case = all.iter().find(|case| case["id"] == "fourbar_transmission_minimum").expect("a case");
     let (system, [coupler, rocker]) = four_bar(case, Law::linear(-0.5, 1.0), 0.9).expect("a four-bar");
-    let motion = system.run(linspace(0.0, 1.0, 21)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 1.0, 21)).expect("a motion");
     let x = vec2(1.0, 0.0);
     let angle = |motion: &Motion| motion.transmission_angle((coupler, x), (rocker, x));
     let least = system.extremes(&motion, angle).expect("extremes").min();
@@ -264,7 +266,7 @@ fn clutch() -> (System, Coordinate) {
 #[test]
 fn the_clutch_is_told_to_mislead_the_stack() {
     let (case, (system, phi)) = (&cases("clutch")[0], clutch());
-    let motion = system.run([0.0]).expect("a motion");
+    let motion = system.run_both([0.0]).expect("a motion");
     let found = system.tolerance(&motion, phi).expect("a tolerance");
     compare(&found, case);
     compare_samples(&system.samples(&motion, phi, 0.0, &sampling()).expect("samples"), case);
@@ -316,7 +318,7 @@ fn an_extreme_is_off_where_it_moves_to() {
     m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, e), (0.0, 1.0), 0.0)).expect("adds");
     m.add("motor", drive_angle(crank, Law::linear(-1.0, 1.0))).expect("adds");
     let system = m.build().expect("builds");
-    let motion = system.run(linspace(0.0, 2.0, 21)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 2.0, 21)).expect("a motion");
     let outer = system.extremes(&motion, slider.x()).expect("extremes").max();
     let found = system.tolerance_of(&motion, slider.x(), outer).expect("a tolerance");
     let value = |[r, l, e]: [f64; 3]| ((l + r).powi(2) - e * e).sqrt();
@@ -343,7 +345,7 @@ fn corners_that_cannot_be_assembled_are_told() {
     m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, -0.99), (0.0, 1.0), 0.0)).expect("adds");
     m.add("motor", drive_angle(crank, Law::constant(0.0))).expect("adds");
     let system = m.build().expect("builds");
-    let motion = system.run([0.0]).expect("a motion");
+    let motion = system.run_both([0.0]).expect("a motion");
     let found = system.tolerance(&motion, slider.x()).expect("a tolerance");
     assert!(found.corners.contains(&None) && found.misled().is_none(), "{found}");
     assert!(found.to_string().contains("cannot be assembled"), "{found}");
@@ -357,7 +359,7 @@ fn without_tolerances_there_is_no_stack() {
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("motor", drive_angle(crank, Law::ramp(1.0))).expect("adds");
     let system = m.build().expect("builds");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let told = system.tolerance(&motion, crank.x()).expect_err("no tolerance").to_string();
     assert!(told.contains("none of them has a tolerance"), "{told}");
 }

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Break, check};
 
+use crate::engines::Engines;
+
 use crate::hermite;
 
 /// A law by the name of its constructor, and the part of it that is looked at.
@@ -108,7 +110,7 @@ fn motions_by_every_law_can_be_proved() {
         let x = m.length("x", law.at(from)).unwrap();
         m.add("motor", drive(x, law.clone())).unwrap();
         let system = m.build().unwrap();
-        let motion = system.run(linspace(from, to, 38)).unwrap();
+        let motion = system.run_both(linspace(from, to, 38)).unwrap();
         let proof = system.prove(&motion).unwrap();
         println!("{proof}");
         assert!(proof.is_complete(), "{proof}");

@@ -2,6 +2,8 @@
 
 mod checker;
 mod composed;
+#[path = "../data/engines.rs"]
+mod engines;
 #[path = "../data/hermite.rs"]
 mod hermite;
 mod joints;

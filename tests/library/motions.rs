@@ -4,6 +4,8 @@ use kin::prelude::*;
 use kin::{Error, Quantity, any_spatial as s};
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
+use crate::engines::Engines;
+
 fn near(found: f64, exact: f64, tolerance: f64) {
     assert!((found - exact).abs() <= tolerance * (1.0 + exact.abs()), "{found} instead of {exact}");
 }
@@ -61,7 +63,7 @@ fn the_zero_of_a_hinge_is_where_it_was_chosen() {
         m.add("motor", spatial::drive_turn(door, frame, Axis::new(h_i, f_i), Axis::new(h_j, f_j), swing()))
             .unwrap();
         let system = m.build().unwrap();
-        let motion = system.run(linspace(0.0, 3.0, 61)).unwrap();
+        let motion = system.run_both(linspace(0.0, 3.0, 61)).unwrap();
         follows(&system.measure(&motion, "hinge.angle").unwrap(), swung);
         // the door is where it was drawn, turned about the hinge by the angle
         let drawn = about([-1.0, 0.3, 0.1], door_turn);
@@ -129,7 +131,7 @@ fn a_thread_on_a_sleeve_is_a_screw() {
     m.add("thread", spatial::thread(nut, Ground, o, o, axis, axis, lead)).unwrap();
     m.add("motor", spatial::drive_turn(nut, Ground, axis, axis, swing())).unwrap();
     let system = m.build().unwrap();
-    let motion = system.run(linspace(0.0, 8.0, 81)).unwrap();
+    let motion = system.run_both(linspace(0.0, 8.0, 81)).unwrap();
     follows(&system.measure(&motion, "sleeve.angle").unwrap(), swung);
     follows(&system.measure(&motion, "sleeve.slide").unwrap(), |t| swung(t).map(|x| lead / TAU * x));
     follows(&motion.coordinate(nut.z()).unwrap(), |t| swung(t).map(|x| 0.8 * lead / TAU * x));
@@ -151,7 +153,7 @@ fn wheels_by_their_radii_keep_any_ratio_over_many_turns() {
             .unwrap();
         m.add("motor", spatial::drive_turn(i, Ground, z, z, Law::linear(0.25, 20.0))).unwrap();
         let system = m.build().unwrap();
-        let motion = system.run(linspace(0.0, 5.0, 201)).unwrap();
+        let motion = system.run_both(linspace(0.0, 5.0, 201)).unwrap();
         follows(&motion.coordinate(rolled).unwrap(), |t| [r_i * 20.0 * t, r_i * 20.0, 0.0]);
         follows(&system.measure(&motion, "axle j.angle").unwrap(), |t| {
             [-sign * r_i / r_j * 20.0 * t, -sign * r_i / r_j * 20.0, 0.0]
@@ -170,15 +172,19 @@ fn more_than_two_coordinates_are_coupled() {
     m.add("differential", linear_coupling([left, right, cage], [1.0, 1.0, -2.0], 0.5)).unwrap();
     let data = m.data().unwrap();
     let system = m.build().unwrap();
-    let motion = system.run(linspace(0.0, 6.0, 31)).unwrap();
+    let motion = system.run_both(linspace(0.0, 6.0, 31)).unwrap();
     let halved = |t: f64| {
         let [x, rate, second] = swung(t);
         [0.5 * (x - t - 0.5), 0.5 * (rate - 1.0), 0.5 * second]
     };
     follows(&motion.coordinate(cage).unwrap(), halved);
     assert!(system.prove(&motion).unwrap().is_complete());
-    let again =
-        Mechanism::from_data(&data, &kin::Registry::new()).unwrap().build().unwrap().run([0.0, 6.0]).unwrap();
+    let again = Mechanism::from_data(&data, &kin::Registry::new())
+        .unwrap()
+        .build()
+        .unwrap()
+        .run_both([0.0, 6.0])
+        .unwrap();
     near(again.named("cage").unwrap().value.values()[1], halved(6.0)[0], 1e-14);
 
     let mut m = Mechanism::new("six");
@@ -187,7 +193,7 @@ fn more_than_two_coordinates_are_coupled() {
         m.add(&format!("motor {k}"), drive(driven, Law::ramp(k as f64))).unwrap();
     }
     m.add("sum", linear_coupling(q, [1.0, -1.0, 1.0, -1.0, 1.0, 2.0], 4.0)).unwrap();
-    let motion = m.build().unwrap().run([0.0, 1.0]).unwrap();
+    let motion = m.build().unwrap().run_both([0.0, 1.0]).unwrap();
     follows(&motion.coordinate(q[5]).unwrap(), |t| [0.5 * (4.0 - 2.0 * t), -1.0, 0.0]);
 
     let mut m = Mechanism::new("nothing");
@@ -221,7 +227,7 @@ fn a_planetary_train_is_one_linear_coupling_a_mesh() {
     .unwrap();
     m.add("brake", drive(ring, Law::constant(0.0))).unwrap();
     m.add("motor", drive(sun, Law::ramp(7.0))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 10.0, 11)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 10.0, 11)).unwrap();
     let ratio = sun_teeth / (sun_teeth + ring_teeth);
     follows(&motion.coordinate(carrier).unwrap(), |t| [7.0 * ratio * t, 7.0 * ratio, 0.0]);
 }
@@ -256,7 +262,7 @@ fn a_body_moves_in_another_by_six_laws() {
     let [x, y, z, yaw, pitch, roll] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(law);
     m.add("motion", spatial::drive_motion(tool, base, u_i, u_j, p_i, p_j, x, y, z, yaw, pitch, roll))
         .unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 5.0, 501)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 5.0, 501)).unwrap();
     let vector = |v: Vec3| Vector3::new(v.x, v.y, v.z);
     for (k, t) in motion.times().iter().enumerate() {
         let [base, tool] = [&motion.q(k)[..7], &motion.q(k)[7..]];
@@ -290,7 +296,7 @@ fn tuples_and_arrays_are_points() {
     m.add("motor", drive_angle(a, Law::ramp(1.0))).unwrap();
     m.add("ball", spatial::spherical(b, m.ground(), (0.0, 0.0, 0.0), [0.0, 1.0, 0.0])).unwrap();
     m.add("turn", spatial::drive_rotation(b, m.ground(), (0.0, 0.0, 1.0), Law::ramp(1.0))).unwrap();
-    let motion = m.build().unwrap().run([0.0, 1.0]).unwrap();
+    let motion = m.build().unwrap().run_both([0.0, 1.0]).unwrap();
     near(motion.point(a, (0.5, 0.0)).unwrap().r()[0].x, 1.0, 1e-14);
     near(motion.point(b, (1.0, 0.0, 0.0)).unwrap().r()[1].x, 1.0_f64.cos(), 1e-14);
 }

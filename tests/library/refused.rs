@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Error, SpatialPose};
 
+use crate::engines::Engines;
+
 /// The words with which a constraint is refused.
 fn refusal(m: &mut Mechanism, constraint: impl Constraint + 'static) -> String {
     match m.add("it", constraint) {
@@ -132,7 +134,7 @@ fn door(guess: SpatialPose, h_j: Vec3) -> kin::Result<kin::Motion> {
     let (o, z) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
     m.add("hinge", spatial::revolute(body, Ground, o, o, z, h_j))?;
     m.add("motor", spatial::drive_turn(body, Ground, z, z, Law::ramp(1.0)))?;
-    m.build()?.run(linspace(0.0, 1.0, 11))
+    m.build()?.run_both(linspace(0.0, 1.0, 11))
 }
 
 #[test]
@@ -160,7 +162,7 @@ fn driven(law: Law, times: &[f64]) -> kin::Result<kin::Motion> {
     m.add("motor", drive(body.x(), law))?;
     m.add("y", drive(body.y(), Law::constant(0.0)))?;
     m.add("theta", drive_angle(body, Law::constant(0.0)))?;
-    m.build()?.run(times)
+    m.build()?.run_both(times)
 }
 
 #[test]
@@ -236,7 +238,7 @@ fn a_cam_lists_the_breaks_of_its_profile() {
         .expect("let in");
     m.add("contact", cam_knife_edge(cam, rod, vec2(0.0, 0.0), profile)).expect("let in");
     m.add("motor", drive_angle(cam, Law::ramp(-1.0))).expect("let in");
-    let motion = m.build().expect("square").run(linspace(0.0, 2.0 * TAU, 401)).expect("runs");
+    let motion = m.build().expect("square").run_both(linspace(0.0, 2.0 * TAU, 401)).expect("runs");
     // the tip stands over the cam's angle π/2 + t: two turns, four breaks each
     assert_eq!(motion.breaks().len(), 8, "{:?}", motion.breaks());
     assert!(motion.breaks().iter().all(|crossed| crossed.found.order == 3 && crossed.law == "profile"));

@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 use kin::prelude::*;
 use kin::{Break, Error};
 
+use crate::engines::Engines;
+
 /// Far more than any of these takes, on a slow machine that does other things besides.
 const LONGEST: Duration = Duration::from_secs(120);
 
@@ -154,7 +156,7 @@ fn driven(law: Law, times: &[f64]) -> kin::Result<Motion> {
     let mut m = Mechanism::new("slide");
     let x = m.length("x", 0.0)?;
     m.add("motor", drive(x, law))?;
-    m.build()?.run(times)
+    m.build()?.run_both(times)
 }
 
 #[test]

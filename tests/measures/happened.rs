@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Event, EventKind, Options};
 
+use crate::engines::Engines;
+
 use crate::{FourBar, crank_rocker, near};
 
 /// x = 0.3 sin t in a slot from 0.1 left of the origin to 0.2 right of it.
@@ -23,7 +25,7 @@ fn short_slot(scale: f64) -> Mechanism {
 fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
     for (scale, steps) in [(1.0, 200), (1e3, 23), (1e-3, 9)] {
         let system = short_slot(scale).build().unwrap();
-        let motion = system.run(linspace(0.0, TAU, steps)).unwrap();
+        let motion = system.run_both(linspace(0.0, TAU, steps)).unwrap();
         let upper = (2.0_f64 / 3.0).asin();
         let lower = (1.0_f64 / 3.0).asin();
         let exact = [upper, PI - upper, PI + lower, TAU - lower];
@@ -42,7 +44,7 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
             assert_eq!(Motion::from_data(&serde_json::from_str(&text).unwrap()).unwrap().events(), events);
         }
         // backwards the same four, in the order of the run
-        let back = system.run(linspace(TAU, 0.0, steps)).unwrap();
+        let back = system.run_both(linspace(TAU, 0.0, steps)).unwrap();
         let times: Vec<f64> = back.events().iter().map(|event| event.t).collect();
         times.iter().zip(exact.iter().rev()).for_each(|(found, exact)| near(*found, *exact, 1e-12));
         assert!(
@@ -65,7 +67,7 @@ fn the_motion_before_a_toggle_has_its_events() {
     m.limit("guide.slide", 0.0, 2.8).unwrap();
     m.prefer(crank, 0.7);
     // the links are in line at x = 3, after the limit
-    let error = m.build().unwrap().run(linspace(0.0, 3.0, 31)).unwrap_err();
+    let error = m.build().unwrap().run_both(linspace(0.0, 3.0, 31)).unwrap_err();
     let [limit, toggle] = error.motion().unwrap().events() else {
         panic!("{:?}", error.motion().unwrap().events())
     };
@@ -82,13 +84,13 @@ fn limits_can_be_asked_for_by_name() {
     let text = serde_json::to_string(&m.data().unwrap()).unwrap();
     let again = Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &kin::Registry::new()).unwrap();
     for m in [m, again] {
-        let motion = m.build().unwrap().run(linspace(0.0, TAU, 50)).unwrap();
+        let motion = m.build().unwrap().run_both(linspace(0.0, TAU, 50)).unwrap();
         let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
         assert_eq!(times.len(), 2);
         near(times[0], 0.5_f64.asin(), 1e-12);
     }
     // a run that begins outside says so
-    let motion = short_slot(1.0).build().unwrap().run(linspace(1.0, 1.1, 3)).unwrap();
+    let motion = short_slot(1.0).build().unwrap().run_both(linspace(1.0, 1.1, 3)).unwrap();
     assert_eq!(
         motion.events()[0].to_string(),
         "t = 1 s: `slot.slide` is 0.352441295 m at the start, beyond its upper end, 0.3 m"
@@ -111,7 +113,7 @@ fn two_extremes_within_one_step_are_found() {
     // x = t³ − 0.12 t: extremes at ± 0.2
     m.add("motor", drive(x, Law::polynomial(&[0.0, -0.12, 0.0, 1.0]))).unwrap();
     let system = m.build().unwrap();
-    let motion = system.run([-1.0, -0.5, 0.5, 1.0]).unwrap();
+    let motion = system.run_both([-1.0, -0.5, 0.5, 1.0]).unwrap();
     let found = system.extremes(&motion, x).unwrap();
     let [first, second] = found.all() else { panic!("{found:?}") };
     near(first.t, -0.2, 1e-13);
@@ -132,7 +134,7 @@ fn a_rest_is_one_extreme() {
     );
     m.add("motor", drive(x, law)).unwrap();
     let system = m.build().unwrap();
-    let motion = system.run(linspace(0.05, 2.95, 59)).unwrap();
+    let motion = system.run_both(linspace(0.05, 2.95, 59)).unwrap();
     let found = system.extremes(&motion, "x").unwrap();
     let [top] = found.all() else { panic!("{found:?}") };
     assert!(top.is_max && (top.t - 1.0).abs() < 0.051 && (top.value - 1.0).abs() < 1e-9, "{top:?}");
@@ -141,11 +143,11 @@ fn a_rest_is_one_extreme() {
 #[test]
 fn one_pose_at_one_time() {
     let FourBar { system, crank, rocker, .. } = crank_rocker();
-    let motion = system.run(linspace(0.0, 1.0, 21)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 21)).unwrap();
     let pose = system.at(&motion, 0.3217).unwrap();
     assert_eq!(pose.times(), [0.3217]);
     near(pose.coordinate(crank.theta()).unwrap().value.values()[0], 0.3217 * TAU, 1e-13);
-    let alone = system.run([0.3217]).unwrap();
+    let alone = system.run_both([0.3217]).unwrap();
     near(
         pose.coordinate(rocker.theta()).unwrap().value.values()[0],
         alone.coordinate(rocker.theta()).unwrap().value.values()[0],
@@ -158,7 +160,7 @@ fn one_pose_at_one_time() {
     );
     let outside = system.at(&motion, 1.5).unwrap_err().to_string();
     assert_eq!(outside, "times: t = 1.5 s is outside of the motion, which goes from 0 s to 1 s");
-    let other = short_slot(1.0).build().unwrap().run([0.0, 1.0]).unwrap();
+    let other = short_slot(1.0).build().unwrap().run_both([0.0, 1.0]).unwrap();
     assert!(
         system
             .at(&other, 0.5)
@@ -185,7 +187,7 @@ fn a_joint_of_ones_own_has_measures_too() {
     m.add("upright", drive_angle(bead, Law::constant(0.0))).unwrap();
     m.add("motor", drive(bead.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
     let mut system = m.build().unwrap();
-    let motion = system.run(linspace(0.0, 3.0, 31)).unwrap();
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).unwrap();
     let steep = system.measure(&motion, "slot.steepness").unwrap();
     for (k, t) in motion.times().iter().enumerate() {
         let (x, v) = (0.3 * t.sin(), 0.3 * t.cos());
@@ -195,13 +197,13 @@ fn a_joint_of_ones_own_has_measures_too() {
     near(motion.events()[0].t, 0.5_f64.asin(), 1e-12);
     // the end is a parameter like any other
     system.set("slot.reach", 1.0).unwrap();
-    assert!(system.run(linspace(0.0, 3.0, 31)).unwrap().events().is_empty());
+    assert!(system.run_both(linspace(0.0, 3.0, 31)).unwrap().events().is_empty());
 }
 
 #[test]
 fn what_cannot_be_asked_is_told_by_name() {
     let FourBar { system, .. } = crank_rocker();
-    let motion = system.run([0.0, 0.1]).unwrap();
+    let motion = system.run_both([0.0, 0.1]).unwrap();
     let said = |name: &str| system.measure(&motion, name).unwrap_err().to_string();
     assert_eq!(
         said("A.slide"),
@@ -256,7 +258,7 @@ fn the_distance_of_two_points_is_a_measure() {
 #[test]
 fn a_name_may_be_a_string() {
     let FourBar { system, .. } = crank_rocker();
-    let motion = system.run(linspace(0.0, 1.0, 11)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 11)).unwrap();
     let name = format!("{}.angle", "A");
     let by_text = system.measure(&motion, "A.angle").unwrap();
     assert_eq!(system.measure(&motion, &name).unwrap(), by_text);
@@ -278,7 +280,7 @@ fn what_is_zero_at_a_time_of_the_grid_is_found_there_and_once() {
     let times = linspace(0.0, 4.0, 17);
     let crossed = |law: Law, value: f64| {
         let (system, x) = followed(law);
-        let motion = system.run(&times).unwrap();
+        let motion = system.run_both(&times).unwrap();
         let found = system.crossings(&motion, x, value).unwrap();
         found.into_iter().map(|crossing| (crossing.t, crossing.rises)).collect::<Vec<_>>()
     };

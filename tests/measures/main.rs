@@ -1,10 +1,14 @@
 //! Measures of mechanisms, against closed forms: angular velocities, angles, slides, dead centres, limits,
 //! instant centres.
 
+#[path = "../data/engines.rs"]
+mod engines;
 mod happened;
 
 use kin::prelude::*;
 use kin::{Options, Quantity};
+
+use crate::engines::Engines;
 
 /// Crank, coupler, rocker, distance of the ground pins: the crank turns all the way round.   [m]
 const LINKS: [f64; 4] = [1.0, 3.5, 3.0, 4.0];
@@ -55,7 +59,7 @@ fn dead_centres_and_time_ratio_of_a_crank_rocker() {
     };
     for steps in [10, 37, 361] {
         let FourBar { system, crank, rocker, .. } = crank_rocker();
-        let motion = system.run(linspace(0.0, 1.0, steps + 1)).unwrap();
+        let motion = system.run_both(linspace(0.0, 1.0, steps + 1)).unwrap();
         let swing = system.extremes(&motion, rocker.theta()).unwrap();
         let [first, second] = swing.all() else { panic!("two dead centres, not {:?}", swing.all()) };
         near(first.t, stretched / TAU, 1e-12);
@@ -71,7 +75,7 @@ fn dead_centres_and_time_ratio_of_a_crank_rocker() {
         near(pose.coordinate(crank.theta()).unwrap().value.values()[0], stretched, 1e-11);
         near(pose.coordinate(rocker.theta()).unwrap().rate.values()[0], 0.0, 1e-10);
         // backwards in time the same
-        let back = system.run(linspace(1.0, 0.0, steps + 1)).unwrap();
+        let back = system.run_both(linspace(1.0, 0.0, steps + 1)).unwrap();
         let swing = system.extremes(&back, "rocker.theta").unwrap();
         assert_eq!(swing.all().iter().map(|extreme| extreme.is_max).collect::<Vec<_>>(), [true, false]);
         near(swing.all()[1].t, stretched / TAU, 1e-12);
@@ -81,7 +85,7 @@ fn dead_centres_and_time_ratio_of_a_crank_rocker() {
 #[test]
 fn transmission_angle_of_a_crank_rocker() {
     let FourBar { system, coupler, rocker, .. } = crank_rocker();
-    let motion = system.run(linspace(0.0, 1.0, 181)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 181)).unwrap();
     let angle = motion.transmission_angle(coupler, rocker).unwrap();
     let [a, b, c, d] = LINKS;
     for (k, t) in motion.times().iter().enumerate() {
@@ -121,7 +125,7 @@ fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way()
     m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.1, 0.0), vec2(0.0, 2.0), 0.0)).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     let system = m.build().unwrap();
-    let motion = system.run(linspace(0.0, 1.0, 73)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 73)).unwrap();
     let angle = motion.transmission_angle(rod, (ground, vec2(0.0, 1.0))).unwrap().value;
     let slide = system.measure(&motion, "guide.slide").unwrap();
     let x = motion.coordinate(slider.x()).unwrap();
@@ -185,7 +189,7 @@ fn angle_and_slide_of_spatial_joints() {
     )
     .unwrap();
     let system = m.build().unwrap();
-    let motion = system.run(linspace(0.0, 10.0, 101)).unwrap();
+    let motion = system.run_both(linspace(0.0, 10.0, 101)).unwrap();
     let measure = |name: &str| system.measure(&motion, name).unwrap();
     let check = |found: &Quantity, exact: &dyn Fn(f64) -> [f64; 3]| {
         for (k, t) in motion.times().iter().enumerate() {
@@ -216,7 +220,7 @@ fn shafts_of_a_hookes_joint() {
     m.add("direction", spatial::parallel(driven, m.ground(), x, along)).unwrap();
     let axis = kin::Axis::along(x);
     m.add("motor", spatial::drive_turn(driving, m.ground(), axis, axis, Law::ramp(omega))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 4.0, 201)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 4.0, 201)).unwrap();
     let rotation = motion.rotation(driven).unwrap();
     let speed = rotation.about(along);
     for (k, t) in motion.times().iter().enumerate() {
@@ -279,7 +283,7 @@ fn omega_of_a_precessing_body() {
 #[test]
 fn instant_centre_of_a_coupler_is_where_crank_and_rocker_meet() {
     let FourBar { system, crank, coupler, rocker } = crank_rocker();
-    let motion = system.run(linspace(0.0, 1.0, 91)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 91)).unwrap();
     let centres = motion.instant_centre(coupler, system_ground()).unwrap();
     let pins = [motion.point(crank, crank.end()).unwrap(), motion.point(rocker, rocker.end()).unwrap()];
     let c = vec2(LINKS[3], 0.0);
@@ -309,6 +313,6 @@ fn a_body_that_only_slides_has_no_instant_centre() {
     m.add("guide", prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))
         .unwrap();
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
-    let motion = m.build().unwrap().run(linspace(0.0, 1.0, 5)).unwrap();
+    let motion = m.build().unwrap().run_both(linspace(0.0, 1.0, 5)).unwrap();
     assert_eq!(motion.instant_centre(slider, system_ground()).unwrap(), [None; 5]);
 }

@@ -2,6 +2,8 @@
 
 use super::*;
 
+use crate::engines::Engines;
+
 pub fn all() -> Vec<Mistake> {
     vec![
         Mistake {
@@ -95,5 +97,5 @@ fn no_parameter(wrong: bool) -> Told {
     if wrong {
         system.set("O.u_i.z", 0.1).map_err(|error| error.to_string())?;
     }
-    system.run(linspace(0.0, 1.0, 21)).map_err(|error| error.to_string())
+    system.run_both(linspace(0.0, 1.0, 21)).map_err(|error| error.to_string())
 }

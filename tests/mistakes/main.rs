@@ -4,6 +4,8 @@
 //! followed: the mechanism then moves.
 
 mod closing;
+#[path = "../data/engines.rs"]
+mod engines;
 mod given;
 mod motors;
 mod page;
@@ -12,6 +14,8 @@ mod running;
 mod space;
 
 use kin::prelude::*;
+
+use crate::engines::Engines;
 
 /// A mistake and its cure.
 struct Mistake {
@@ -38,7 +42,7 @@ fn all() -> Vec<Mistake> {
 
 /// The result of a run over the first second.
 fn run(m: Mechanism) -> Told {
-    m.build().and_then(|system| system.run(linspace(0.0, 1.0, 21))).map_err(|error| error.to_string())
+    m.build().and_then(|system| system.run_both(linspace(0.0, 1.0, 21))).map_err(|error| error.to_string())
 }
 
 /// The summary of a run in which a mistake passes without an error.

@@ -2,6 +2,8 @@
 
 use super::*;
 
+use crate::engines::Engines;
+
 pub fn all() -> Vec<Mistake> {
     vec![
         Mistake {
@@ -54,7 +56,7 @@ fn change_point(wrong: bool) -> Told {
     m.add("C", revolute(m.ground(), rocker, vec2(2.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(0.0, 1.0))).unwrap();
     let from = if wrong { 0.0 } else { 0.01 };
-    m.build().and_then(|system| system.run(linspace(from, 1.0, 21))).map_err(|error| error.to_string())
+    m.build().and_then(|system| system.run_both(linspace(from, 1.0, 21))).map_err(|error| error.to_string())
 }
 
 fn motor(law: Law) -> Told {

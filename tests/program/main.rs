@@ -5,6 +5,7 @@ mod auto;
 mod gallery;
 mod refused;
 mod summary;
+mod told;
 
 use kin::prelude::*;
 use kin::{Engine, Options};

@@ -4,6 +4,8 @@
 #![allow(clippy::type_complexity, clippy::approx_constant)]
 
 mod breaking;
+#[path = "../data/engines.rs"]
+mod engines;
 #[path = "../data/hermite.rs"]
 mod hermite;
 #[path = "../following/models.rs"]

@@ -4,6 +4,8 @@ use kin::prelude::*;
 use kin::proof::Series;
 use kin::{DoubtReason, Error, LawFunction, by_dual};
 
+use crate::engines::Engines;
+
 /// A law of which only values are known.
 struct Opaque;
 
@@ -54,7 +56,7 @@ fn slider(add: impl FnOnce(&mut Mechanism, Coordinate) -> kin::Result<()>) -> Sy
 }
 
 fn refusal(system: &System) -> String {
-    let motion = system.run(linspace(0.0, 2.0, 11)).unwrap();
+    let motion = system.run_both(linspace(0.0, 2.0, 11)).unwrap();
     match system.prove(&motion) {
         Err(error @ Error::CannotBeProved { .. }) => error.to_string(),
         other => panic!("{other:?}"),
@@ -83,7 +85,7 @@ fn constraints_and_laws_without_bounds() {
 fn a_law_of_ones_own() {
     for law in [bump(0.4, 0.7), 2.0 * bump(0.4, 0.7).shifted(1.0) * Law::cycloidal(1.0, 1.0)] {
         let system = slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
-        let motion = system.run(linspace(-1.0, 2.0, 31)).unwrap();
+        let motion = system.run_both(linspace(-1.0, 2.0, 31)).unwrap();
         let proof = system.prove(&motion).unwrap();
         assert!(proof.is_complete(), "{proof}");
     }
@@ -144,7 +146,7 @@ fn a_law_that_tells_its_own_bounds() {
             [(own.clone(), 1), (2.0 * own.clone() + bump(0.4, 0.7), 1), (bump(0.4, 0.7) * Law::ramp(1.0), 0)]
         {
             let system = slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
-            let proof = system.prove(&system.run(linspace(-1.0, 2.0, 31)).unwrap()).unwrap();
+            let proof = system.prove(&system.run_both(linspace(-1.0, 2.0, 31)).unwrap()).unwrap();
             assert!(proof.is_complete() && proof.trusted().len() == trusted, "{proof}");
             let said = format!("That is trusting the bounds of `{kind}` in `motor`.");
             assert_eq!(proof.to_string().contains(&said), trusted > 0, "{proof}");
@@ -205,7 +207,7 @@ fn superfluous_equations_and_motions_of_others() {
     let y = m.length("y", 0.0).unwrap();
     m.add("motor", drive(y, Law::ramp(1.0))).unwrap();
     let other = m.build().unwrap();
-    assert!(other.prove(&one.run([0.0, 1.0]).unwrap()).is_err());
+    assert!(other.prove(&one.run_both([0.0, 1.0]).unwrap()).is_err());
 }
 
 /// A corner is continuous, so a step over it is proved; where two branches of an `if` meet is not known, so
@@ -213,7 +215,7 @@ fn superfluous_equations_and_motions_of_others() {
 #[test]
 fn corners_and_branches() {
     let over = |system: &System| {
-        let motion = system.run(linspace(0.1, 1.9, 10)).unwrap();
+        let motion = system.run_both(linspace(0.1, 1.9, 10)).unwrap();
         system.prove(&motion).unwrap()
     };
     let proof = over(&slider(|m, x| m.add("motor", corner(x)).map(|_| ())));
@@ -234,7 +236,7 @@ fn corners_and_branches() {
 fn another_mechanism_than_that_of_the_run() {
     let bar = crate::models::FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
     let (mut system, _) = bar.system(Law::linear(0.3, TAU), 0.3, 1.0).unwrap();
-    let motion = system.run(linspace(0.0, 1.0, 37)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 37)).unwrap();
     system.set("C.u_j.x", 4.6).unwrap();
     let proof = system.prove(&motion).unwrap();
     assert!(!proof.is_complete(), "{proof}");

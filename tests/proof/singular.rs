@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{DoubtReason, Follow, Options};
 
+use crate::engines::Engines;
+
 use crate::models::{FourBar, slider_crank};
 
 /// The steps that were not proved.
@@ -49,7 +51,7 @@ fn change_points() {
 #[test]
 fn slider_crank_with_equal_links() {
     let system = slider_crank(1.0, 1.0, Law::ramp(1.0), 0.0).unwrap();
-    let motion = system.run(linspace(0.0, 3.0, 101)).unwrap();
+    let motion = system.run_both(linspace(0.0, 3.0, 101)).unwrap();
     let found = unproved(&system.prove(&motion).unwrap());
     let expected = around(&motion, 0.5 * PI);
     assert!(expected.iter().all(|step| found.contains(step)) && found.len() < 8, "{expected:?} {found:?}");
@@ -61,14 +63,14 @@ fn up_to_a_toggle() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };
     let end = bar.toggle(0.5, 1.0).unwrap() - 0.5;
     let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
-    let Err(kin::Error::Toggle { motion: Some(motion), .. }) = system.run(linspace(0.0, 1.1 * end, 111))
+    let Err(kin::Error::Toggle { motion: Some(motion), .. }) = system.run_both(linspace(0.0, 1.1 * end, 111))
     else {
         panic!("a toggle")
     };
     let proof = system.prove(&motion).unwrap();
     assert!(proof.proved() + 3 >= proof.steps().len() && proof.proved() > 95, "{proof}");
     // as far as the toggle, and no further
-    let motion = system.run(linspace(0.0, end * (1.0 - 1e-13), 101));
+    let motion = system.run_both(linspace(0.0, end * (1.0 - 1e-13), 101));
     let Ok(motion) = motion else { return };
     assert!(unproved(&system.prove(&motion).unwrap()).contains(&99));
 }

@@ -3,6 +3,8 @@
 use kin::Registry;
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 use crate::models::FourBar;
 use crate::own;
 
@@ -37,7 +39,7 @@ fn example(name: &str) -> System {
 fn every_example() {
     for (name, seconds, steps) in EXAMPLES {
         let system = example(name);
-        let motion = system.run(linspace(0.0, seconds, steps + 1)).expect("runs");
+        let motion = system.run_both(linspace(0.0, seconds, steps + 1)).expect("runs");
         let proof = system.prove(&motion).expect("can be proved");
         println!("{proof}");
         assert!(
@@ -57,7 +59,7 @@ fn every_example() {
 fn tube_is_as_narrow_as_the_interpolation_is_good() {
     let system = example("04_four_bar");
     let radius = |steps: usize| {
-        let proof = system.prove(&system.run(linspace(0.0, 1.0, steps + 1)).unwrap()).unwrap();
+        let proof = system.prove(&system.run_both(linspace(0.0, 1.0, steps + 1)).unwrap()).unwrap();
         assert!(proof.is_complete(), "{proof}");
         proof.steps().iter().flat_map(|step| step.tube.clone().unwrap().radius).fold(0.0, f64::max)
     };
@@ -72,10 +74,10 @@ fn coarse_grids_and_poor_positions() {
     let bar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
     let (system, _) = bar.system(Law::linear(0.3, TAU), 0.3, 1.0).unwrap();
     for times in [linspace(0.0, 1.0, 11), linspace(1.0, 0.0, 11)] {
-        let proof = system.prove(&system.run(times).unwrap()).unwrap();
+        let proof = system.prove(&system.run_both(times).unwrap()).unwrap();
         assert!(proof.is_complete(), "{proof}");
     }
-    let motion = system.run(linspace(0.0, 1.0, 91)).unwrap();
+    let motion = system.run_both(linspace(0.0, 1.0, 91)).unwrap();
     let mut data = motion.data();
     data.q[40].iter_mut().for_each(|q| *q += 1e-5);
     let proof = system.prove(&Motion::from_data(&data).unwrap()).unwrap();
@@ -87,7 +89,7 @@ fn coarse_grids_and_poor_positions() {
 #[test]
 fn positions_alone() {
     let system = example("04_four_bar");
-    let proof = system.prove(&system.run([0.2]).unwrap()).unwrap();
+    let proof = system.prove(&system.run_both([0.2]).unwrap()).unwrap();
     assert!(proof.is_complete() && proof.steps().is_empty());
     assert!(proof.to_string().contains("1 of 1 position proved"), "{proof}");
 }
@@ -106,7 +108,7 @@ fn units_do_not_matter() {
             by_coupler,
         };
         let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
-        let proof = system.prove(&system.run(linspace(0.0, to, steps + 1)).unwrap()).unwrap();
+        let proof = system.prove(&system.run_both(linspace(0.0, to, steps + 1)).unwrap()).unwrap();
         let tubes: Vec<Option<f64>> =
             proof.steps().iter().map(|step| step.tube.as_ref().ok().map(|tube| tube.alone[2])).collect();
         tubes
