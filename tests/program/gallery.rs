@@ -6,12 +6,12 @@ use kin::prelude::*;
 use crate::{compiled, differences};
 
 /// Why those of the gallery that cannot be compiled cannot be.
-const REFUSED: [(&str, &str); 1] = [("20_geneva_drive", "can jump")];
+pub const REFUSED: [(&str, &str); 1] = [("20_geneva_drive", "can jump")];
 
 #[path = "../data/own.rs"]
 mod own;
 
-fn mechanisms() -> Vec<(String, System)> {
+pub fn mechanisms() -> Vec<(String, System)> {
     let registry =
         Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");

@@ -2,6 +2,7 @@
 //! refusals by name.
 
 mod auto;
+mod before;
 mod gallery;
 mod refused;
 mod summary;
