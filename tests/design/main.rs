@@ -5,8 +5,10 @@
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]
 mod data;
+mod gallery;
 mod model;
 mod refused;
+mod toggles;
 
 use data::{error, numbers, rows};
 use kin::prelude::*;

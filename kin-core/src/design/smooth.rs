@@ -1,12 +1,22 @@
 //! Where a motion has no derivatives by parameters: beyond singular positions, at kinks and breaks of laws.
 
+use kin_graph::Op;
+
 use crate::model::error::Result;
 use crate::model::no_derivative::NoDerivative;
+use crate::numbers::random::Random;
 use crate::solve::motion::{EventKind, Motion};
+use crate::solve::newton::Outcome;
 use crate::system::System;
 
 /// Times this share of the step apart are one time.   \[-\]
 const SAME: f64 = 1e-9;
+
+/// Rows that are this far apart beside a pose, in their norms, jump there.   \[-\]
+const JUMP: f64 = 1e-5;
+
+/// Directions in which a pose is looked at.
+const DIRECTIONS: usize = 2;
 
 /// An error by name unless the motion is smooth at each of its times, on a branch that it has never left.
 pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
@@ -21,8 +31,10 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
             ),
         ));
     }
+    let beside = Beside::new(system);
     for (k, &t) in motion.times().iter().enumerate() {
         kink(motion, t, by)?;
+        beside.check(motion, k, by)?;
         let (equations, mut broken) = (system.equations(), None);
         let (instant, near) = (equations.instant_at(t, motion.q(k)), SAME * step(motion));
         for block in &equations.blocks {
@@ -43,10 +55,64 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
 
 /// An error by name where the motion has a kink at that time.
 pub(super) fn kink(motion: &Motion, t: f64, by: &str) -> Result<()> {
-    let (s, near) = (motion.unit_words().time(), SAME * step(motion));
+    let (s, near) = (motion.unit_words().time(), SAME * step(motion).max(t.abs()));
     let mut kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink);
     let Some(kink) = kinks.find(|kink| (kink.t - t).abs() <= near) else { return Ok(()) };
     Err(NoDerivative::error(by, format!("at t = {t} {s} there is {}; ask other times", kink.text)))
+}
+
+/// Poses beside those of a motion, at which equations with switches and jumps are looked at.
+struct Beside<'a> {
+    system: &'a System,
+    /// True if some equation has functions that jump, or switches.
+    asked: bool,
+}
+
+impl<'a> Beside<'a> {
+    fn new(system: &'a System) -> Self {
+        let asked = system.equations().blocks.iter().any(|block| {
+            let jumps = block.constraint.formula(|table, _, _| {
+                let (graph, rows) = (&table.formula().graph, &table.formula().rows);
+                graph.reachable(rows).into_iter().any(|node| match graph.op(node) {
+                    Op::Call(f, _) => f.facts().can_jump(),
+                    Op::Call2(f, ..) => f.facts().jumps,
+                    _ => false,
+                })
+            });
+            jumps.unwrap_or(false)
+        });
+        Beside { system, asked: asked || !system.switching().is_empty() }
+    }
+
+    /// An error by name where an equation has a kink or a jump at time k of a motion: a little to either side
+    /// of the pose, in directions at random, its switches are on other sides, or its values far apart.
+    fn check(&self, motion: &Motion, k: usize, by: &str) -> Result<()> {
+        if !self.asked {
+            return Ok(());
+        }
+        let (system, t, q) = (self.system, motion.times()[k], motion.q(k));
+        let (measures, near) = (system.model().measure(q, t), SAME * step(motion).max(t.abs()));
+        let mut random = Random::new(1);
+        for _ in 0..DIRECTIONS {
+            let off: Vec<f64> = measures.sizes.iter().map(|size| SAME * size * random.number()).collect();
+            let (mut beside, mut residuals) = (Motion::new(system, 2), Vec::new());
+            for side in [-1.0, 1.0] {
+                let (t, q) = (t + side * near, q.iter().zip(&off).map(|(q, off)| q + side * off));
+                let (q, still) = (q.collect::<Vec<f64>>(), vec![0.0; off.len()]);
+                beside.append(t, [&q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
+                residuals.push(system.residual(&q, t)?);
+            }
+            system.note_kinks(&mut beside);
+            kink(&beside, t, by)?;
+            let apart = residuals[0].iter().zip(&residuals[1]).map(|(a, b)| (a - b).abs());
+            if let Some(row) = apart.zip(&measures.norms).position(|(apart, norm)| apart > JUMP * norm) {
+                let (s, row) = (motion.unit_words().time(), system.equations().equation(row));
+                let reason = format!("at t = {t} {s} `{row}` jumps; ask other times");
+                return Err(NoDerivative::error(by, reason));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The longest step of a motion; 1 of one time alone.

@@ -1,0 +1,108 @@
+//! How the time of a toggle changes with parameters.
+
+use nalgebra::DMatrix;
+
+use super::along::Prepared;
+use super::smooth;
+use crate::model::error::Result;
+use crate::model::motion::{SingularKind, SingularPosition};
+use crate::model::no_derivative::NoDerivative;
+use crate::solve::motion::Motion;
+use crate::solve::newton::Outcome;
+use crate::system::System;
+
+/// Singular values below this share of the largest vanish.   \[-\]
+const VANISHES: f64 = 1e-7;
+
+/// The drivers have to push with this share of what they could; less is a change point.   \[-\]
+const PUSHES: f64 = 1e-9;
+
+impl System {
+    /// How the time t* of a toggle changes with parameters and dimensions: exact. At a toggle one
+    /// combination λ of the equations reads no coordinate, λᵀ C_q = 0, so that along C(q, t, p) = 0
+    ///
+    /// ```text
+    /// dt*/dp = −λᵀ C_p / λᵀ C_t
+    /// ```
+    ///
+    /// wherever the coordinates go. The toggle is that of a run that has ended there: the last of
+    /// [`Motion::singular_positions`] in [`crate::Error::motion`].   \[s a unit of p\]
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("reach");
+    /// let rod = m.link("rod", m.dimension("rod", 0.5)?)?;
+    /// let slider = m.planar("slider", pose(0.4, 0.3, 0.0))?;
+    /// m.add("O", revolute(rod, Ground, rod.start(), (0.0, 0.0)))?;
+    /// m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0)))?;
+    /// m.add("upright", drive_angle(slider, Law::constant(0.0)))?;
+    /// m.add("lift", drive(slider.y(), Law::linear(0.3, 0.1)))?;
+    /// let system = m.build()?;
+    /// let error = system.run(linspace(0.0, 4.0, 41)).expect_err("the slider is at the end of the rod");
+    /// let toggle = error.motion().expect("a motion").singular_positions().last().expect("a toggle");
+    /// let by_rod = system.toggle_by(toggle, ["rod"])?[0];
+    /// assert!((toggle.t - 2.0).abs() < 1e-9 && (by_rod - 10.0).abs() < 1e-9); // 0.3 + 0.1 t = rod
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Errors, each by name: a change point, whose branches cross at this value only; a redundant mechanism;
+    /// several parts that are singular at once; and those of [`System::sensitivities`] but the first one.
+    pub fn toggle_by(
+        &self,
+        toggle: &SingularPosition,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
+    ) -> Result<Vec<f64>> {
+        let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
+        let by = names.first().map_or("", String::as_str);
+        let (t, q, s) = (toggle.t, &toggle.q[..], self.unit_words().time());
+        self.check(q, "position")?;
+        let refused = |reason: String| Err(NoDerivative::error(by, reason));
+        if toggle.kind != SingularKind::TurningPoint {
+            return refused(format!(
+                "at t = {t} {s} there is a change point: its branches cross at these values only, and beside \
+                 them part; ask for the time of a toggle"
+            ));
+        }
+        if self.is_redundant() {
+            return refused("of redundant mechanisms no toggle's time is followed".to_string());
+        }
+        let still = vec![0.0; q.len()];
+        let mut pose = Motion::new(self, 1);
+        pose.append(t, [q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
+        smooth::check(self, &pose, by)?;
+        let Some(lambda) = self.combination(q, t)? else {
+            return refused(format!("at t = {t} {s} several parts are singular at once"));
+        };
+        let dot = |all: &[f64]| lambda.iter().zip(all).map(|(l, x)| l * x).sum::<f64>();
+        let c_t = self.c_t(q, t)?;
+        let size: f64 = lambda.iter().zip(&c_t).map(|(l, x)| (l * x).abs()).sum();
+        let pushes = dot(&c_t);
+        if pushes.abs() <= PUSHES * size || size == 0.0 {
+            return refused(format!("at t = {t} {s} no driver pushes the parts that are singular"));
+        }
+        let along = Prepared::new(self, &names)?.at(t, [q, &still, &still]);
+        let of = |(by_p, name): (&Vec<(usize, [f64; 3])>, &String)| {
+            let found = -by_p.iter().map(|(row, jet)| lambda[*row] * jet[0]).sum::<f64>() / pushes;
+            let reason = "a term of the equations has no finite derivative";
+            if found.is_finite() { Ok(found) } else { Err(NoDerivative::error(name, reason)) }
+        };
+        along.by_p.iter().zip(&names).map(of).collect()
+    }
+
+    /// λ with λᵀ C_q = 0; `None` where there are several, or none.
+    fn combination(&self, q: &[f64], t: f64) -> Result<Option<Vec<f64>>> {
+        let measures = self.model().measure(q, t);
+        let mut c_q: DMatrix<f64> = self.jacobian(q, t)?;
+        c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);
+        let norms: Vec<f64> = c_q.row_iter().map(|row| row.amax().max(f64::MIN_POSITIVE)).collect();
+        c_q.row_iter_mut().zip(&norms).for_each(|(mut row, norm)| row /= *norm);
+        let Some(svd) = c_q.try_svd(true, false, f64::EPSILON, 10_000) else { return Ok(None) };
+        let values = &svd.singular_values;
+        let vanish = values.iter().filter(|value| **value <= VANISHES * values.max()).count();
+        let Some(u) = svd.u.as_ref().filter(|_| vanish == 1) else { return Ok(None) };
+        let column = u.column(values.imin());
+        Ok(Some(column.iter().zip(&norms).map(|(l, norm)| l / norm).collect()))
+    }
+}
