@@ -38,6 +38,8 @@ pub use numbers::algebra;
 pub use numbers::{lanes, real};
 pub use solve::{motion, newton, sweep};
 
+#[cfg(feature = "argmin")]
+pub use argmin;
 pub use constraint::{Constraint, Route, RouteReason, Routed};
 pub use coordinates::{
     Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar,
@@ -45,7 +47,7 @@ pub use coordinates::{
 };
 pub use data::Registry;
 pub use design::{
-    Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Samples, Sampling, SecondOrder,
+    Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Objective, Samples, Sampling, SecondOrder,
     Sensitivities, Sensitivity, Tolerance,
 };
 pub use dimension::{Dimension, DimensionError, Distribution, IntoNumber, IntoParameter};

@@ -4,9 +4,11 @@
 //! * [`Figure`] and [`Panel`]: quantities over time and paths in the plane, as SVG.
 //! * [`Scene`]: how a mechanism is drawn; from it a [`Picture`] at a time, as a sequence or animated, and a
 //!   [`Page`].
+//! * [`Bars`]: which dimensions a tolerance comes from.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod bars;
 mod color;
 mod drawing;
 mod figure;
@@ -17,6 +19,7 @@ mod page;
 mod picture;
 mod scene;
 
+pub use bars::Bars;
 pub use figure::{Figure, Panel};
 pub use gallery::Gallery;
 pub use map::Map;

@@ -7,6 +7,7 @@
 mod data;
 mod gallery;
 mod model;
+mod objective;
 mod refused;
 mod toggles;
 

@@ -18,6 +18,7 @@ mod asked;
 mod equation;
 mod feature;
 mod measured;
+mod objective;
 mod sensitivities;
 mod smooth;
 mod toggle;
@@ -25,5 +26,6 @@ mod tolerance;
 
 pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
+pub use objective::Objective;
 pub use sensitivities::{Sensitivities, Sensitivity};
 pub use tolerance::{Contribution, Samples, Sampling, SecondOrder, Tolerance};

@@ -1,0 +1,159 @@
+//! A number of a motion as a function of dimensions, with its gradient: what optimisers ask for.
+
+use crate::ask::measure::Measure;
+use crate::model::error::{Error, Result};
+use crate::solve::motion::Quantity;
+use crate::solve::newton::run;
+use crate::system::System;
+
+/// A function p → (value, gradient) of dimensions and parameters: it sets them, runs, and makes one number of
+/// a measure ([`System::objective`]).
+pub struct Objective<M, F> {
+    system: System,
+    names: Vec<String>,
+    times: Vec<f64>,
+    what: M,
+    cost: F,
+}
+
+impl System {
+    /// A function of dimensions and parameters with its exact gradient, for an optimiser of one's own: the
+    /// motion over the times is run with them, and `cost` makes of the measure y over it the number F, and
+    /// ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. One backward solve serves all of them ([`System::gradient`]). The
+    /// function works on a copy of the system; with the feature `argmin` it has the traits of that crate.
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("crank");
+    /// let crank = m.link("crank", m.dimension("length", 0.3)?)?;
+    /// m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
+    /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
+    /// // Its middle should go to 0.1 in the mean square.
+    /// let objective = m.build()?.objective(["length"], linspace(0.0, 6.0, 61), crank.x(), |x| {
+    ///     let off: Vec<f64> = x.value.values().iter().map(|x| x - 0.1).collect();
+    ///     (off.iter().map(|off| off * off).sum(), off.iter().map(|off| [2.0 * off, 0.0, 0.0]).collect())
+    /// })?;
+    /// let (value, gradient) = objective.at(&[0.25])?;
+    /// let beside = (objective.at(&[0.2501])?.0 - objective.at(&[0.2499])?.0) / 2e-4;
+    /// assert!(value > 0.0 && (gradient[0] - beside).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Errors: a name that nothing has; times that do not only increase or only decrease.
+    pub fn objective<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)>(
+        &self,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
+        times: impl AsRef<[f64]>,
+        what: M,
+        cost: F,
+    ) -> Result<Objective<M, F>> {
+        let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
+        names.iter().try_for_each(|name| self.parameter(name).map(|_| ()))?;
+        let times = times.as_ref().to_vec();
+        run::check(&times)?;
+        Ok(Objective { system: self.clone(), names, times, what, cost })
+    }
+}
+
+impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
+    /// The dimensions and parameters, in the order of p.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The values that they have now: where a search may begin.
+    pub fn start(&self) -> Vec<f64> {
+        self.names.iter().map(|name| self.system.parameter(name).unwrap_or(f64::NAN)).collect()
+    }
+
+    /// Value and gradient at p.
+    ///
+    /// Errors: another count of numbers; those of [`System::set`], [`System::run`], of the measure and
+    /// [`System::gradient`]: where there is no motion, there is no value; a number of `cost` that is not
+    /// finite, or other weights than one for each time.
+    pub fn at(&self, p: &[f64]) -> Result<(f64, Vec<f64>)> {
+        let (system, motion, y) = self.asked(p)?;
+        let (value, weights) = self.number(&y)?;
+        let weight = |k: usize| weights.get(k).copied().unwrap_or([f64::NAN; 3]);
+        let what = Named { what: &self.what };
+        Ok((value, system.gradient(&motion, &self.names, what, weight)?))
+    }
+
+    /// The value at p alone. Errors: those of [`Objective::at`].
+    pub fn value(&self, p: &[f64]) -> Result<f64> {
+        self.number(&self.asked(p)?.2).map(|(value, _)| value)
+    }
+
+    fn asked(&self, p: &[f64]) -> Result<(System, crate::solve::motion::Motion, Quantity)> {
+        if p.len() != self.names.len() {
+            return Err(Error::WrongLength {
+                what: "point of an objective".to_string(),
+                expected: self.names.len(),
+                found: p.len(),
+            });
+        }
+        let mut system = self.system.clone();
+        self.names.iter().zip(p).try_for_each(|(name, value)| system.set(name, *value))?;
+        let motion = system.run(&self.times)?;
+        let y = self.what.of(&system, &motion)?;
+        Ok((system, motion, y))
+    }
+
+    fn number(&self, y: &Quantity) -> Result<(f64, Vec<[f64; 3]>)> {
+        let (value, weights) = (self.cost)(y);
+        if weights.len() != self.times.len() {
+            return Err(Error::WrongLength {
+                what: "list of weights of an objective, one for each time".to_string(),
+                expected: self.times.len(),
+                found: weights.len(),
+            });
+        }
+        if !value.is_finite() || weights.iter().flatten().any(|x| !x.is_finite()) {
+            let reason = format!("the cost of an objective is {value}, with weights that may not be finite");
+            return Err(Error::InvalidOptions { reason });
+        }
+        Ok((value, weights))
+    }
+}
+
+/// A measure that is lent.
+struct Named<'a, M> {
+    what: &'a M,
+}
+
+impl<M: Measure> Measure for Named<'_, M> {
+    fn of(&self, system: &System, motion: &crate::solve::motion::Motion) -> Result<Quantity> {
+        self.what.of(system, motion)
+    }
+
+    fn name(&self) -> Option<&str> {
+        self.what.name()
+    }
+}
+
+#[cfg(feature = "argmin")]
+mod traits {
+    use argmin::core::{CostFunction, Gradient};
+
+    use super::{Measure, Objective, Quantity};
+
+    impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> CostFunction for Objective<M, F> {
+        type Param = Vec<f64>;
+        type Output = f64;
+
+        fn cost(&self, p: &Self::Param) -> Result<f64, argmin::core::Error> {
+            Ok(self.value(p)?)
+        }
+    }
+
+    impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Gradient for Objective<M, F> {
+        type Param = Vec<f64>;
+        type Gradient = Vec<f64>;
+
+        fn gradient(&self, p: &Self::Param) -> Result<Vec<f64>, argmin::core::Error> {
+            Ok(self.at(p)?.1)
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Bars: which dimensions a tolerance comes from.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use kin::{Feature, Result, Tolerance};
+
+use crate::color::PALETTE;
+use crate::file;
+use crate::picture::escaped;
+
+const WIDTH: f64 = 640.0;
+const LEFT: f64 = 170.0; // names
+const RIGHT: f64 = 150.0; // numbers
+const TOP: f64 = 62.0;
+const ROW: f64 = 34.0;
+const BOTTOM: f64 = 30.0;
+/// Characters of a name that have room beside its bar.
+const LONGEST: usize = 22;
+
+/// The shares that dimensions have in a tolerance, the largest first: of the worst case a broad bar, of the
+/// variance a narrow one below it. A larger dimension makes the measure larger where the bar is blue, smaller
+/// where it is vermilion.
+pub struct Bars {
+    title: String,
+    told: String,
+    rows: Vec<Row>,
+}
+
+/// One dimension.
+struct Row {
+    name: String,
+    share: f64,
+    of_variance: f64,
+    off: f64,
+    number: String,
+}
+
+impl Bars {
+    /// Of a tolerance, with the time at which it is that.
+    pub fn new(tolerance: &Tolerance, time_unit: &str) -> Bars {
+        let Tolerance { name, unit, .. } = tolerance;
+        let when = match tolerance.feature {
+            Feature::Stroke(_) => String::new(),
+            _ => format!(" at t = {} {time_unit}", short(tolerance.t)),
+        };
+        let row = |one: &kin::Contribution| Row {
+            name: one.name.clone(),
+            share: tolerance.share(one),
+            of_variance: tolerance.share_of_variance(one),
+            off: one.off(),
+            number: format!(
+                "{:.0} %   {}{} {unit}",
+                100.0 * tolerance.share(one),
+                if one.off() < 0.0 { "−" } else { "+" },
+                short(one.off().abs())
+            ),
+        };
+        Bars {
+            title: format!("{name} = {} {unit}{when}", short(tolerance.nominal)),
+            told: format!(
+                "± {} {unit} worst case, ± {} {unit} RSS",
+                short(tolerance.worst_case()),
+                short(tolerance.rss())
+            ),
+            rows: tolerance.contributions.iter().map(row).collect(),
+        }
+    }
+
+    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with the feature
+    /// `png`), else as SVG.
+    ///
+    /// Errors: a file that cannot be written, by its path.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        file::save_picture(path.as_ref(), &self.svg())
+    }
+
+    /// The picture as SVG.
+    pub fn svg(&self) -> String {
+        let height = TOP + ROW * self.rows.len() as f64 + BOTTOM;
+        let most = self.rows.iter().flat_map(|row| [row.share, row.of_variance]).fold(1e-12, f64::max);
+        let scale = (WIDTH - LEFT - RIGHT) / most;
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} \
+             {height}\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"{WIDTH}\" height=\"{height}\" \
+             fill=\"#fff\"/>\n"
+        );
+        let mut text = |x: f64, y: f64, style: &str, text: &str| {
+            let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" {style}>{}</text>", escaped(text));
+        };
+        text(16.0, 26.0, "font-size=\"16\" font-weight=\"bold\"", &self.title);
+        text(16.0, 46.0, "fill=\"#444\"", &self.told);
+        for (k, row) in self.rows.iter().enumerate() {
+            let y = TOP + ROW * k as f64;
+            text(LEFT - 10.0, y + 17.0, "text-anchor=\"end\"", &fitted(&row.name));
+            text(LEFT + scale * row.share.max(row.of_variance) + 8.0, y + 17.0, "", &row.number);
+        }
+        let key = "narrow: share of the variance; blue: larger makes larger, vermilion: larger makes smaller";
+        text(16.0, height - 10.0, "font-size=\"11\" fill=\"#666\"", key);
+        for (k, row) in self.rows.iter().enumerate() {
+            let (y, color) = (TOP + ROW * k as f64, PALETTE[usize::from(row.off < 0.0)]);
+            for (share, from, thick, opacity) in [(row.share, 3.0, 15.0, 1.0), (row.of_variance, 20.0, 6.0, 0.5)] {
+                let _ = writeln!(
+                    svg,
+                    "<rect x=\"{LEFT}\" y=\"{:.1}\" width=\"{:.2}\" height=\"{thick}\" fill=\"{color}\" \
+                     fill-opacity=\"{opacity}\"/>",
+                    y + from,
+                    scale * share.max(0.0)
+                );
+            }
+        }
+        svg + "</svg>\n"
+    }
+}
+
+/// A name as far as there is room for it.
+fn fitted(name: &str) -> String {
+    match name.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &name[..end]),
+        None => name.to_string(),
+    }
+}
+
+/// A number with four digits, as short as it can be.
+fn short(x: f64) -> String {
+    let number: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    number.to_string()
+}
