@@ -1,5 +1,6 @@
-//! The lengths of a machine from what it does, by an optimiser of another crate: `cargo run --release --features argmin
-//! --example argmin`. The height of a coupler point has been measured over a turn; which four-bar goes so?
+//! The lengths of a machine from what it does, by an optimiser of another crate: `cargo run --release
+//! --features argmin --example argmin`. The height of a coupler point has been measured over a turn; which
+//! four-bar goes so?
 use kin::Quantity;
 use kin::argmin::core::{Executor, State};
 use kin::argmin::solver::linesearch::MoreThuenteLineSearch;

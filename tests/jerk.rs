@@ -38,7 +38,7 @@ fn worst(system: &System, times: &[f64], h: f64) -> f64 {
 }
 
 /// How long each example runs.   [s]
-const SECONDS: [(&str, f64); 22] = [
+const SECONDS: [(&str, f64); 24] = [
     ("01_slider_crank", 1.0),
     ("02_two_link_manipulator", 24.0),
     ("03_custom_constraint", 1.0),
@@ -62,6 +62,8 @@ const SECONDS: [(&str, f64); 22] = [
     ("20_geneva_drive", 6.0),
     ("21_cam_with_roller", 2.0),
     ("22_planetary_train", 8.0),
+    ("23_press_tolerance", 1.0),
+    ("24_toe_tolerance", 4.0),
 ];
 
 #[test]

@@ -3,6 +3,7 @@
 //!
 //! `once W6-planar_revolute kin 10` runs one route alone ten times, for counting instructions.
 
+mod design;
 mod hand;
 mod measure;
 mod sweep;

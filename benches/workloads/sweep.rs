@@ -8,6 +8,7 @@ use kin::dual_route::Equation;
 use kin::prelude::*;
 use kin::{Engine, Follow, Options, Stop, by_dual};
 
+use crate::design;
 use crate::measure::{Contestant, Figure, cpu, median, race};
 
 /// q, q̇ and q̈ of every step, one after the other.
@@ -166,8 +167,10 @@ impl Workload {
 
     /// One route some times over and nothing else, for counting instructions.
     pub fn once(&self, peer: &str, repeats: usize) -> Option<()> {
-        let route = self.routes.iter().find(|route| route.peer == peer)?;
         let times = self.times();
+        let Some(route) = self.routes.iter().find(|route| route.peer == peer) else {
+            return design::once(&(self.build)(), peer, &times, repeats);
+        };
         (0..repeats).for_each(|_| self.solve(route, &times));
         Some(())
     }

@@ -99,7 +99,9 @@ impl Bars {
         text(16.0, height - 10.0, "font-size=\"11\" fill=\"#666\"", key);
         for (k, row) in self.rows.iter().enumerate() {
             let (y, color) = (TOP + ROW * k as f64, PALETTE[usize::from(row.off < 0.0)]);
-            for (share, from, thick, opacity) in [(row.share, 3.0, 15.0, 1.0), (row.of_variance, 20.0, 6.0, 0.5)] {
+            for (share, from, thick, opacity) in
+                [(row.share, 3.0, 15.0, 1.0), (row.of_variance, 20.0, 6.0, 0.5)]
+            {
                 let _ = writeln!(
                     svg,
                     "<rect x=\"{LEFT}\" y=\"{:.1}\" width=\"{:.2}\" height=\"{thick}\" fill=\"{color}\" \

@@ -295,7 +295,8 @@ impl fmt::Display for Samples {
         write!(f, "{} ({}), {count} samples of seed {seed}", self.name, self.unit)?;
         if !self.values.is_empty() {
             write!(f, ": mean {}, σ {}.", digits(self.mean(), 5), digits(self.sigma(), 2))?;
-            let told = TOLD.map(|p| format!("{} % below {}", 100.0 * p, digits(self.quantile(p), 5)));
+            let told =
+                TOLD.map(|p| format!("{} % below {}", digits(100.0 * p, 4), digits(self.quantile(p), 5)));
             write!(f, "\n  {}.", told.join(", "))?;
         }
         let (missing, share) = (self.missing(), 100.0 * self.share_missing());

@@ -46,9 +46,23 @@ impl Quantity {
     }
 
     /// The same under another name.
-    pub(crate) fn renamed(mut self, name: &str) -> Self {
+    #[must_use]
+    pub fn renamed(mut self, name: &str) -> Self {
         let all = [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate];
         all.into_iter().zip(MARKS).for_each(|(series, mark)| series.rename(format!("{name}{mark}")));
         self
+    }
+}
+
+impl std::ops::Sub for Quantity {
+    type Output = Quantity;
+
+    /// The difference of two measures of one motion, with its rates.
+    fn sub(mut self, other: Quantity) -> Quantity {
+        let name = format!("{} − {}", self.value.name(), other.value.name());
+        for (own, less) in self.orders_mut().into_iter().zip(other.orders()) {
+            own.iter_mut().zip(less).for_each(|(own, less)| *own -= less);
+        }
+        self.renamed(&name)
     }
 }

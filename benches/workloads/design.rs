@@ -1,0 +1,34 @@
+//! Derivatives of a workload's motion by its parameters, for counting instructions: `once W1 forward-3 10`,
+//! `once W1 adjoint 10`, beside `once W1 motion 10`, which is the run alone.
+
+use std::hint::black_box;
+
+use kin::prelude::*;
+use kin::{Engine, Options};
+
+/// Runs by plain steps, then what the route asks for; `None` of a route that is another one.
+pub fn once(system: &System, route: &str, times: &[f64], repeats: usize) -> Option<()> {
+    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let run = || system.run_with(times, &plain).unwrap_or_else(|error| panic!("{error}"));
+    // Two times are enough to know which parameters have derivatives.
+    let short = system.run_with(&times[..2], &plain).unwrap_or_else(|error| panic!("{error}"));
+    let known = |name: &String| system.sensitivities(&short, [name]).is_ok();
+    let names: Vec<String> = system.parameters().into_iter().map(|(name, _)| name).filter(known).collect();
+    let what = system.coordinate_names()[0].clone();
+    match route.split_once('-') {
+        None if route == "motion" => (0..repeats).for_each(|_| drop(black_box(run()))),
+        None if route == "adjoint" => (0..repeats).for_each(|_| {
+            let motion = run();
+            drop(black_box(system.gradient(&motion, &names, &what, |_| [1.0, 0.5, 0.25])));
+        }),
+        Some(("forward", count)) => {
+            let names = names.get(..count.parse().ok()?)?;
+            (0..repeats).for_each(|_| {
+                let motion = run();
+                drop(black_box(system.sensitivities(&motion, names)));
+            });
+        }
+        _ => return None,
+    }
+    Some(())
+}
