@@ -1,5 +1,5 @@
-//! The time of a toggle by dimensions, and the four places at which there is no gradient: a change of branch, a
-//! toggle, a jump, a kink.
+//! The time of a toggle by dimensions, and the four places at which there is no gradient: a change of branch,
+//! a toggle, a jump, a kink.
 
 use kin::prelude::*;
 use kin::{Follow, Options, SingularPosition};

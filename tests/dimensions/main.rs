@@ -4,6 +4,7 @@
 mod engines;
 mod files;
 mod mistakes;
+mod names;
 mod samples;
 mod set;
 mod slopes;

@@ -8,8 +8,9 @@
 //!
 //! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇, J̈ and P,
 //! Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve every parameter
-//! forward (`sensitivities.rs`), the time of a toggle (`toggle.rs`), and transposed every parameter at once (`adjoint.rs`). With tolerances of
-//! dimensions they tell how far a measure, or an extreme or a stroke of it (`feature.rs`), may be off
+//! forward (`sensitivities.rs`), and transposed every parameter at once (`adjoint.rs`), which is what
+//! optimisers ask for (`objective.rs`); the time of a toggle stands by itself (`toggle.rs`). With tolerances
+//! of dimensions they tell how far a measure, or an extreme or a stroke of it (`feature.rs`), may be off
 //! (`tolerance/`).
 
 mod adjoint;
