@@ -42,7 +42,7 @@ impl System {
             return self.summed(motion, &names, slopes);
         }
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
-        let prepared = Prepared::new(self, &names)?;
+        let mut prepared = Prepared::new(self, &names)?;
         let mut gradient = vec![0.0; names.len()];
         for ((k, &t), slopes) in motion.times().iter().enumerate().zip(slopes) {
             let along = prepared.at(t, [motion.q(k), motion.qd(k), motion.qdd(k)]);

@@ -1,6 +1,6 @@
 //! C_q and C_p along a motion: their values with first and second derivatives by time.
 
-use kin_graph::{Input, LeafUse, Source, evaluate};
+use kin_graph::{Input, LeafUse, Results, Source, evaluate_all};
 
 use super::asked::{Asked, Hangs};
 use super::equation::Equation;
@@ -24,6 +24,8 @@ pub(super) struct Prepared<'a> {
     asked: Vec<Asked>,
     /// How many names were asked for.
     names: usize,
+    /// The memory of one walk, for the next.
+    results: Results<Number>,
 }
 
 /// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time.
@@ -57,11 +59,11 @@ impl<'a> Prepared<'a> {
         for name in names.iter().enumerate() {
             asked.extend(Asked::all(system, &blocks, name)?);
         }
-        Ok(Prepared { system, blocks, columns, asked, names: names.len() })
+        Ok(Prepared { system, blocks, columns, asked, names: names.len(), results: Results::default() })
     }
 
     /// C_q and C_p at the time t of a motion with these q, q̇ and q̈.
-    pub(super) fn at(&self, t: f64, orders: [&[f64]; 3]) -> Along {
+    pub(super) fn at(&mut self, t: f64, orders: [&[f64]; 3]) -> Along {
         let equations = self.system.equations();
         let instant = equations.instant_at(t, orders[0]);
         let mut along = Along { by_q: Vec::new(), by_p: vec![Vec::new(); self.names] };
@@ -78,7 +80,8 @@ impl<'a> Prepared<'a> {
             let columns: Vec<Number> = behind.iter().zip(fixed).map(column).collect();
             block.constraint.formula(|_, parameters, outside| {
                 let walk = Walk { equation, columns: &columns, t, parameters, outside };
-                walk.add(block.rows().start, behind, (number, &self.asked), &mut along);
+                walk.results(&mut self.results);
+                walk.add(block.rows().start, behind, (number, &self.asked), (&self.results, &mut along));
             });
         }
         along
@@ -95,9 +98,19 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
+    /// All numbers of the equation. Its graph has no node too many.
+    fn results(&self, memory: &mut Results<Number>) {
+        evaluate_all(&self.equation.graph, self, memory);
+    }
+
     /// Adds the derivatives of its rows, the first of which is row `first` of the system.
-    fn add(&self, first: usize, behind: &[Option<usize>], asked: (usize, &[Asked]), to: &mut Along) {
-        let results = evaluate(&self.equation.graph, &self.equation.outputs(), self);
+    fn add(
+        &self,
+        first: usize,
+        behind: &[Option<usize>],
+        asked: (usize, &[Asked]),
+        (results, to): (&Results<Number>, &mut Along),
+    ) {
         let number = |node| results.number(node).unwrap_or(Number::from(f64::NAN));
         let slope = |list: &[(usize, kin_graph::Node)], k: usize| {
             list.iter().find(|(known, _)| *known == k).map(|(_, node)| number(*node))

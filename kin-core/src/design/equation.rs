@@ -69,7 +69,35 @@ impl Equation {
                 to.push((column.argument - first, slope));
             }
         }
-        Ok(Equation { graph, rows, calls, foreign, columns, parameters })
+        Equation { graph, rows, calls, foreign, columns, parameters }.compact()
+    }
+
+    /// The same with a graph that has no node too many: what was differentiated is not computed again.
+    fn compact(mut self) -> Result<Equation, &'static str> {
+        let (from, mut to) = (std::mem::take(&mut self.graph), Graph::default());
+        let mut places = vec![Node::default(); from.len()];
+        for node in from.reachable(&self.outputs()) {
+            let of = |node: Node| places[node.index()];
+            places[node.index()] = match from.op(node) {
+                Op::Input(input) => to.input(input),
+                Op::Law(law, x, order) => to.law(law, of(x), order),
+                Op::Opaque(number, component) => {
+                    if to.opaques.len() <= number {
+                        to.opaques.resize(number + 1, Vec::new());
+                    }
+                    to.opaques[number] = from.opaques[number].iter().map(|operand| of(*operand)).collect();
+                    to.opaque(number, component)
+                }
+                op => to.rebuilt(op, of).ok_or(EMPTY)?,
+            };
+        }
+        let moved = |node: &mut Node| *node = places[node.index()];
+        for row in &mut self.rows {
+            let slopes = row.by_column.iter_mut().chain(&mut row.by_parameter).chain(&mut row.by_call);
+            slopes.for_each(|(_, node)| moved(node));
+        }
+        self.calls.iter_mut().for_each(|call| moved(&mut call.x));
+        Ok(Equation { graph: to, ..self })
     }
 
     /// All that has to be computed.

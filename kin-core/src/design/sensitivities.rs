@@ -66,7 +66,7 @@ impl System {
         self.own(motion)?;
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
-        let prepared = Prepared::new(self, &names)?;
+        let mut prepared = Prepared::new(self, &names)?;
         let n = self.n_coordinates();
         let empty = |name: &String| Sensitivity { name: name.clone(), n, orders: Default::default() };
         let mut all: Vec<Sensitivity> = names.iter().map(empty).collect();
