@@ -48,6 +48,8 @@ pub enum Command {
     Forces(Forces),
     /// Many cases, a row each: what they are, and the extremes of what is kept of them
     Sweep(Sweep),
+    /// A file of another program made into a mechanism file; what is left out is told by name
+    Import(Import),
     /// The JSON Schema of mechanism files
     Schema,
     /// Completions for a shell, to be put where it looks for them
@@ -114,6 +116,15 @@ pub struct Run {
     /// A page on which it moves, with charts of points and measures, as HTML
     #[arg(long, value_name = "FILE")]
     pub page: Option<String>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Import {
+    /// An `.asmt` file of OndselSolver (FreeCAD); `-` is the standard input
+    pub file: String,
+    /// The mechanism file
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    pub output: String,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -44,6 +44,7 @@ fn done(command: &Command, say: &Say) -> Result<(), Fault> {
         Command::Tolerance(asked) => commands::tolerance(asked, say),
         Command::Forces(asked) => commands::forces(asked, say),
         Command::Sweep(asked) => commands::sweep(asked, say),
+        Command::Import(asked) => commands::import(asked, say),
         Command::Schema => commands::schema(),
         Command::Completions { shell } => commands::completions(*shell),
         Command::Manual { command } => commands::manual(command.as_deref()),

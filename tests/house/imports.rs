@@ -268,8 +268,17 @@ fn imports_go_down() {
 }
 
 /// The crates, each of which depends on those before it only.
-const CRATES: [&str; 8] =
-    ["kin-graph", "kin-language", "kin-macros", "kin-core", "kin-text", "kin-view", "kin", "kin-cli"];
+const CRATES: [&str; 9] = [
+    "kin-graph",
+    "kin-language",
+    "kin-macros",
+    "kin-core",
+    "kin-text",
+    "kin-view",
+    "kin",
+    "kin-import",
+    "kin-cli",
+];
 
 #[test]
 fn crates_depend_on_those_before_them() {

@@ -1,11 +1,13 @@
 //! The commands, a file each where they are long.
 
 mod ask;
+mod import;
 mod run;
 mod shell;
 mod sweep;
 
 pub use ask::{assemblies, check, diagnose, forces, measure, prove, sensitivities, tolerance};
+pub use import::import;
 pub use run::{run, watch};
 pub use shell::{completions, manual, schema};
 pub use sweep::sweep;

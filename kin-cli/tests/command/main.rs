@@ -4,6 +4,7 @@ mod examples;
 mod faults;
 mod files;
 mod hostile;
+mod import;
 #[path = "../../../tests/data/own.rs"]
 mod own;
 mod pages;

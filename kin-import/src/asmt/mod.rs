@@ -1,0 +1,131 @@
+//! The reader of `.asmt`, the files of OndselSolver.
+//!
+//! A file is an assembly of parts. Parts and the assembly itself (the ground) hold reference points, these
+//! hold markers; joints and motions name two markers, I and J, by their paths. The axis of a joint is z of
+//! its markers; angles and ways are those of J as I sees them.
+
+mod joints;
+mod motions;
+mod parts;
+
+use kin::{Mechanism, Vec3, linspace};
+
+use crate::imported::{Imported, LeftOut, Mistake};
+use crate::tree::Tree;
+use parts::Markers;
+
+/// More times than this are not given.
+const MOST_TIMES: f64 = 1e6;
+
+/// Reads the text of an `.asmt` file.
+///
+/// Parts become spatial bodies with their masses, joints and motions constraints under their names, limits
+/// those of measures; units are metre, second, kilogram.
+///
+/// ```
+/// # fn main() -> Result<(), kin_import::Mistake> {
+/// let text = "freeCAD: 3D CAD\nAssembly\n\tName\n\t\tempty\n\tPosition3D\n\t\t0 0 0\n\
+///             \tRotationMatrix\n\t\t1 0 0\n\t\t0 1 0\n\t\t0 0 1\n";
+/// let imported = kin_import::asmt(text)?;
+/// assert!(imported.left_out.is_empty());
+/// # Ok(())
+/// # }
+/// ```
+///
+/// Errors: a file that is none of these, a number that is none, a marker that nothing has, a law that is
+/// not understood, each with its line. What Kin has no place for is no error: [`Imported::left_out`].
+pub fn asmt(text: &str) -> Result<Imported, Mistake> {
+    let file = Tree::read(text)?;
+    let assembly = file.get("Assembly").ok_or_else(|| {
+        Mistake::at(0, "there is no line `Assembly`: this is no file of OndselSolver (.asmt)")
+    })?;
+    let (name, line) = assembly.value("Name")?;
+    let mut reading = Reading {
+        mechanism: Mechanism::new(name),
+        markers: Markers::default(),
+        joints: Vec::new(),
+        limits: Default::default(),
+        left_out: Vec::new(),
+    };
+    reading.units(line)?;
+    reading.parts(assembly, name)?;
+    if let Some(sets) = assembly.get("ConstraintSets") {
+        reading.sets(sets)?;
+    }
+    for force in assembly.all("ForceTorques") {
+        reading.leave(force, "loads of these files are not read", true);
+    }
+    if assembly.get("ConstantGravity").is_some() {
+        reading.mechanism.gravity(Vec3::from(assembly.numbers::<3>("ConstantGravity")?));
+    }
+    let times = times(assembly)?;
+    reading.left_out.sort_by_key(|left| left.line);
+    Ok(Imported { mechanism: reading.mechanism, left_out: reading.left_out, times })
+}
+
+/// A file on its way to a mechanism.
+struct Reading {
+    mechanism: Mechanism,
+    markers: Markers,
+    joints: Vec<joints::Joint>,
+    /// Both ends of each measure that has one.
+    limits: std::collections::HashMap<String, (f64, f64)>,
+    left_out: Vec<LeftOut>,
+}
+
+impl Reading {
+    fn units(&mut self, line: usize) -> Result<(), Mistake> {
+        if self.mechanism.name().trim().is_empty() {
+            return Err(Mistake::at(line, "the assembly needs a name"));
+        }
+        self.mechanism.units("m", "s").mass("kg");
+        Ok(())
+    }
+
+    fn sets(&mut self, sets: &Tree<'_>) -> Result<(), Mistake> {
+        for joint in sets.all("Joints") {
+            self.joint(joint)?;
+        }
+        for motion in sets.all("Motions") {
+            self.motion(motion)?;
+        }
+        for limit in sets.all("Limits") {
+            self.limit(limit)?;
+        }
+        for other in sets.all("GeneralConstraintSets") {
+            self.leave(other, "general constraints of these files are not read", true);
+        }
+        let known = ["Joints", "Motions", "Limits", "GeneralConstraintSets"];
+        for other in sets.inside.iter().filter(|other| !known.contains(&other.text)) {
+            self.leave(other, "it is not known", true);
+        }
+        Ok(())
+    }
+
+    /// Notes something that is left out.
+    fn leave(&mut self, what: &Tree<'_>, reason: &str, matters: bool) {
+        let name = match what.value("Name") {
+            Ok((name, _)) => format!("{} `{name}`", what.text),
+            Err(_) => what.text.to_string(),
+        };
+        self.left_out.push(LeftOut { line: what.line, name, reason: reason.to_string(), matters });
+    }
+}
+
+/// The mistake that a mechanism tells, at a line.
+fn refused(line: usize) -> impl Fn(kin::Error) -> Mistake {
+    move |error| Mistake::at(line, error.to_string())
+}
+
+/// The times at which the other program writes its results.
+fn times(assembly: &Tree<'_>) -> Result<Vec<f64>, Mistake> {
+    let Some(parameters) = assembly.get("SimulationParameters") else { return Ok(Vec::new()) };
+    let number = |name: &str| parameters.numbers::<1>(name).map(|[value]| value);
+    let (from, to, step) = (number("tstart")?, number("tend")?, number("hout")?);
+    let count = ((to - from) / step).round();
+    if !(0.0..MOST_TIMES).contains(&count) {
+        let line = parameters.line;
+        return Err(Mistake::at(line, format!("no times go from {from} to {to} in steps of {step}")));
+    }
+    Ok(linspace(from, to, count as usize + 1))
+}

@@ -1,0 +1,116 @@
+//! Lines by their indentation: a line holds the lines below it that are indented further.
+
+use crate::imported::Mistake;
+
+/// Deeper files are refused.
+const DEEPEST: usize = 64;
+
+/// A line and what it holds.
+#[derive(Debug, Default)]
+pub struct Tree<'a> {
+    /// Counted from 1.
+    pub line: usize,
+    pub text: &'a str,
+    pub inside: Vec<Tree<'a>>,
+}
+
+impl<'a> Tree<'a> {
+    /// The lines of a text, indented by tabs. Errors: a line that is indented too far.
+    pub fn read(text: &'a str) -> Result<Tree<'a>, Mistake> {
+        let mut open = vec![Tree::default()];
+        for (k, line) in text.lines().enumerate() {
+            let inside = line.trim_start_matches('\t');
+            if inside.trim().is_empty() {
+                continue;
+            }
+            let (depth, line) = (line.len() - inside.len(), k + 1);
+            if depth > DEEPEST || depth >= open.len() {
+                return Err(Mistake::at(line, "this line is indented further than anything that holds it"));
+            }
+            close(&mut open, depth + 1);
+            open.push(Tree { line, text: inside.trim(), inside: Vec::new() });
+        }
+        close(&mut open, 1);
+        Ok(open.pop().unwrap_or_default())
+    }
+
+    /// The first line of that text in it.
+    pub fn get(&self, text: &str) -> Option<&Tree<'a>> {
+        self.inside.iter().find(|tree| tree.text == text)
+    }
+
+    /// The same; an error where there is none.
+    pub fn need(&self, text: &str) -> Result<&Tree<'a>, Mistake> {
+        self.get(text).ok_or_else(|| Mistake::at(self.line, format!("`{}` has no `{text}`", self.text)))
+    }
+
+    /// The lines in the one of that text; nothing where there is none.
+    pub fn all(&self, text: &str) -> &[Tree<'a>] {
+        self.get(text).map_or(&[], |tree| &tree.inside)
+    }
+
+    /// The value in the line of that text.
+    pub fn value(&self, text: &str) -> Result<(&'a str, usize), Mistake> {
+        let held = self.need(text)?;
+        let value = held.inside.first();
+        value
+            .map(|value| (value.text, value.line))
+            .ok_or_else(|| Mistake::at(held.line, format!("`{text}` says nothing")))
+    }
+
+    /// The numbers in the line of that text.
+    pub fn numbers<const N: usize>(&self, text: &str) -> Result<[f64; N], Mistake> {
+        let (value, line) = self.value(text)?;
+        numbers(value, line)
+    }
+
+    /// The rows of a matrix in the line of that text.
+    pub fn matrix(&self, text: &str) -> Result<[[f64; 3]; 3], Mistake> {
+        let held = self.need(text)?;
+        let [x, y, z] = held.inside.as_slice() else {
+            return Err(Mistake::at(held.line, format!("`{text}` has {} rows, not 3", held.inside.len())));
+        };
+        Ok([numbers(x.text, x.line)?, numbers(y.text, y.line)?, numbers(z.text, z.line)?])
+    }
+}
+
+/// Puts what is deeper into what holds it.
+fn close(open: &mut Vec<Tree<'_>>, depth: usize) {
+    while open.len() > depth {
+        if let Some(last) = open.pop()
+            && let Some(holder) = open.last_mut()
+        {
+            holder.inside.push(last);
+        }
+    }
+}
+
+fn numbers<const N: usize>(text: &str, line: usize) -> Result<[f64; N], Mistake> {
+    let number = |word: &str| {
+        let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
+        value.ok_or_else(|| Mistake::at(line, format!("`{word}` is no number")))
+    };
+    let all = text.split_whitespace().map(number).collect::<Result<Vec<f64>, Mistake>>()?;
+    let count = all.len();
+    all.try_into().map_err(|_| Mistake::at(line, format!("{N} numbers are needed here, there are {count}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_hold_what_is_indented_further() {
+        let tree = Tree::read("a\n\tb\n\t\t1.0\t2 \n\tc\nd\n").unwrap();
+        assert_eq!(tree.inside.len(), 2);
+        let a = tree.need("a").unwrap();
+        assert_eq!(a.numbers::<2>("b").unwrap(), [1.0, 2.0]);
+        assert_eq!(
+            a.numbers::<3>("b").unwrap_err().to_string(),
+            "line 3: 3 numbers are needed here, there are 2"
+        );
+        assert_eq!(a.value("c").unwrap_err().to_string(), "line 4: `c` says nothing");
+        assert!(Tree::read("a\n\t\tb\n").is_err());
+        assert!(Tree::read("").unwrap().inside.is_empty());
+    }
+}

@@ -1,0 +1,4 @@
+//! `.asmt` files: one written for these tests, and those of OndselSolver where their folder is at hand.
+
+mod outside;
+mod own;
