@@ -90,6 +90,8 @@ fn facts(error: &Error) -> (&'static str, Value) {
             ("WrongLength", json!({ "what": what, "expected": expected, "found": found }))
         }
         Error::Dimension(found) => ("DimensionError", of_dimension(found)),
+        Error::NotUnique(_) => ("NotUnique", json!({})),
+        Error::OutputNotFinite { output, t, .. } => ("OutputNotFinite", json!({ "output": output, "t": t })),
         Error::Mismatch(_) => ("Mismatch", json!({})),
         Error::NoDerivative(_) => ("NoDerivative", json!({})),
         Error::Data { place, reason } => ("DataError", json!({ "place": place, "reason": reason })),

@@ -6,6 +6,7 @@
 
 mod equation;
 mod fault;
+mod forces;
 mod law;
 mod mechanism;
 mod motion;
@@ -19,6 +20,8 @@ mod watch;
 mod _native {
     #[pymodule_export]
     use crate::equation::Equation;
+    #[pymodule_export]
+    use crate::forces::{Forces, solid_joined, solid_of, solid_turned};
     #[pymodule_export]
     use crate::law::{Law, axis, euler_facing, euler_turned};
     #[pymodule_export]

@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 
 use crate::equation::{Equation, Given, Number, Terms, terms};
 use crate::fault::{told, unreadable, wrong_type};
+use crate::forces::{Mass, solid};
 use crate::numbers::{vec2, vec3};
 use crate::system::System;
 
@@ -44,8 +45,25 @@ impl Mechanism {
         self.0.name()
     }
 
-    fn units(&mut self, length: &str, time: &str) {
-        self.0.units(length, time);
+    fn units(&mut self, length: &str, time: &str, mass: Option<&str>) {
+        let words = self.0.units(length, time);
+        if let Some(mass) = mass {
+            words.mass(mass);
+        }
+    }
+
+    /// Gives a body its mass, centre and inertia.
+    fn solid(&mut self, py: Python<'_>, place: Place, given: Mass) -> PyResult<()> {
+        let done = match self.on(&place)? {
+            On::Planar(body) => self.0.solid(body, solid(given)),
+            On::Spatial(body) => self.0.solid(body, solid(given)),
+            _ => self.0.solid(kin::PlanarBody::from(Ground), solid(given)),
+        };
+        told(py, done)
+    }
+
+    fn gravity(&mut self, g: [f64; 3]) {
+        self.0.gravity(vec3(g));
     }
 
     /// A dimension, or a name for an expression of others; gives its value.

@@ -31,6 +31,16 @@ type Solved<'py> = (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, Py
 /// Name, unit; time, value and kind of each extreme; stroke; time ratio.
 type Turns = (String, String, Vec<(f64, f64, bool)>, f64, Option<f64>, (f64, f64), (f64, f64));
 
+/// A tolerance: in words; name and unit; time, nominal value, worst case, RSS, how far the stack misleads; the
+/// corners; for each dimension name and unit, tolerance, slope, how far it puts the measure off, its shares.
+type Off = (
+    String,
+    (String, String),
+    (f64, f64, f64, f64, Option<f64>),
+    [Option<f64>; 2],
+    Vec<((String, String), [f64; 5])>,
+);
+
 /// A diagnosis as text, and as JSON.
 pub fn diagnosis(found: &Diagnosis) -> PyResult<(String, String)> {
     Ok((found.to_string(), serde_json::to_string(found).map_err(|error| unreadable(&error))?))
@@ -303,6 +313,28 @@ impl System {
             Ok((one.name, lists.into_iter().collect::<PyResult<_>>()?))
         });
         told.collect()
+    }
+
+    /// How far a measure may be off by the tolerances of dimensions, at the time at which that is worst, or of
+    /// its largest (true) or least extreme.
+    #[pyo3(signature = (motion, what, largest = None))]
+    fn tolerance(&self, py: Python<'_>, motion: &Motion, what: &str, largest: Option<bool>) -> PyResult<Off> {
+        let (system, motion) = (self.now(), &motion.0);
+        let found = py.detach(|| match largest {
+            None => system.tolerance(motion, what),
+            Some(largest) => {
+                let extremes = system.extremes(motion, what)?;
+                system.tolerance_of(motion, what, &if largest { extremes.max() } else { extremes.min() })
+            }
+        });
+        let found = told(py, found)?;
+        let shares = found.contributions.iter().map(|one| {
+            let text = (one.name.clone(), one.unit.clone());
+            (text, [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)])
+        });
+        let numbers = (found.t, found.nominal, found.worst_case(), found.rss(), found.misled());
+        let shares = shares.collect();
+        Ok((found.to_string(), (found.name, found.unit), numbers, found.corners, shares))
     }
 
     /// The derivatives of one number by parameters; `weights` are its derivatives by a measure and its rates.

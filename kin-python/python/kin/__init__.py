@@ -15,6 +15,7 @@ from ._diagnosis import Diagnosis
 from ._dimension import Dimension, NumberLike
 from ._errors import *  # noqa: F403
 from ._errors import ALL as _ERRORS
+from ._forces import Acted, Balance, Contribution, Drive, Energy, Forces, Peak, Reaction, Tolerance
 from ._functions import (
     acos,
     acosh,
@@ -60,6 +61,7 @@ from ._law import Law
 from ._mechanism import Mechanism, Terms
 from ._motion import Event, Motion, Point, Quantity, Rotation
 from ._scalars import Scalar
+from ._solid import Solid
 from ._states import Coord, Planar, Spatial, Time
 from ._sweeps import Batch, Rows, sweep
 from ._pictures import Page, Picture
@@ -73,19 +75,25 @@ deg = radians
 __all__ = [
     *_ERRORS,
     *_LIBRARY,
+    "Acted",
     "Assembly",
     "Axis",
+    "Balance",
     "Batch",
     "Constraint",
+    "Contribution",
     "Coord",
     "Coordinate",
     "Diagnosis",
     "Dimension",
+    "Drive",
+    "Energy",
     "Equation",
     "EulerParameters",
     "Event",
     "Extreme",
     "Extremes",
+    "Forces",
     "Ground",
     "Joint",
     "Law",
@@ -97,14 +105,17 @@ __all__ = [
     "NumberLike",
     "Page",
     "Picture",
+    "Peak",
     "Planar",
     "PlanarBody",
     "Point",
     "Proof",
     "Quantity",
+    "Reaction",
     "Rotation",
     "Rows",
     "Scalar",
+    "Solid",
     "Solution",
     "Spatial",
     "SpatialBody",
@@ -112,6 +123,7 @@ __all__ = [
     "System",
     "Terms",
     "Time",
+    "Tolerance",
     "Vec2",
     "Vec3",
     "acos",

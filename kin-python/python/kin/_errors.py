@@ -145,6 +145,14 @@ class NoDerivative(Error):
     """A derivative by a parameter that does not exist, or is not known."""
 
 
+class NotUnique(Error):
+    """A force that redundant constraints share, so that no balance decides it."""
+
+
+class OutputNotFinite(Error):
+    """An output with a value that is infinite or not a number."""
+
+
 class DimensionError(Error):
     """A named dimension that makes no sense, is of another mechanism, or on which nothing hangs."""
 

@@ -25,6 +25,7 @@ from ._handles import (
     place_of,
 )
 from ._joint import AxisLike, EulerLike, Joint, Vec2Like, Vec3Like, foreign
+from ._solid import Solid, in_space, inertia_of
 from ._system import System
 from ._values import axis_of, euler_of, flat, law_of
 from ._vectors import Vec2, Vec3
@@ -53,9 +54,10 @@ class Mechanism:
         """What does not move."""
         return ground
 
-    def units(self, length: str, time: str) -> None:
-        """Names the units of length and time in files and messages: words alone, no number is changed."""
-        self._native.units(length, time)
+    def units(self, length: str, time: str, mass: Optional[str] = None) -> None:
+        """Names the units of length, time and mass in files and messages: words alone, no number is changed. Those of force,
+        torque, energy and power follow."""
+        self._native.units(length, time, mass)
 
     # Named dimensions.
 
@@ -265,6 +267,34 @@ class Mechanism:
         if handle._of != self._token:
             raise foreign(place, "body", self.name)
         return handle.name
+
+    # Masses and weight.
+
+    def mass(self, body: Body, mass: float, centre: Any, inertia: Any) -> None:
+        """The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the plane one moment,
+        in space a tensor in the body's axes, or its diagonal. Given again it takes the place of what was given.   [kg, m, kg
+        m²]
+
+        Raises an error by name: the ground, a body of another mechanism, a mass not above zero, an inertia that no body has.
+        """
+        place, in_plane = self._massive("mass", body)
+        self._native.solid(place, (float(mass), in_space(centre), inertia_of(inertia, in_plane)))
+
+    def solid(self, body: Body, solid: Solid) -> None:
+        """The same by a shape and a density: `m.solid(crank, kin.Solid.bar(0.1, 0.02, 0.01, kin.Solid.STEEL))`."""
+        self._native.solid(self._massive("solid", body)[0], solid._tuple())
+
+    def gravity(self, g: Any) -> None:
+        """The acceleration of gravity, such as (0, -9.81); zero without it.   [m/s²]"""
+        self._native.gravity(in_space(g))
+
+    def _massive(self, place: str, body: Any) -> tuple[tuple[str, Optional[str]], bool]:
+        if isinstance(body, Ground):
+            return ("planar", None), True
+        if not isinstance(body, (PlanarBody, SpatialBody)):
+            raise TypeError(f"`{place}` takes a body, not {body!r}")
+        in_plane = isinstance(body, PlanarBody)
+        return ("planar" if in_plane else "spatial", self._own(place, body)), in_plane
 
     # What it becomes.
 

@@ -11,6 +11,7 @@ import numpy as np
 from . import _native
 from ._diagnosis import Diagnosis
 from ._errors import Error
+from ._forces import Forces, Tolerance
 from ._handles import Coordinate
 from ._pictures import Page, Picture
 from ._motion import Motion, Quantity, array, coordinate_name
@@ -242,6 +243,26 @@ class System:
         asked = self._what(what)
         found = self._native.sensitivities(motion._native, list(names), asked)
         return {name: Quantity._of((f"d {asked} / d {name}", "", lists), motion.times) for name, lists in found}
+
+    def tolerance(self, motion: Motion, what: What, extreme: Optional[str] = None) -> Tolerance:
+        """How far a measure of a motion may be off by the tolerances of dimensions, at the time at which that is worst; with
+        `extreme` "max" or "min" of its largest or least value, wherever in time that moves.
+
+        Raises `kin.DimensionError` where no dimension has a tolerance.
+        """
+        if extreme not in (None, "max", "min"):
+            raise ValueError(f'`extreme` is "max" or "min", not {extreme!r}')
+        largest = None if extreme is None else extreme == "max"
+        return Tolerance._of(self._native.tolerance(motion._native, self._what(what), largest))
+
+    def forces(self, motion: Motion, sharing: Union[str, Iterable[str], None] = None) -> Forces:
+        """The forces of a motion of this system: masses are given by `m.mass` or `m.solid`, weight by `m.gravity`. Of redundant
+        constraints `sharing` says how they share what no balance decides: "least norm", or the names of equations that hold
+        nothing; without it no number is given for what is not unique.
+
+        Raises an error by name: nothing has mass and nothing acts, a motion of another system, a singular position.
+        """
+        return Forces(self._native, motion, self._token, self.name, sharing)
 
     def gradient(self, motion: Motion, names: Sequence[str], what: What, weights: Any) -> Any:
         """The derivatives by parameters of one number, whose derivatives by a measure, its rate and its second rate at

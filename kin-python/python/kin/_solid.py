@@ -1,0 +1,107 @@
+"""Masses of bodies: mass, centre and inertia, by numbers or by shapes with a density."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Sequence
+
+import numpy as np
+
+from . import _native
+from ._values import euler_of, flat
+from ._vectors import VectorLike
+
+Mass = tuple[float, tuple[float, ...], tuple[tuple[float, ...], ...]]
+
+
+@dataclass(frozen=True)
+class Solid:
+    """Mass, centre of mass in the body's frame, inertia about it in the body's axes (products with the sign of J = ∫ (r² I − r
+    rᵀ) dm); in a plane J_zz alone counts.   [kg, m, kg m²]"""
+
+    mass: float
+    centre: tuple[float, ...]
+    inertia: tuple[tuple[float, ...], ...]
+
+    #: Densities, in kilogram and metre.   [kg/m³]
+    STEEL = 7850.0
+    ALUMINIUM = 2700.0
+
+    @staticmethod
+    def _shape(shape: str, sizes: Sequence[float], density: float) -> "Solid":
+        return _solid(_native.solid_of(shape, sizes, density))
+
+    @staticmethod
+    def cuboid(a: float, b: float, c: float, density: float) -> "Solid":
+        """A box of these sizes along x, y and z, its centre at the origin: J_xx = m (b² + c²)/12.   [m, kg/m³]"""
+        return Solid._shape("cuboid", [a, b, c], density)
+
+    @staticmethod
+    def bar(length: float, height: float, width: float, density: float) -> "Solid":
+        """A bar along x, its centre at the origin, where the frame of a link is.   [m, kg/m³]"""
+        return Solid._shape("cuboid", [length, height, width], density)
+
+    @staticmethod
+    def cylinder(radius: float, length: float, density: float) -> "Solid":
+        """A cylinder along x, its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² + l²)/12.   [m, kg/m³]"""
+        return Solid._shape("cylinder", [radius, length], density)
+
+    @staticmethod
+    def disc(radius: float, thickness: float, density: float) -> "Solid":
+        """A disc in the plane, its axis along z, its centre at the origin.   [m, kg/m³]"""
+        return Solid._shape("disc", [radius, thickness], density)
+
+    @staticmethod
+    def sphere(radius: float, density: float) -> "Solid":
+        """A ball, its centre at the origin: J = 2/5 m r².   [m, kg/m³]"""
+        return Solid._shape("sphere", [radius], density)
+
+    @staticmethod
+    def plate(corners: Any, thickness: float, density: float) -> "Solid":
+        """A plate whose outline in the xy-plane has these corners, in order either way round, z = 0 in its middle.   [m,
+        kg/m³]"""
+        return Solid._shape("plate", [thickness, *flat(corners)], density)
+
+    def at(self, centre: VectorLike) -> "Solid":
+        """The same with its centre at another point of the body.   [m]"""
+        return Solid(self.mass, tuple(in_space(centre)), self.inertia)
+
+    def turned(self, p: Any) -> "Solid":
+        """The same turned about the body's origin by Euler parameters: c̄ → A c̄, J → A J Aᵀ."""
+        return _solid(_native.solid_turned(self._tuple(), euler_of(p)))
+
+    def and_(self, other: "Solid") -> "Solid":
+        """Both as one body."""
+        return _solid(_native.solid_joined(self._tuple(), other._tuple(), False))
+
+    def without(self, hole: "Solid") -> "Solid":
+        """The same with another one cut out of it."""
+        return _solid(_native.solid_joined(self._tuple(), hole._tuple(), True))
+
+    def _tuple(self) -> Mass:
+        return self.mass, self.centre, self.inertia
+
+
+def _solid(made: tuple[float, list[float], list[list[float]]]) -> Solid:
+    return Solid(made[0], tuple(made[1]), tuple(tuple(row) for row in made[2]))
+
+
+def in_space(vector: Any) -> list[float]:
+    """A vector of the plane or of space as one of space."""
+    found = flat(vector)
+    if len(found) not in (2, 3):
+        raise TypeError(f"a vector has two or three components, not {len(found)}")
+    return found + [0.0] * (3 - len(found))
+
+
+def inertia_of(inertia: Any, in_plane: bool) -> tuple[tuple[float, ...], ...]:
+    """A moment in the plane, a tensor in space (three numbers are its diagonal), by rows."""
+    found = flat(inertia)
+    if in_plane and len(found) == 1:
+        return ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, found[0]))
+    if not in_plane and len(found) == 3:
+        return tuple(tuple(row) for row in np.diag(found).tolist())
+    if not in_plane and len(found) == 9:
+        return tuple(tuple(row) for row in np.reshape(found, (3, 3)).tolist())
+    wanted = "one moment about its centre" if in_plane else "a tensor of three rows, or its diagonal"
+    raise TypeError(f"the inertia of a body in {'the plane' if in_plane else 'space'} is {wanted}, not {inertia!r}")

@@ -1,0 +1,226 @@
+//! Forces of a motion. They are made where they are asked for: Rust's borrow the system and the motion, which
+//! Python's may outlive.
+
+use std::sync::Arc;
+
+use kin::{
+    Acted, EulerParameters, Ground, Massive, Mat3, PlanarBody, Series, Sharing, Solid, SpatialBody, Turning,
+};
+use kin::{Vec2, Vec3};
+use pyo3::prelude::*;
+
+use crate::fault::{told, value, wrong_type};
+use crate::motion::{Motion, Told, series};
+use crate::numbers::{vec2, vec3};
+use crate::system::System;
+
+/// The forces of a motion of a system.
+#[pyclass(frozen, module = "kin._native")]
+pub struct Forces {
+    system: Arc<kin::System>,
+    motion: Arc<kin::Motion>,
+    sharing: Sharing,
+}
+
+/// A way to another point or other axes: `at`, `about` or `in_body`, with a point for the first two.
+type Way = (String, Vec<f64>);
+
+/// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
+type Driven<'py> = (String, Vec<Told<'py>>, Told<'py>, (f64, f64, String), String);
+
+/// Energies T and V; powers of drives and loads, rate of T, what is left; the largest power, the share that is
+/// left, that in words.
+type Balanced<'py> = (Vec<Told<'py>>, Vec<Told<'py>>, f64, f64, String);
+
+impl Forces {
+    fn with<T: Send>(
+        &self,
+        py: Python<'_>,
+        ask: impl FnOnce(&kin::Forces<'_>) -> kin::Result<T> + Send,
+    ) -> PyResult<T> {
+        let found = py.detach(|| ask(&self.system.forces_with(&self.motion, &self.sharing)?));
+        told(py, found)
+    }
+}
+
+#[pymethods]
+impl Forces {
+    #[new]
+    #[pyo3(signature = (system, motion, least_norm, left_out = None))]
+    fn new(system: &System, motion: &Motion, least_norm: bool, left_out: Option<Vec<String>>) -> Forces {
+        let sharing = match left_out {
+            Some(names) => Sharing::LeftOut(names),
+            None if least_norm => Sharing::LeastNorm,
+            None => Sharing::NotGiven,
+        };
+        Forces { system: system.now(), motion: motion.0.clone(), sharing }
+    }
+
+    fn balance<'py>(&self, py: Python<'py>) -> PyResult<Balanced<'py>> {
+        let (energy, balance) =
+            self.with(py, |forces| Ok((forces.energy().clone(), forces.balance().clone())))?;
+        let all = |list: [&Series; 2]| list.into_iter().map(|one| series(py, one)).collect::<PyResult<_>>();
+        let mut powers: Vec<Told<'py>> = all([&balance.drives, &balance.loads])?;
+        powers.extend(all([&balance.kinetic, &balance.left])?);
+        let (share, words) = (balance.worst(), balance.to_string());
+        Ok((all([&energy.kinetic, &energy.potential])?, powers, balance.largest, share, words))
+    }
+
+    fn drives(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.with(py, |forces| Ok(forces.drives().into_iter().map(str::to_owned).collect()))
+    }
+
+    fn drive<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Driven<'py>> {
+        let drive = self.with(py, |forces| forces.drive(name))?;
+        let efforts = drive.efforts().iter().map(|one| series(py, one)).collect::<PyResult<_>>()?;
+        let peak = drive.peak();
+        let words = peak.to_string();
+        Ok((name.to_owned(), efforts, series(py, drive.power())?, (peak.value, peak.t, peak.unit), words))
+    }
+
+    /// Power of a constraint or of several together; of what acts on the ground without names.
+    fn power<'py>(&self, py: Python<'py>, names: Vec<String>) -> PyResult<Told<'py>> {
+        let power = self.with(py, |forces| reaction(forces, &names).map(|found| found.power()))?;
+        series(py, &power)
+    }
+
+    /// Something that is asked of the force and torque of constraints on a body, as lists over time.
+    fn acted<'py>(
+        &self,
+        py: Python<'py>,
+        names: Vec<String>,
+        body: (bool, Option<String>),
+        ways: Vec<Way>,
+        asked: &str,
+    ) -> PyResult<Vec<Told<'py>>> {
+        let (in_plane, name) = body;
+        let find =
+            |name: &str| wrong_type(format!("there is no body `{name}` of that kind in this mechanism"));
+        let found = match (in_plane, &name) {
+            (true, name) => {
+                let body = match name {
+                    Some(name) => self.motion.planar_named(name).ok_or_else(|| find(name))?,
+                    None => PlanarBody::from(Ground),
+                };
+                let ways =
+                    ways.into_iter().map(|(way, u)| Ok((way, of_two(u)?))).collect::<PyResult<Vec<_>>>()?;
+                self.with(py, |forces| on(forces, &names, body, ways, asked))?
+            }
+            (false, name) => {
+                let body = match name {
+                    Some(name) => self.motion.spatial_named(name).ok_or_else(|| find(name))?,
+                    None => SpatialBody::from(Ground),
+                };
+                let ways =
+                    ways.into_iter().map(|(way, u)| Ok((way, of_three(u)?))).collect::<PyResult<Vec<_>>>()?;
+                self.with(py, |forces| on(forces, &names, body, ways, asked))?
+            }
+        };
+        found.iter().map(|one| series(py, one)).collect()
+    }
+
+    /// All that is unique, as columns.
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Vec<Told<'py>>> {
+        let found = self.with(py, |forces| Ok(forces.columns()))?;
+        found.iter().map(|one| series(py, one)).collect()
+    }
+
+    fn write_csv(&self, py: Python<'_>, path: &str) -> PyResult<()> {
+        self.with(py, |forces| forces.write_csv(path))
+    }
+}
+
+fn reaction<'f>(forces: &'f kin::Forces<'f>, names: &[String]) -> kin::Result<kin::Reaction<'f>> {
+    match names {
+        [] => Ok(forces.on_ground()),
+        [name] => forces.reaction(name),
+        names => forces.sum(names),
+    }
+}
+
+fn on<B: Massive>(
+    forces: &kin::Forces<'_>,
+    names: &[String],
+    body: B,
+    ways: Vec<(String, Option<B::Vector>)>,
+    asked: &str,
+) -> kin::Result<Vec<Series>>
+where
+    B::Vector: Turning,
+{
+    let mut acted = reaction(forces, names)?.on(body)?;
+    for (way, point) in ways {
+        acted = match (way.as_str(), point) {
+            ("at", Some(u)) => acted.at(u),
+            ("about", Some(point)) => acted.about(point),
+            _ => acted.in_body(),
+        };
+    }
+    ask(&acted, asked)
+}
+
+fn ask<V: Turning>(acted: &Acted<'_, V>, asked: &str) -> kin::Result<Vec<Series>> {
+    match asked {
+        "components" => Ok(acted.components()),
+        "magnitude" => acted.magnitude().map(|one| vec![one]),
+        "torque_magnitude" => acted.torque_magnitude().map(|one| vec![one]),
+        names => names.split_whitespace().map(|name| acted.component(name)).collect(),
+    }
+}
+
+fn of_two(u: Vec<f64>) -> PyResult<Option<Vec2>> {
+    match u[..] {
+        [] => Ok(None),
+        [x, y] => Ok(Some(vec2([x, y]))),
+        _ => Err(wrong_type("a point of a planar body has two numbers")),
+    }
+}
+
+fn of_three(u: Vec<f64>) -> PyResult<Option<Vec3>> {
+    match u[..] {
+        [] => Ok(None),
+        [x, y, z] => Ok(Some(vec3([x, y, z]))),
+        _ => Err(wrong_type("a point of a spatial body has three numbers")),
+    }
+}
+
+/// Mass, centre and inertia.
+pub type Mass = (f64, [f64; 3], [[f64; 3]; 3]);
+
+pub fn solid((mass, centre, inertia): Mass) -> Solid {
+    Solid { mass, centre: vec3(centre), inertia: Mat3::from(inertia) }
+}
+
+fn mass(solid: Solid) -> Mass {
+    (solid.mass, solid.centre.to_array(), solid.inertia.to_array())
+}
+
+/// A shape of these sizes with a density.
+#[pyfunction]
+pub fn solid_of(shape: &str, sizes: Vec<f64>, density: f64) -> PyResult<Mass> {
+    Ok(mass(match (shape, &sizes[..]) {
+        ("cuboid", &[a, b, c]) => Solid::cuboid(a, b, c, density),
+        ("cylinder", &[radius, length]) => Solid::cylinder(radius, length, density),
+        ("disc", &[radius, thickness]) => Solid::disc(radius, thickness, density),
+        ("sphere", &[radius]) => Solid::sphere(radius, density),
+        ("plate", [thickness, corners @ ..]) if corners.len() >= 6 && corners.len() % 2 == 0 => {
+            let corners: Vec<Vec2> = corners.chunks_exact(2).map(|c| Vec2::new(c[0], c[1])).collect();
+            Solid::plate(&corners, *thickness, density)
+        }
+        _ => return Err(value(format!("`{shape}` does not have these sizes: {sizes:?}"))),
+    }))
+}
+
+/// A solid turned about the body's origin.
+#[pyfunction]
+pub fn solid_turned(of: Mass, p: [f64; 4]) -> Mass {
+    let [e0, e1, e2, e3] = p;
+    mass(solid(of).turned(EulerParameters::new(e0, e1, e2, e3)))
+}
+
+/// Two solids as one, or the first without the second.
+#[pyfunction]
+pub fn solid_joined(first: Mass, second: Mass, cut: bool) -> Mass {
+    let (first, second) = (solid(first), solid(second));
+    mass(if cut { first.without(second) } else { first.and(second) })
+}
