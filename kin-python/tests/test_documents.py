@@ -24,9 +24,13 @@ def run(program, folder):
     return done.stdout
 
 
-@pytest.mark.parametrize("k", range(len(PROGRAMS)))
+ENGINES = ("scipy", "torch", "jax", "ray", "dask", "pyspark")
+IDS = [" ".join([str(k), *(name for name in ENGINES if f"import {name}" in one)]) for k, one in enumerate(PROGRAMS)]
+
+
+@pytest.mark.parametrize("k", range(len(PROGRAMS)), ids=IDS)
 def test_the_guides_programs_run(k, tmp_path):
-    missing = [name for name in ("scipy", "torch", "jax", "ray", "dask", "pyspark") if f"import {name}" in PROGRAMS[k]]
+    missing = [name for name in ENGINES if f"import {name}" in PROGRAMS[k]]
     for name in missing:
         pytest.importorskip(name, reason=f"NOT RUN: {name} is not installed")
     run(PROGRAMS[k], tmp_path)

@@ -46,6 +46,15 @@ def test_a_conditional_expression():
     assert told(make)[0] == "a condition on a coordinate: write kin.where(x >= 2.0 * y, a, b)"
 
 
+def test_a_table_by_numpy():
+    def make():
+        @kin.constraint
+        def f(x: Coord, y: Coord):
+            return y - np.interp(x, [0, 1, 2], [0, 1, 4])
+
+    assert told(make)[0].startswith("`np.interp` has corners: a table is a law; give the function an argument")
+
+
 def test_and():
     def make():
         @kin.constraint

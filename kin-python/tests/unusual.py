@@ -1,5 +1,7 @@
 """Constraints that no library has, in many ways of writing Python."""
 
+import dataclasses
+import functools
 import math
 from typing import Annotated, Sequence
 
@@ -141,6 +143,70 @@ def mixed_vectors(a: Planar, b: Planar, u: Vec2):
     return d.lerp(e, 0.25).component_mul(u) + kin.where(d.x > e.x, d, e), np.linalg.norm(e) - np.cross(d, e)
 
 
+@dataclasses.dataclass
+class Segment:
+    """A class of the program around."""
+
+    start: Vec2
+    end: Vec2
+
+    @property
+    def length(self):
+        return (self.end - self.start).norm()
+
+
+@constraint
+def by_a_class(i: Planar, j: Planar, u: Vec2, length: float = 0.7):
+    return Segment(i.point(u), j.point((0.1, 0.0))).length - length
+
+
+def chebyshev(n, x):
+    return 1.0 if n == 0 else x if n == 1 else 2 * x * chebyshev(n - 1, x) - chebyshev(n - 2, x)
+
+
+@constraint
+def by_recursion(x: Coord, y: Coord):
+    return y - chebyshev(6, x)
+
+
+@constraint
+def broadcast(q: Annotated[Sequence[Coord], 3], t: Time):
+    """Arrays of coordinates: products with matrices, sums along axes, a mean."""
+    matrix = np.array([[1.0, 2.0, 3.0], [0.5, 0.0, -1.0]])
+    v = np.array(q)
+    differences = v[:, None] * np.array([1.0, np.sin(t)])
+    return [*(matrix @ v), (v * v).sum() - differences.sum(axis=0)[1], np.mean(v) - np.prod(v)]
+
+
+@constraint
+def pairs_of_neighbours(q: Annotated[Sequence[Coord], 3]):
+    named = dict(zip("abc", q))
+    rows = [b - a - 0.1 * k for k, (a, b) in enumerate(zip(q, q[1:]))]
+    rows.append(functools.reduce(lambda s, c: s * named["a"] + c, (1.0, 2.0, named["c"])))
+    return np.array(rows)
+
+
+@constraint
+def chosen_by_numpy(x: Coord, y: Coord):
+    """An early return is a choice between two values."""
+    return np.where(x > 0.2, y - x, np.where((x < -0.2) & ~(y > 0.1), y + 2 * x, x * y))
+
+
+@constraint
+def fitted(x: Coord, y: Coord):
+    return y - np.polyval([0.3, -0.1, 0.5], x) + len(f"{x:.3f} {y}") * 0.0
+
+
+@constraint
+def inner_function(i: Planar, j: Planar, off: float = 0.1):
+    def turned(v, angle):
+        c, s = np.cos(angle), np.sin(angle)
+        return kin.vec2(c * v.x - s * v.y, s * v.x + c * v.y)
+
+    x, y = turned(i.r, j.theta)
+    return {"x": x - off, "y": y - j.r.x}["x"], np.stack([np.array(i.r), np.array(j.r)]).mean(axis=0)
+
+
 # Each with its parameters.
 UNUSUAL = [
     (parabolic_slot, [(0.1, 0.2), 2.0]),
@@ -162,4 +228,11 @@ UNUSUAL = [
     (words, [0.3]),
     (saturated, []),
     (mixed_vectors, [(0.7, -0.2)]),
+    (by_a_class, [(0.7, -0.2), 0.6]),
+    (by_recursion, []),
+    (broadcast, []),
+    (pairs_of_neighbours, []),
+    (chosen_by_numpy, []),
+    (fitted, []),
+    (inner_function, [0.2]),
 ]

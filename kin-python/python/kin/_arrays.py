@@ -33,6 +33,18 @@ def _dot(a: Any, b: Any) -> Any:
     return a @ b if hasattr(a, "_N") else _vector(a).dot(b)
 
 
+def _polyval(p: Any, x: Any) -> Any:
+    value: Any = 0.0
+    for c in p:
+        value = value * x + c
+    return value
+
+
+def _interp(*_: Any, **__: Any) -> Any:
+    text = "`np.interp` has corners: a table is a law; give the function an argument `table: kin.Law`, and kin.Law.spline(x, y) for it"
+    _mistakes.at(users_line(), text)
+
+
 KNOWN: dict[Any, Callable[..., Any]] = {
     np.where: _functions.where,
     np.dot: _dot,
@@ -44,6 +56,8 @@ KNOWN: dict[Any, Callable[..., Any]] = {
     np.transpose: lambda a: a.transpose(),
     np.trace: lambda a: a.trace(),
     np.sum: _sum,
+    np.polyval: _polyval,
+    np.interp: _interp,
     np.clip: _functions.clip,
 }
 

@@ -32,6 +32,10 @@ class Traced:
     def __hash__(self) -> int:
         return hash((id(self._trace), self._node))
 
+    def __format__(self, _: str) -> str:
+        # Its value is not known: however its digits are asked for, it is shown as what it is.
+        return repr(self)
+
     def __bool__(self) -> bool:
         _mistakes.condition(users_line())
 
