@@ -28,8 +28,8 @@ type Way = (String, Vec<f64>);
 /// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
 type Driven<'py> = (String, Vec<Told<'py>>, Told<'py>, (f64, f64, String), String);
 
-/// Energies T and V; powers of drives and loads, rate of T, what is left; the largest power, the share that is
-/// left, that in words.
+/// Energies T and V; powers of drives and loads, rate of T, what is left; the largest power, the share that
+/// is left, that in words.
 type Balanced<'py> = (Vec<Told<'py>>, Vec<Told<'py>>, f64, f64, String);
 
 impl Forces {

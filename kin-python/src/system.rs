@@ -31,8 +31,9 @@ type Solved<'py> = (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, Py
 /// Name, unit; time, value and kind of each extreme; stroke; time ratio.
 type Turns = (String, String, Vec<(f64, f64, bool)>, f64, Option<f64>, (f64, f64), (f64, f64));
 
-/// A tolerance: in words; name and unit; time, nominal value, worst case, RSS, how far the stack misleads; the
-/// corners; for each dimension name and unit, tolerance, slope, how far it puts the measure off, its shares.
+/// A tolerance: in words; name and unit; time, nominal value, worst case, RSS, how far the stack misleads;
+/// the corners; for each dimension name and unit, tolerance, slope, how far it puts the measure off, its
+/// shares.
 type Off = (
     String,
     (String, String),
@@ -315,8 +316,8 @@ impl System {
         told.collect()
     }
 
-    /// How far a measure may be off by the tolerances of dimensions, at the time at which that is worst, or of
-    /// its largest (true) or least extreme.
+    /// How far a measure may be off by the tolerances of dimensions, at the time at which that is worst, or
+    /// of its largest (true) or least extreme.
     #[pyo3(signature = (motion, what, largest = None))]
     fn tolerance(&self, py: Python<'_>, motion: &Motion, what: &str, largest: Option<bool>) -> PyResult<Off> {
         let (system, motion) = (self.now(), &motion.0);
