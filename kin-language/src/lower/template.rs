@@ -93,12 +93,12 @@ impl Template {
         found
     }
 
-    /// The constants and the functions by path, of the program's own, that it reads: as they are written, with
+    /// The constants and the functions by path that it reads of the program's own, as they are written, with
     /// their places.
     pub fn named(&self) -> Vec<(String, Span)> {
         let (mut found, mut callee) = (Vec::new(), None);
         self.visit(&mut |template| {
-            // What is called is visited right behind its call.
+            // A callee is visited right behind its call.
             let is_callee = callee.take() == Some(std::ptr::from_ref(template));
             match template {
                 Template::Call(called, ..) => callee = Some(std::ptr::from_ref(&**called)),

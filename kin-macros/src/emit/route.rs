@@ -16,7 +16,8 @@ pub enum DualReason<'a> {
 /// `.cargo/config.toml` is a good place for it.
 const CRATE_WIDE: &str = "KIN_WARN_DUAL";
 
-/// The `RouteReason` of a body that has been read, but perhaps for functions and constants that only rustc knows.
+/// The `RouteReason` of a body that has been read, but perhaps for functions and constants that only rustc
+/// knows.
 pub fn read(lowered: &Lowered) -> TokenStream {
     let called = lowered.leaves.iter().flat_map(|leaf| leaf.template.called());
     let values = lowered.leaves.iter().chain(&lowered.opaques);

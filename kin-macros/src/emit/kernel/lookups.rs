@@ -6,8 +6,8 @@ use super::*;
 use kin_graph::Input;
 use kin_graph::schedule::{Lookup, Test};
 
-/// So many knots are compared one after the other: of 19 knots that takes 213 instructions where halving takes
-/// 302 (C, C_q and Q_d of a cubic spline).
+/// So many knots are compared one after the other: of 19 knots that takes 213 instructions where halving
+/// takes 302 (C, C_q and Q_d of a cubic spline).
 const SHORT: usize = 32;
 
 impl Kernel<'_> {
