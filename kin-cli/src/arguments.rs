@@ -269,6 +269,9 @@ pub struct Forces {
     /// Where the table goes
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
+    /// The same as JSON, with units
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
 }
 
 #[derive(Clone, Debug, Args)]

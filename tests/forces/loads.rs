@@ -218,6 +218,16 @@ fn columns_and_files_have_names_and_units() {
     std::fs::remove_file(&path).expect("removes");
     assert_eq!(text.lines().count(), 3);
     assert!(text.starts_with("t [s],a.x [N],a.x.power [W],"), "{text}");
+    forces.write_json(&path).expect("writes");
+    let text = std::fs::read_to_string(&path).expect("reads");
+    std::fs::remove_file(&path).expect("removes");
+    let data: kin::data::ForcesData = serde_json::from_str(&text).expect("forces");
+    assert_eq!(data, forces.data());
+    assert_eq!((data.mechanism.as_str(), data.times.as_slice()), ("two bodies", &[0.0, 0.5][..]));
+    for (column, series) in data.columns.iter().zip(forces.columns()) {
+        assert_eq!((column.name.as_str(), column.unit.as_str()), (series.name(), series.unit()));
+        assert_eq!(column.values, series.values());
+    }
 }
 
 #[test]

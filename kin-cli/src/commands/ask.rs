@@ -215,5 +215,8 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     }
     say.note(&forces.balance().to_string());
     put(&asked.csv, |to| forces.write_csv_to(to))?;
+    if let Some(file) = &asked.json {
+        put(file, |to| Ok(serde_json::to_writer(to, &forces.data())?))?;
+    }
     early.map_or(Ok(()), Err)
 }

@@ -114,6 +114,13 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     }
     let told = words(&done(&arguments));
     assert!(told.contains("motor: at most 7.3575 N m at 0 s") && told.contains("power balance"), "{told}");
+    let table = std::env::temp_dir().join(format!("kin-forces-{}.csv", std::process::id()));
+    let table = table.to_str().expect("a path");
+    let whole = data(&["forces", &file, "--times", "0:3:31", "--csv", table, "--json", "-"]);
+    let whole: kin::data::ForcesData = serde_json::from_str(&whole).expect("forces");
+    std::fs::remove_file(table).expect("a table");
+    let motor = whole.columns.iter().find(|column| column.name == "motor").expect("a column");
+    assert!((motor.values[0] - 7.3575).abs() < 1e-11 && motor.unit == "N m" && whole.left_over < 1e-12);
     let output = done(&["forces", &example("04_four_bar"), "--times", "0:1:3"]);
     assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
 }

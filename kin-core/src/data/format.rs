@@ -51,6 +51,39 @@ pub struct MechanismData {
     pub loads: Vec<LoadData>,
 }
 
+/// Forces of a motion: everything that is unique as columns, each with its unit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ForcesData {
+    /// Version of the format.
+    #[serde(default = "is_first")]
+    pub format: u32,
+    /// Name of the mechanism.
+    pub mechanism: String,
+    /// Names of the units that those of the columns are made of.
+    pub units: Units,
+    /// The times.
+    pub times: Vec<f64>,
+    /// Efforts and powers of drives, components of reactions, energies.
+    pub columns: Vec<ColumnData>,
+    /// The largest power that the balance leaves over, as a share of the largest power.
+    pub left_over: f64,
+}
+
+/// A number over time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ColumnData {
+    /// Its name, such as `A on crank.F_x`.
+    pub name: String,
+    /// Its unit, such as N m.
+    pub unit: String,
+    /// Its value at each time.
+    pub values: Vec<f64>,
+}
+
 /// The value that a measure of a joint should have in the assembly that is meant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -24,7 +24,10 @@ use serde::de::DeserializeOwned;
 
 pub use crate::model::describer::Describer;
 pub use dimensions::{DimensionData, NumberData};
-pub use format::{ArgumentData, BodyData, BodyKind, ConstraintData, LimitData, MechanismData, PreferredData};
+pub use format::{
+    ArgumentData, BodyData, BodyKind, ColumnData, ConstraintData, ForcesData, LimitData, MechanismData,
+    PreferredData,
+};
 pub use law::{LawData, LawReader};
 pub use loads::{ActingData, FormulaData, LoadData, ScalarData};
 pub use masses::MassData;
@@ -36,8 +39,10 @@ pub use value::{
 };
 
 use crate::ask::diagnosis::Diagnosis;
+use crate::forces::Forces;
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::Mechanism;
+use crate::model::motion::Series;
 use crate::solve::motion::Motion;
 
 /// Version of the formats; it changes when an older reader would misunderstand.
@@ -87,6 +92,34 @@ impl Motion {
     /// Errors: a file that cannot be read, and those of [`Motion::from_data`].
     pub fn read_json(path: impl AsRef<Path>) -> Result<Motion> {
         Motion::from_data(&read(path.as_ref())?)
+    }
+}
+
+impl Forces<'_> {
+    /// Everything that is unique as data, to be written by serde: the columns of [`Forces::columns`] with
+    /// their units.
+    pub fn data(&self) -> ForcesData {
+        let motion = self.motion();
+        let column = |column: Series| ColumnData {
+            name: column.name().to_string(),
+            unit: column.unit().to_string(),
+            values: column.values().to_vec(),
+        };
+        ForcesData {
+            format: FORMAT,
+            mechanism: self.mechanism_name().to_string(),
+            units: motion.unit_words().clone(),
+            times: motion.times().to_vec(),
+            columns: self.columns().into_iter().map(column).collect(),
+            left_over: self.balance().worst(),
+        }
+    }
+
+    /// Writes the forces as JSON ([`Forces::data`]), making folders that are missing.
+    ///
+    /// Errors: a file that cannot be written.
+    pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
+        write(path.as_ref(), &self.data())
     }
 }
 

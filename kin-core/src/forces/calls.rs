@@ -215,6 +215,11 @@ impl<'a> Forces<'a> {
         self.motion
     }
 
+    /// The name of the mechanism.
+    pub(crate) fn mechanism_name(&self) -> &str {
+        self.system.name()
+    }
+
     /// Force and torque of a constraint on its bodies; of a driver too.
     ///
     /// Errors: a name that no constraint has.
