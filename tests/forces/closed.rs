@@ -59,7 +59,7 @@ fn hookes_joint() {
 fn a_top_that_is_led_round() {
     let (mass, h, i1, i3, g) = (2.3, 0.45, 0.05, 0.08, 9.81);
     let (w, spin) = (2.1, 37.0);
-    for b in [0.3_f64, 1.1, 1.5707963267948966, 2.4] {
+    for b in [0.3_f64, 1.1, std::f64::consts::FRAC_PI_2, 2.4] {
         let mut m = Mechanism::new("top");
         let lean = vec3(b.sin(), 0.0, b.cos());
         let yoke = m.spatial("yoke", SpatialPose::at(vec3(0.0, 0.0, 0.0))).expect("a body");

@@ -1,6 +1,7 @@
 //! Forces: reactions, efforts of drives, loads and powers, against references and closed forms.
 
 mod along;
+mod chrono;
 mod closed;
 // Its mechanisms are those of other files.
 #[allow(dead_code)]

@@ -84,7 +84,7 @@ fn bennett(view: View) -> (Mechanism, Vec<SpatialBody>) {
 /// unique (it is zero), and so is the torque of the drive at J1.
 #[test]
 fn bennetts_linkage() {
-    View::all(|view| one_bennett(view));
+    View::all(one_bennett);
 }
 
 fn one_bennett(view: View) {

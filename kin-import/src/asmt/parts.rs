@@ -8,6 +8,9 @@ use super::{Reading, refused};
 use crate::imported::Mistake;
 use crate::tree::Tree;
 
+/// Rows of a matrix may miss length 1 and right angles by this: files are written by hand and rounded.
+const ROUNDED: f64 = 1e-4;
+
 /// A frame on a body.
 #[derive(Clone, Copy)]
 pub struct Marker {
@@ -75,7 +78,7 @@ fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
     let a = Mat3::from(rows);
     let off = a * a.transpose() - Mat3::identity();
     let worst = off.to_array().iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-    if worst < 1e-6 {
+    if worst < ROUNDED {
         return Ok((Vec3::from(r), a));
     }
     let line = of.need("RotationMatrix")?.line;
