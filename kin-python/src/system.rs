@@ -325,7 +325,7 @@ impl System {
             None => system.tolerance(motion, what),
             Some(largest) => {
                 let extremes = system.extremes(motion, what)?;
-                system.tolerance_of(motion, what, &if largest { extremes.max() } else { extremes.min() })
+                system.tolerance_of(motion, what, if largest { extremes.max() } else { extremes.min() })
             }
         });
         let found = told(py, found)?;

@@ -1,8 +1,7 @@
 //! Dimensions in mechanism files: the named numbers, and expressions of them where numbers stand.
 
-use std::fmt;
+mod number;
 
-use serde::de::{Deserializer, Visitor};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -12,6 +11,8 @@ use crate::model::constraint::Constraint;
 use crate::model::dimension::{Bound, Dimension, Distribution, Entry, text_of};
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::Mechanism;
+
+pub use number::NumberData;
 
 /// A dimension as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,49 +38,6 @@ pub struct DimensionData {
     /// The clearance that it is one of the two dimensions of; its distribution is a disc.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clearance: Option<String>,
-}
-
-/// A number, or an expression of dimensions such as `"crank / 2"`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum NumberData {
-    /// A number.
-    Number(f64),
-    /// An expression.
-    Expression(String),
-}
-
-impl<'de> Deserialize<'de> for NumberData {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
-        from.deserialize_any(OfNumber)
-    }
-}
-
-/// Reads a number or an expression, and says of anything else that it is neither.
-struct OfNumber;
-
-impl Visitor<'_> for OfNumber {
-    type Value = NumberData;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, or an expression of dimensions")
-    }
-
-    fn visit_f64<E>(self, x: f64) -> std::result::Result<NumberData, E> {
-        Ok(NumberData::Number(x))
-    }
-
-    fn visit_i64<E>(self, x: i64) -> std::result::Result<NumberData, E> {
-        Ok(NumberData::Number(x as f64))
-    }
-
-    fn visit_u64<E>(self, x: u64) -> std::result::Result<NumberData, E> {
-        Ok(NumberData::Number(x as f64))
-    }
-
-    fn visit_str<E>(self, text: &str) -> std::result::Result<NumberData, E> {
-        Ok(NumberData::Expression(text.to_string()))
-    }
 }
 
 /// The numbers of a mechanism that hang on dimensions, as text.

@@ -26,7 +26,8 @@ impl System {
     /// # use kin::prelude::*;
     /// # fn main() -> kin::Result<()> {
     /// let mut m = Mechanism::new("crank");
-    /// let crank = m.link("crank", m.dimension("length", 0.3)?)?;
+    /// let length = m.dimension("length", 0.3)?;
+    /// let crank = m.link("crank", length)?;
     /// m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
     /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
     /// // Its middle should go to 0.1 in the mean square.

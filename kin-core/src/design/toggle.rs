@@ -32,7 +32,8 @@ impl System {
     /// # use kin::prelude::*;
     /// # fn main() -> kin::Result<()> {
     /// let mut m = Mechanism::new("reach");
-    /// let rod = m.link("rod", m.dimension("rod", 0.5)?)?;
+    /// let length = m.dimension("rod", 0.5)?;
+    /// let rod = m.link("rod", length)?;
     /// let slider = m.planar("slider", pose(0.4, 0.3, 0.0))?;
     /// m.add("O", revolute(rod, Ground, rod.start(), (0.0, 0.0)))?;
     /// m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0)))?;

@@ -1,7 +1,7 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 //!
-//! One iteration ([`iterate`]) serves single positions, redundant mechanisms ([`redundant`]) and cases in
-//! lanes ([`lanes`]), and one loop ([`advance`]) the smaller steps of time. Vectors alone are there twice, in
+//! One iteration (`iterate`) serves single positions, redundant mechanisms (`redundant`) and cases in
+//! lanes (`lanes`), and one loop (`advance`) the smaller steps of time. Vectors alone are there twice, in
 //! whole fours and over lanes: through the vectors of lanes a single case takes 10 690 instructions a step
 //! of a four-bar instead of 8270, and eight cases one by one take 66 000 instead of 10 690.
 

@@ -288,7 +288,7 @@ impl Samples {
 const TOLD: [f64; 5] = [0.00135, 0.05, 0.5, 0.95, 0.99865];
 
 impl fmt::Display for Samples {
-    /// "slider.R_x [m], 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how many cannot
+    /// "slider.R_x \[m\], 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how many cannot
     /// be assembled.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Sampling { count, seed, .. } = self.sampling;
