@@ -8,7 +8,7 @@ pub enum Fault {
     /// The mechanism cannot do what is asked of it.
     Mechanism(Box<Error>),
     /// The mechanism's fault too, which has been told already.
-    Told,
+    Reported,
     /// The command line does not make sense.
     Usage(String),
     /// The run has ended before its last time; what came before has been written.
@@ -26,7 +26,7 @@ impl Fault {
     pub fn code(&self) -> u8 {
         match self {
             Fault::Pipe => 0,
-            Fault::Mechanism(_) | Fault::Told => 1,
+            Fault::Mechanism(_) | Fault::Reported => 1,
             Fault::Usage(_) => 2,
             Fault::Early(_) => 3,
             Fault::NotProved(_) => 4,
@@ -37,7 +37,7 @@ impl Fault {
     fn name(&self) -> &'static str {
         match self {
             Fault::Pipe => "pipe",
-            Fault::Mechanism(_) | Fault::Told => "mechanism",
+            Fault::Mechanism(_) | Fault::Reported => "mechanism",
             Fault::Usage(_) => "usage",
             Fault::Early(_) => "ended early",
             Fault::NotProved(_) => "not proved",
@@ -48,7 +48,7 @@ impl Fault {
     /// The sentence; `None` where all has been said.
     pub fn message(&self) -> Option<String> {
         match self {
-            Fault::Pipe | Fault::Told => None,
+            Fault::Pipe | Fault::Reported => None,
             Fault::Mechanism(error) | Fault::Early(error) => Some(error.to_string()),
             Fault::Usage(text) | Fault::NotProved(text) | Fault::File(text) => Some(text.clone()),
         }

@@ -385,7 +385,8 @@ const _: () = {
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
-                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+                OutgoingBySerde as _, OutgoingConstant as _, OutgoingRefused as _,
+                RefusedConstant as _,
             };
             to.put("tip", &self.tip);
             to.put("profile", &self.profile);
@@ -393,7 +394,7 @@ const _: () = {
                 ::core::module_path!(),
                 "/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]\nfn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 { let p = cam . local (follower . point (tip)) ; let phi = p . y . atan2 (p . x) ; p . norm () - profile . at (phi) + wear (phi , MOST_WEAR) }",
             );
-            (&::kin::emitted::Told(&MOST_WEAR)).constant("MOST_WEAR", to);
+            (&::kin::emitted::Outgoing(&MOST_WEAR)).constant("MOST_WEAR", to);
             to.lacks("`wear` (`#[helper]` before it and `#[constraint(with = wear)]`)");
         }
     }
@@ -739,7 +740,7 @@ rows 36
             1,
         >>::ARGUMENTS;
         fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
+            use ::kin::emitted::{IncomingBySerde as _, IncomingRefused as _};
             ::core::option::Option::Some(on_cam {
                 cam: from.planar(),
                 follower: from.planar(),

@@ -249,7 +249,8 @@ const _: () = {
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
-                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+                OutgoingBySerde as _, OutgoingConstant as _, OutgoingRefused as _,
+                RefusedConstant as _,
             };
             to.put("u_i", &self.u_i);
             to.put("u_j", &self.u_j);
@@ -424,7 +425,7 @@ rows 30 31
             2,
         >>::ARGUMENTS;
         fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
+            use ::kin::emitted::{IncomingBySerde as _, IncomingRefused as _};
             ::core::option::Option::Some(revolute {
                 i: from.planar(),
                 j: from.planar(),

@@ -299,7 +299,8 @@ const _: () = {
         }
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
             use ::kin::emitted::{
-                ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _,
+                OutgoingBySerde as _, OutgoingConstant as _, OutgoingRefused as _,
+                RefusedConstant as _,
             };
             to.put("l2", &self.l2);
             to.put("l3", &self.l3);
@@ -369,7 +370,7 @@ rows 13 19
             2,
         >>::ARGUMENTS;
         fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
-            use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
+            use ::kin::emitted::{IncomingBySerde as _, IncomingRefused as _};
             ::core::option::Option::Some(slider_crank {
                 theta3: from.coord(),
                 x: from.coord(),

@@ -12,13 +12,13 @@ use crate::numbers;
 pub struct Equation(pub kin::text::Equation);
 
 /// The mistakes of a text: message, line, column, excerpt.
-type Told = Vec<(String, usize, usize, String)>;
+type Mistakes = Vec<(String, usize, usize, String)>;
 
 #[pymethods]
 impl Equation {
     /// Reads a text; gives the equation, or its mistakes.
     #[staticmethod]
-    fn read(py: Python<'_>, text: &str) -> (Option<Equation>, Told) {
+    fn read(py: Python<'_>, text: &str) -> (Option<Equation>, Mistakes) {
         match py.detach(|| kin::text::Equation::read(text)) {
             Ok(equation) => (Some(Equation(equation)), vec![]),
             Err(mistakes) => {

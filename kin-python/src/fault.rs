@@ -22,7 +22,7 @@ pub fn raised(py: Python<'_>, error: Error) -> PyErr {
 }
 
 /// The value, or the exception.
-pub fn told<T>(py: Python<'_>, result: kin::Result<T>) -> PyResult<T> {
+pub fn or_raise<T>(py: Python<'_>, result: kin::Result<T>) -> PyResult<T> {
     result.map_err(|error| raised(py, error))
 }
 

@@ -9,8 +9,8 @@ use kin::{
 use kin::{Vec2, Vec3};
 use pyo3::prelude::*;
 
-use crate::fault::{told, value, wrong_type};
-use crate::motion::{Motion, Told, series};
+use crate::fault::{or_raise, value, wrong_type};
+use crate::motion::{Motion, Orders, series};
 use crate::numbers::{vec2, vec3};
 use crate::system::System;
 
@@ -26,11 +26,11 @@ pub struct Forces {
 type Way = (String, Vec<f64>);
 
 /// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
-type Driven<'py> = (String, Vec<Told<'py>>, Told<'py>, (f64, f64, String), String);
+type Driven<'py> = (String, Vec<Orders<'py>>, Orders<'py>, (f64, f64, String), String);
 
 /// Energies T and V; powers of drives and loads, rate of T, what is left; the largest power, the share that
 /// is left, that in words.
-type Balanced<'py> = (Vec<Told<'py>>, Vec<Told<'py>>, f64, f64, String);
+type Balanced<'py> = (Vec<Orders<'py>>, Vec<Orders<'py>>, f64, f64, String);
 
 impl Forces {
     fn with<T: Send>(
@@ -39,7 +39,7 @@ impl Forces {
         ask: impl FnOnce(&kin::Forces<'_>) -> kin::Result<T> + Send,
     ) -> PyResult<T> {
         let found = py.detach(|| ask(&self.system.forces_with(&self.motion, &self.sharing)?));
-        told(py, found)
+        or_raise(py, found)
     }
 }
 
@@ -60,7 +60,7 @@ impl Forces {
         let (energy, balance) =
             self.with(py, |forces| Ok((forces.energy().clone(), forces.balance().clone())))?;
         let all = |list: [&Series; 2]| list.into_iter().map(|one| series(py, one)).collect::<PyResult<_>>();
-        let mut powers: Vec<Told<'py>> = all([&balance.drives, &balance.loads])?;
+        let mut powers: Vec<Orders<'py>> = all([&balance.drives, &balance.loads])?;
         powers.extend(all([&balance.kinetic, &balance.left])?);
         let (share, words) = (balance.worst(), balance.to_string());
         Ok((all([&energy.kinetic, &energy.potential])?, powers, balance.largest, share, words))
@@ -79,7 +79,7 @@ impl Forces {
     }
 
     /// Power of a constraint or of several together; of what acts on the ground without names.
-    fn power<'py>(&self, py: Python<'py>, names: Vec<String>) -> PyResult<Told<'py>> {
+    fn power<'py>(&self, py: Python<'py>, names: Vec<String>) -> PyResult<Orders<'py>> {
         let power = self.with(py, |forces| reaction(forces, &names).map(|found| found.power()))?;
         series(py, &power)
     }
@@ -92,7 +92,7 @@ impl Forces {
         body: (bool, Option<String>),
         ways: Vec<Way>,
         asked: &str,
-    ) -> PyResult<Vec<Told<'py>>> {
+    ) -> PyResult<Vec<Orders<'py>>> {
         let (in_plane, name) = body;
         let find =
             |name: &str| wrong_type(format!("there is no body `{name}` of that kind in this mechanism"));
@@ -120,7 +120,7 @@ impl Forces {
     }
 
     /// All that is unique, as columns.
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Vec<Told<'py>>> {
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Vec<Orders<'py>>> {
         let found = self.with(py, |forces| Ok(forces.columns()))?;
         found.iter().map(|one| series(py, one)).collect()
     }

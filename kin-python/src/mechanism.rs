@@ -7,7 +7,7 @@ use kin::{Dimension, Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
 
 use crate::equation::{Equation, Given, Number, Terms, terms};
-use crate::fault::{told, unreadable, wrong_type};
+use crate::fault::{or_raise, unreadable, wrong_type};
 use crate::forces::{Mass, solid};
 use crate::numbers::{vec2, vec3};
 use crate::system::System;
@@ -30,15 +30,15 @@ impl Mechanism {
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Mechanism> {
         let data: MechanismData = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
         let made = py.detach(|| kin::Mechanism::from_data(&data, &kin::text::registry()));
-        told(py, made).map(Mechanism)
+        or_raise(py, made).map(Mechanism)
     }
 
     fn to_json(&self, py: Python<'_>) -> PyResult<String> {
-        serde_json::to_string(&told(py, self.0.data())?).map_err(|error| unreadable(&error))
+        serde_json::to_string(&or_raise(py, self.0.data())?).map_err(|error| unreadable(&error))
     }
 
     fn write_json(&self, py: Python<'_>, path: &str) -> PyResult<()> {
-        told(py, self.0.write_json(path))
+        or_raise(py, self.0.write_json(path))
     }
 
     fn name(&self) -> &str {
@@ -59,7 +59,7 @@ impl Mechanism {
             On::Spatial(body) => self.0.solid(body, solid(given)),
             _ => self.0.solid(kin::PlanarBody::from(Ground), solid(given)),
         };
-        told(py, done)
+        or_raise(py, done)
     }
 
     fn gravity(&mut self, g: [f64; 3]) {
@@ -77,7 +77,7 @@ impl Mechanism {
         tolerance: Option<f64>,
     ) -> PyResult<f64> {
         let value = self.number(py, value)?;
-        let mut made = told(py, self.0.dimension(name, value))?;
+        let mut made = or_raise(py, self.0.dimension(name, value))?;
         if let Some([from, to]) = within {
             made = made.within(from, to);
         }
@@ -92,25 +92,25 @@ impl Mechanism {
 
     /// The value of an expression of dimensions.
     fn expression(&self, py: Python<'_>, text: &str) -> PyResult<f64> {
-        told(py, self.0.expression(text)).map(Dimension::value)
+        or_raise(py, self.0.expression(text)).map(Dimension::value)
     }
 
     fn link(&mut self, py: Python<'_>, name: &str, length: Number) -> PyResult<f64> {
         let length = self.number(py, length)?;
-        told(py, self.0.link(name, length)).map(|link| link.length().value())
+        or_raise(py, self.0.link(name, length)).map(|link| link.length().value())
     }
 
     fn link_between(&mut self, py: Python<'_>, name: &str, a: [f64; 2], b: [f64; 2]) -> PyResult<f64> {
-        told(py, self.0.link_between(name, vec2(a), vec2(b))).map(|link| link.length())
+        or_raise(py, self.0.link_between(name, vec2(a), vec2(b))).map(|link| link.length())
     }
 
     fn planar(&mut self, py: Python<'_>, name: &str, pose: (Number, Number, Number)) -> PyResult<()> {
         let (x, y, theta) = (self.number(py, pose.0)?, self.number(py, pose.1)?, self.number(py, pose.2)?);
-        told(py, self.0.planar(name, Pose { x, y, theta })).map(|_| ())
+        or_raise(py, self.0.planar(name, Pose { x, y, theta })).map(|_| ())
     }
 
     fn spatial(&mut self, py: Python<'_>, name: &str, pose: [f64; 7]) -> PyResult<()> {
-        told(py, self.0.spatial(name, spatial_pose(pose))).map(|_| ())
+        or_raise(py, self.0.spatial(name, spatial_pose(pose))).map(|_| ())
     }
 
     fn spatial_link_between(
@@ -120,23 +120,23 @@ impl Mechanism {
         a: [f64; 3],
         b: [f64; 3],
     ) -> PyResult<f64> {
-        told(py, self.0.spatial_link_between(name, vec3(a), vec3(b))).map(|link| link.length())
+        or_raise(py, self.0.spatial_link_between(name, vec3(a), vec3(b))).map(|link| link.length())
     }
 
     fn angle(&mut self, py: Python<'_>, name: &str, guess: Number) -> PyResult<()> {
         let guess = self.number(py, guess)?;
-        told(py, self.0.angle(name, guess)).map(|_| ())
+        or_raise(py, self.0.angle(name, guess)).map(|_| ())
     }
 
     fn length(&mut self, py: Python<'_>, name: &str, guess: Number) -> PyResult<()> {
         let guess = self.number(py, guess)?;
-        told(py, self.0.length(name, guess)).map(|_| ())
+        or_raise(py, self.0.length(name, guess)).map(|_| ())
     }
 
     /// Adds a constraint of the library, described as in a file.
     fn add(&mut self, py: Python<'_>, json: &str) -> PyResult<()> {
         let data: ConstraintData = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
-        told(py, self.0.add_data(&data, &kin::text::registry())).map(|_| ())
+        or_raise(py, self.0.add_data(&data, &kin::text::registry())).map(|_| ())
     }
 
     /// Adds a constraint of an equation.
@@ -149,8 +149,8 @@ impl Mechanism {
         parameters: Vec<(String, Given)>,
     ) -> PyResult<()> {
         let making = self.making(py, equation, on, parameters)?;
-        let constraint = told(py, making.constraint())?;
-        told(py, self.0.add(name, constraint)).map(|_| ())
+        let constraint = or_raise(py, making.constraint())?;
+        or_raise(py, self.0.add(name, constraint)).map(|_| ())
     }
 
     /// Every term of such a constraint where its own coordinates, their rates and the time are these.
@@ -165,27 +165,27 @@ impl Mechanism {
         qd: &[u8],
         t: f64,
     ) -> PyResult<Terms<'py>> {
-        let constraint = told(py, self.making(py, equation, on, parameters)?.constraint())?;
+        let constraint = or_raise(py, self.making(py, equation, on, parameters)?.constraint())?;
         terms(&constraint, q, qd, t)
     }
 
     fn set_guess(&mut self, py: Python<'_>, coordinate: &str, value: f64) -> PyResult<()> {
         let place = self.coordinate(coordinate)?;
-        told(py, self.0.guess(place, value))
+        or_raise(py, self.0.guess(place, value))
     }
 
     fn set_initial(&mut self, py: Python<'_>, q: Vec<f64>) -> PyResult<()> {
-        told(py, self.0.set_initial(&q))
+        or_raise(py, self.0.set_initial(&q))
     }
 
     fn set_pose(&mut self, py: Python<'_>, body: &str, pose: [f64; 3]) -> PyResult<()> {
         let body = self.0.planar_named(body).ok_or_else(|| unknown(body))?;
-        told(py, self.0.set_pose(body, planar_pose(pose)))
+        or_raise(py, self.0.set_pose(body, planar_pose(pose)))
     }
 
     fn set_spatial_pose(&mut self, py: Python<'_>, body: &str, pose: [f64; 7]) -> PyResult<()> {
         let body = self.0.spatial_named(body).ok_or_else(|| unknown(body))?;
-        told(py, self.0.set_spatial_pose(body, spatial_pose(pose)))
+        or_raise(py, self.0.set_spatial_pose(body, spatial_pose(pose)))
     }
 
     /// Prefers a coordinate, or a measure of a joint, near a value.
@@ -210,7 +210,7 @@ impl Mechanism {
     }
 
     fn limit(&mut self, py: Python<'_>, measure: &str, from: f64, to: f64) -> PyResult<()> {
-        told(py, self.0.limit(measure, from, to))
+        or_raise(py, self.0.limit(measure, from, to))
     }
 
     /// A global point, or direction, as a body sees it where it is drawn.
@@ -224,9 +224,9 @@ impl Mechanism {
             false => self.0.local_direction(body, vec3(v)),
         };
         match (self.on(&place)?, &vector[..]) {
-            (On::Planar(body), &[x, y]) => told(py, planar(body, [x, y])).map(|v| v.to_array().to_vec()),
+            (On::Planar(body), &[x, y]) => or_raise(py, planar(body, [x, y])).map(|v| v.to_array().to_vec()),
             (On::Spatial(body), &[x, y, z]) => {
-                told(py, spatial(body, [x, y, z])).map(|v| v.to_array().to_vec())
+                or_raise(py, spatial(body, [x, y, z])).map(|v| v.to_array().to_vec())
             }
             (On::Ground, _) => Ok(vector),
             _ => Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
@@ -234,12 +234,12 @@ impl Mechanism {
     }
 
     fn hold_idle_turns(&mut self, py: Python<'_>) -> PyResult<Vec<String>> {
-        told(py, self.0.hold_idle_turns())
+        or_raise(py, self.0.hold_idle_turns())
     }
 
     fn build(&self, py: Python<'_>) -> PyResult<System> {
         let mechanism = self.0.clone();
-        told(py, py.detach(|| mechanism.build())).map(System::from)
+        or_raise(py, py.detach(|| mechanism.build())).map(System::from)
     }
 
     /// The diagnosis as text, and as JSON.
@@ -250,7 +250,7 @@ impl Mechanism {
             Some(q) => mechanism.diagnose_at(t, &q),
             None => mechanism.diagnose(t),
         });
-        crate::system::diagnosis(&told(py, found)?)
+        crate::system::diagnosis(&or_raise(py, found)?)
     }
 }
 
@@ -273,7 +273,7 @@ impl Mechanism {
     fn number(&self, py: Python<'_>, number: Number) -> PyResult<Dimension> {
         match number {
             Number::Plain(x) => Ok(x.into()),
-            Number::Expression(text) => told(py, self.0.expression(&text)),
+            Number::Expression(text) => or_raise(py, self.0.expression(&text)),
         }
     }
 
@@ -281,7 +281,7 @@ impl Mechanism {
         match given {
             Given::Law(json) => {
                 let data = serde_json::from_str(&json).map_err(|error| unreadable(&error))?;
-                told(py, self.0.law(&data, &kin::text::registry())).map(Parameter::Law)
+                or_raise(py, self.0.law(&data, &kin::text::registry())).map(Parameter::Law)
             }
             Given::Numbers(numbers) => {
                 let numbers = numbers.into_iter().map(|number| self.number(py, number));

@@ -8,7 +8,7 @@ use kin_view::{Figure, Panel};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::fault::{told, unreadable, wrong_type};
+use crate::fault::{or_raise, unreadable, wrong_type};
 use crate::numbers;
 
 /// A motion.
@@ -22,10 +22,10 @@ impl From<kin::Motion> for Motion {
 }
 
 /// A number over time: name, unit, and up to four lists, the number and its rates.
-pub type Told<'py> = (String, String, Vec<Bound<'py, PyBytes>>);
+pub type Orders<'py> = (String, String, Vec<Bound<'py, PyBytes>>);
 
 /// A quantity with its rates, those that there are.
-pub fn quantity<'py>(py: Python<'py>, quantity: &Quantity) -> PyResult<Told<'py>> {
+pub fn quantity<'py>(py: Python<'py>, quantity: &Quantity) -> PyResult<Orders<'py>> {
     let orders = [&quantity.value, &quantity.rate, &quantity.second_rate, &quantity.third_rate];
     let kept = orders.into_iter().filter(|series| !series.values().is_empty());
     let lists = kept.map(|series| numbers::list(py, series.values())).collect::<PyResult<_>>()?;
@@ -33,7 +33,7 @@ pub fn quantity<'py>(py: Python<'py>, quantity: &Quantity) -> PyResult<Told<'py>
 }
 
 /// A number over time without rates.
-pub fn series<'py>(py: Python<'py>, series: &Series) -> PyResult<Told<'py>> {
+pub fn series<'py>(py: Python<'py>, series: &Series) -> PyResult<Orders<'py>> {
     let lists = vec![numbers::list(py, series.values())?];
     Ok((series.name().to_owned(), series.unit().to_owned(), lists))
 }
@@ -43,7 +43,7 @@ impl Motion {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Motion> {
         let data: MotionData = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
-        told(py, kin::Motion::from_data(&data)).map(Motion::from)
+        or_raise(py, kin::Motion::from_data(&data)).map(Motion::from)
     }
 
     fn to_json(&self) -> PyResult<String> {
@@ -51,11 +51,11 @@ impl Motion {
     }
 
     fn write_json(&self, py: Python<'_>, path: &str) -> PyResult<()> {
-        told(py, self.0.write_json(path))
+        or_raise(py, self.0.write_json(path))
     }
 
     fn write_csv(&self, py: Python<'_>, path: &str) -> PyResult<()> {
-        told(py, self.0.write_csv(path))
+        or_raise(py, self.0.write_csv(path))
     }
 
     fn name(&self) -> &str {
@@ -131,15 +131,15 @@ impl Motion {
     }
 
     /// A coordinate over time.
-    fn named<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Told<'py>> {
-        quantity(py, &told(py, self.0.named(name))?)
+    fn named<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Orders<'py>> {
+        quantity(py, &or_raise(py, self.0.named(name))?)
     }
 
     /// A chart of coordinates over time, as SVG.
     fn chart(&self, py: Python<'_>, title: &str, names: Vec<String>) -> PyResult<String> {
         let mut panel = Panel::over_time(title, "").in_units(self.0.unit_words());
         for name in &names {
-            panel = panel.series(name, &told(py, self.0.named(name))?.value);
+            panel = panel.series(name, &or_raise(py, self.0.named(name))?.value);
         }
         Ok(Figure::new([panel]).svg())
     }
@@ -155,12 +155,12 @@ impl Motion {
         match (kind, &local[..]) {
             ("planar", &[x, y]) => {
                 let body = self.0.planar_named(name).ok_or_else(|| unknown(name))?;
-                let point = told(py, self.0.point(body, numbers::vec2([x, y])))?;
+                let point = or_raise(py, self.0.point(body, numbers::vec2([x, y])))?;
                 rows(py, [point.r(), point.v(), point.a(), point.jerk()], |v| v.to_array())
             }
             ("spatial", &[x, y, z]) => {
                 let body = self.0.spatial_named(name).ok_or_else(|| unknown(name))?;
-                let point = told(py, self.0.point(body, numbers::vec3([x, y, z])))?;
+                let point = or_raise(py, self.0.point(body, numbers::vec3([x, y, z])))?;
                 rows(py, [point.r(), point.v(), point.a(), point.jerk()], |v| v.to_array())
             }
             _ => Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
@@ -175,22 +175,22 @@ impl Motion {
         in_body: bool,
     ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
         let body = self.0.spatial_named(name).ok_or_else(|| unknown(name))?;
-        let turn = told(py, self.0.rotation(body))?;
+        let turn = or_raise(py, self.0.rotation(body))?;
         let turn = if in_body { turn.in_body() } else { turn };
         rows(py, [turn.omega(), turn.alpha(), turn.alpha_rate()], |v| v.to_array())
     }
 
     /// θ of one planar body less that of another, with its rates.
-    fn relative_angle<'py>(&self, py: Python<'py>, a: &str, b: &str) -> PyResult<Told<'py>> {
+    fn relative_angle<'py>(&self, py: Python<'py>, a: &str, b: &str) -> PyResult<Orders<'py>> {
         let body = |name: &str| self.0.planar_named(name).ok_or_else(|| unknown(name));
-        quantity(py, &told(py, self.0.relative_angle(body(a)?, body(b)?))?)
+        quantity(py, &or_raise(py, self.0.relative_angle(body(a)?, body(b)?))?)
     }
 
-    fn transmission_angle<'py>(&self, py: Python<'py>, coupler: &str, driven: &str) -> PyResult<Told<'py>> {
+    fn transmission_angle<'py>(&self, py: Python<'py>, coupler: &str, driven: &str) -> PyResult<Orders<'py>> {
         let line = |name: &str| self.0.planar_named(name).ok_or_else(|| unknown(name));
         let along = kin::Vec2::x();
         let found = self.0.transmission_angle((line(coupler)?, along), (line(driven)?, along));
-        quantity(py, &told(py, found)?)
+        quantity(py, &or_raise(py, found)?)
     }
 }
 

@@ -10,14 +10,14 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::fault::{told, value};
+use crate::fault::{or_raise, value};
 use crate::numbers;
 use crate::options::options;
 use crate::system::System;
 
 /// The number that is kept of a measure over a motion.
 #[derive(Clone, Copy)]
-enum Kept {
+enum Feature {
     Max,
     Min,
     Range,
@@ -27,15 +27,15 @@ enum Kept {
     MaxSecondRate,
 }
 
-fn kept(name: &str) -> PyResult<Kept> {
+fn feature(name: &str) -> PyResult<Feature> {
     Ok(match name {
-        "max" => Kept::Max,
-        "min" => Kept::Min,
-        "range" => Kept::Range,
-        "first" => Kept::First,
-        "last" => Kept::Last,
-        "max_rate" => Kept::MaxRate,
-        "max_second_rate" => Kept::MaxSecondRate,
+        "max" => Feature::Max,
+        "min" => Feature::Min,
+        "range" => Feature::Range,
+        "first" => Feature::First,
+        "last" => Feature::Last,
+        "max_rate" => Feature::MaxRate,
+        "max_second_rate" => Feature::MaxSecondRate,
         _ => {
             let known = "max, min, range, first, last, max_rate, max_second_rate";
             return Err(value(format!("`{name}` is nothing that is kept of a measure; there are {known}")));
@@ -43,18 +43,18 @@ fn kept(name: &str) -> PyResult<Kept> {
     })
 }
 
-impl Kept {
+impl Feature {
     fn of(self, x: &kin::Quantity) -> f64 {
         let largest = |all: &kin::Series| all.values().iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let end = |v: Option<&f64>| v.copied().unwrap_or(f64::NAN);
         match self {
-            Kept::Max => x.value.max(),
-            Kept::Min => x.value.min(),
-            Kept::Range => x.value.max() - x.value.min(),
-            Kept::First => end(x.value.values().first()),
-            Kept::Last => end(x.value.values().last()),
-            Kept::MaxRate => largest(&x.rate),
-            Kept::MaxSecondRate => largest(&x.second_rate),
+            Feature::Max => x.value.max(),
+            Feature::Min => x.value.min(),
+            Feature::Range => x.value.max() - x.value.min(),
+            Feature::First => end(x.value.values().first()),
+            Feature::Last => end(x.value.values().last()),
+            Feature::MaxRate => largest(&x.rate),
+            Feature::MaxSecondRate => largest(&x.second_rate),
         }
     }
 }
@@ -81,7 +81,7 @@ pub fn sweep<'py>(
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Rows<'py>> {
-    let wanted = wanted.into_iter().map(|(name, what)| Ok((name, kept(&what)?)));
+    let wanted = wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?)));
     let asked = Asked {
         system: system.now(),
         cases: rows(numbers::read(cases)?, names.len())?,
@@ -94,7 +94,7 @@ pub fn sweep<'py>(
     };
     let all = asked.cases.len();
     let found = py.detach(|| asked.watched(|done| tell(progress.as_ref(), done, all)))?;
-    let (numbers, states): (Vec<Vec<f64>>, Vec<String>) = told(py, found)?.into_iter().unzip();
+    let (numbers, states): (Vec<Vec<f64>>, Vec<String>) = or_raise(py, found)?.into_iter().unzip();
     tell(progress.as_ref(), all, all)?;
     Ok((numbers::list(py, &numbers.concat())?, states))
 }
@@ -124,7 +124,7 @@ struct Asked {
     names: Vec<String>,
     cases: Vec<Vec<f64>>,
     times: Vec<f64>,
-    wanted: Vec<(String, Kept)>,
+    wanted: Vec<(String, Feature)>,
     options: Options,
     lanes: bool,
     threads: Option<usize>,

@@ -9,8 +9,8 @@ use kin_view::Scene;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::fault::{told, unreadable};
-use crate::motion::{Motion, Told, quantity, series};
+use crate::fault::{or_raise, unreadable};
+use crate::motion::{Motion, Orders, quantity, series};
 use crate::numbers;
 use crate::options::options;
 use crate::watch::Watch;
@@ -112,7 +112,7 @@ impl System {
     }
 
     fn parameter(&self, py: Python<'_>, name: &str) -> PyResult<f64> {
-        told(py, self.now().parameter(name))
+        or_raise(py, self.now().parameter(name))
     }
 
     fn measures(&self) -> Vec<String> {
@@ -122,14 +122,14 @@ impl System {
     fn set(&self, py: Python<'_>, name: &str, value: f64) -> PyResult<()> {
         let changed =
             Arc::make_mut(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner)).set(name, value);
-        told(py, changed)
+        or_raise(py, changed)
     }
 
     fn set_initial(&self, py: Python<'_>, q: &[u8]) -> PyResult<()> {
         let q = numbers::read(q)?;
         let mut system = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let changed = Arc::make_mut(&mut system).set_initial(&q);
-        told(py, changed)
+        or_raise(py, changed)
     }
 
     /// The run; `progress` is called with the times that are done and all of them.
@@ -145,7 +145,7 @@ impl System {
         let mut watch = Watch::new(progress, times.len());
         let run = py.detach(|| system.run_watched(&times, &options, |done| watch.look(done)));
         watch.end(run.is_ok())?;
-        told(py, run).map(Motion::from)
+        or_raise(py, run).map(Motion::from)
     }
 
     #[pyo3(signature = (t, q = None, keywords = None))]
@@ -162,7 +162,7 @@ impl System {
             Some(q) => system.solve_at_with(t, &q, &options),
             None => system.position_with(t, &options),
         });
-        solved(py, &told(py, found)?)
+        solved(py, &or_raise(py, found)?)
     }
 
     /// C (0), C_t (1), q̇ (2) at q and t.
@@ -179,12 +179,12 @@ impl System {
             1 => system.c_t(&q, t),
             _ => system.velocity(&q, t),
         };
-        numbers::list(py, &told(py, found)?)
+        numbers::list(py, &or_raise(py, found)?)
     }
 
     /// C_q at q and t, row by row.
     fn jacobian<'py>(&self, py: Python<'py>, q: &[u8], t: f64) -> PyResult<Bound<'py, PyBytes>> {
-        let found = told(py, self.now().jacobian(&numbers::read(q)?, t))?;
+        let found = or_raise(py, self.now().jacobian(&numbers::read(q)?, t))?;
         numbers::list(py, found.transpose().as_slice())
     }
 
@@ -202,7 +202,7 @@ impl System {
             0 => system.acceleration_rhs(&q, &qd, t),
             _ => system.acceleration(&q, &qd, t),
         };
-        numbers::list(py, &told(py, found)?)
+        numbers::list(py, &or_raise(py, found)?)
     }
 
     #[pyo3(signature = (t, q = None))]
@@ -212,13 +212,13 @@ impl System {
             Some(q) => system.diagnose_at(t, &q),
             None => system.diagnose(t),
         });
-        diagnosis(&told(py, found)?)
+        diagnosis(&or_raise(py, found)?)
     }
 
     /// Each assembly: its label, its pose.
     fn assemblies<'py>(&self, py: Python<'py>, t: f64) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
         let system = self.now();
-        let found = told(py, py.detach(|| system.assemblies(t)))?;
+        let found = or_raise(py, py.detach(|| system.assemblies(t)))?;
         found.iter().map(|one| Ok((one.label.to_string(), numbers::list(py, &one.q)?))).collect()
     }
 
@@ -231,18 +231,18 @@ impl System {
         value: f64,
     ) -> PyResult<(String, Bound<'py, PyBytes>)> {
         let system = self.now();
-        let found = told(py, py.detach(|| system.assembly_near(t, what, value)))?;
+        let found = or_raise(py, py.detach(|| system.assembly_near(t, what, value)))?;
         Ok((found.label.to_string(), numbers::list(py, &found.q)?))
     }
 
-    fn measure<'py>(&self, py: Python<'py>, motion: &Motion, what: &str) -> PyResult<Told<'py>> {
+    fn measure<'py>(&self, py: Python<'py>, motion: &Motion, what: &str) -> PyResult<Orders<'py>> {
         let (system, motion) = (self.now(), &motion.0);
-        quantity(py, &told(py, py.detach(|| system.measure(motion, what)))?)
+        quantity(py, &or_raise(py, py.detach(|| system.measure(motion, what)))?)
     }
 
     fn extremes(&self, py: Python<'_>, motion: &Motion, what: &str) -> PyResult<Turns> {
         let (system, motion) = (self.now(), &motion.0);
-        told(py, py.detach(|| system.extremes(motion, what))).map(|found| turns(&found))
+        or_raise(py, py.detach(|| system.extremes(motion, what))).map(|found| turns(&found))
     }
 
     /// Times at which a measure passes a value, and whether it rises there.
@@ -254,38 +254,38 @@ impl System {
         value: f64,
     ) -> PyResult<Vec<(f64, bool)>> {
         let (system, motion) = (self.now(), &motion.0);
-        let found = told(py, py.detach(|| system.crossings(motion, what, value)))?;
+        let found = or_raise(py, py.detach(|| system.crossings(motion, what, value)))?;
         Ok(found.into_iter().map(|one| (one.t, one.rises)).collect())
     }
 
     /// The motion of one time.
     fn at(&self, py: Python<'_>, motion: &Motion, t: f64) -> PyResult<Motion> {
         let (system, motion) = (self.now(), &motion.0);
-        told(py, py.detach(|| system.at(motion, t))).map(Motion::from)
+        or_raise(py, py.detach(|| system.at(motion, t))).map(Motion::from)
     }
 
-    fn smallest_singular_value<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Told<'py>> {
+    fn smallest_singular_value<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Orders<'py>> {
         let (system, motion) = (self.now(), &motion.0);
-        series(py, &told(py, py.detach(|| system.smallest_singular_value(motion)))?)
+        series(py, &or_raise(py, py.detach(|| system.smallest_singular_value(motion)))?)
     }
 
     /// The proof as text, whether it is complete, how many steps are proved, of how many.
     fn prove(&self, py: Python<'_>, motion: &Motion) -> PyResult<(String, bool, usize, usize)> {
         let (system, motion) = (self.now(), &motion.0);
-        let proof = told(py, py.detach(|| system.prove(motion)))?;
+        let proof = or_raise(py, py.detach(|| system.prove(motion)))?;
         Ok((proof.to_string(), proof.is_complete(), proof.proved(), proof.steps().len()))
     }
 
     /// The rows of its program, as text.
     fn compile(&self, py: Python<'_>) -> PyResult<String> {
         let system = self.now();
-        told(py, py.detach(|| system.compile())).map(|compiled| compiled.to_string())
+        or_raise(py, py.detach(|| system.compile())).map(|compiled| compiled.to_string())
     }
 
     /// A page on which the mechanism moves, as HTML.
     fn page(&self, py: Python<'_>, motion: &Motion) -> PyResult<String> {
         let (system, motion) = (self.now(), &motion.0);
-        told(py, py.detach(|| Scene::new(&system).page(motion))).map(|page| page.html())
+        or_raise(py, py.detach(|| Scene::new(&system).page(motion))).map(|page| page.html())
     }
 
     /// The mechanism at a time, or so many poses of the motion on one another, as SVG.
@@ -296,7 +296,7 @@ impl System {
             Some(t) => Scene::new(&system).pose(motion, t),
             None => Scene::new(&system).sequence(motion, poses),
         });
-        told(py, drawn).map(|picture| picture.svg().to_owned())
+        or_raise(py, drawn).map(|picture| picture.svg().to_owned())
     }
 
     /// The derivatives of a measure by parameters: for each its name, and those of the value and the rates.
@@ -309,7 +309,7 @@ impl System {
     ) -> PyResult<Vec<(String, Vec<Bound<'py, PyBytes>>)>> {
         let (system, motion) = (self.now(), &motion.0);
         let found = py.detach(|| system.sensitivities(motion, names.iter().map(String::as_str))?.of(what));
-        let told = told(py, found)?.into_iter().map(|one| {
+        let told = or_raise(py, found)?.into_iter().map(|one| {
             let lists = [&one.value, &one.rate, &one.second_rate].map(|list| numbers::list(py, list));
             Ok((one.name, lists.into_iter().collect::<PyResult<_>>()?))
         });
@@ -328,7 +328,7 @@ impl System {
                 system.tolerance_of(motion, what, if largest { extremes.max() } else { extremes.min() })
             }
         });
-        let found = told(py, found)?;
+        let found = or_raise(py, found)?;
         let shares = found.contributions.iter().map(|one| {
             let text = (one.name.clone(), one.unit.clone());
             (text, [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)])
@@ -349,6 +349,6 @@ impl System {
     ) -> PyResult<Vec<f64>> {
         let (system, motion, weights) = (self.now(), &motion.0, numbers::read(weights)?);
         let at = |k: usize| std::array::from_fn(|order| weights.get(3 * k + order).copied().unwrap_or(0.0));
-        told(py, py.detach(|| system.gradient(motion, names.iter(), what, at)))
+        or_raise(py, py.detach(|| system.gradient(motion, names.iter(), what, at)))
     }
 }

@@ -23,7 +23,7 @@ const LONGEST: usize = 22;
 /// where it is vermilion.
 pub struct Bars {
     title: String,
-    told: String,
+    summary: String,
     rows: Vec<Row>,
 }
 
@@ -58,7 +58,7 @@ impl Bars {
         };
         Bars {
             title: format!("{name} = {} {unit}{when}", short(tolerance.nominal)),
-            told: format!(
+            summary: format!(
                 "± {} {unit} worst case, ± {} {unit} RSS",
                 short(tolerance.worst_case()),
                 short(tolerance.rss())
@@ -89,7 +89,7 @@ impl Bars {
             let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" {style}>{}</text>", escaped(text));
         };
         text(16.0, 26.0, "font-size=\"16\" font-weight=\"bold\"", &self.title);
-        text(16.0, 46.0, "fill=\"#444\"", &self.told);
+        text(16.0, 46.0, "fill=\"#444\"", &self.summary);
         for (k, row) in self.rows.iter().enumerate() {
             let y = TOP + ROW * k as f64;
             text(LEFT - 10.0, y + 17.0, "text-anchor=\"end\"", &fitted(&row.name));

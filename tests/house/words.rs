@@ -5,11 +5,14 @@ use syn::visit::{self, Visit};
 use crate::{ROOT, rust_files, sources};
 
 /// Words that say how something looks or what it is among friends, each with the word of the field.
-const HIDING: [(&str, &str); 4] = [
+const HIDING: [(&str, &str); 7] = [
     ("fours", "quads of numbers"),
     ("squares", "least squares, or a sum of squares"),
     ("tall", "least squares"),
     ("crew", "a batch of systems in lanes"),
+    ("kept", "a cache, or the thing that is kept"),
+    ("told", "a report, a sentence, or the thing that is told"),
+    ("untold", "a refusal"),
 ];
 
 /// Names of functions, types, modules, constants, variants and fields.

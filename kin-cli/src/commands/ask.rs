@@ -55,7 +55,7 @@ pub fn diagnose(asked: &Diagnose, say: &Say) -> Result<(), Fault> {
             to.write_all(b"\n")
         })?;
     }
-    if diagnosis.can_be_driven() { Ok(()) } else { Err(Fault::Told) }
+    if diagnosis.can_be_driven() { Ok(()) } else { Err(Fault::Reported) }
 }
 
 /// All assemblies at one time.

@@ -35,7 +35,8 @@ pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use schema::schema;
 pub use value::{
-    Datum, Sought, SoughtBySerde, Told, ToldBySerde, ToldConstant, Unsought, Untold, UntoldConstant,
+    Datum, Incoming, IncomingBySerde, IncomingRefused, Outgoing, OutgoingBySerde, OutgoingConstant,
+    OutgoingRefused, RefusedConstant,
 };
 
 use crate::ask::diagnosis::Diagnosis;

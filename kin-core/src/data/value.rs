@@ -136,45 +136,45 @@ impl Describer {
 }
 
 /// A parameter of any type of the user's, on its way out: by serde if its type can.
-pub struct Told<'a, T>(pub &'a T);
+pub struct Outgoing<'a, T>(pub &'a T);
 
 /// With serde.
-pub trait ToldBySerde {
+pub trait OutgoingBySerde {
     /// Puts the parameter under its name.
     fn put(&self, name: &str, to: &mut Describer);
 }
 
 /// Without it.
-pub trait Untold {
+pub trait OutgoingRefused {
     /// Refuses.
     fn put(&self, name: &str, to: &mut Describer);
 }
 
-impl<T: Serialize + DeserializeOwned> ToldBySerde for Told<'_, T> {
+impl<T: Serialize + DeserializeOwned> OutgoingBySerde for Outgoing<'_, T> {
     fn put(&self, name: &str, to: &mut Describer) {
         to.put_value(name, serde_json::to_value(self.0).map_err(|error| error.to_string()));
     }
 }
 
-impl<T> Untold for &Told<'_, T> {
+impl<T> OutgoingRefused for &Outgoing<'_, T> {
     fn put(&self, name: &str, to: &mut Describer) {
         to.refuse(without_serde::<T>(name));
     }
 }
 
 /// A constant beside an equation, on its way into the equation's text.
-pub trait ToldConstant {
+pub trait OutgoingConstant {
     /// Puts the constant under its name.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
 /// One of another type than f64.
-pub trait UntoldConstant {
+pub trait RefusedConstant {
     /// Tells that it is lacking.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-impl ToldConstant for Told<'_, f64> {
+impl OutgoingConstant for Outgoing<'_, f64> {
     fn constant(&self, name: &str, to: &mut Describer) {
         match self.0.is_finite() {
             true => to.put_beside(&format!("const {name}: f64 = {:?};", self.0)),
@@ -183,36 +183,36 @@ impl ToldConstant for Told<'_, f64> {
     }
 }
 
-impl<T> UntoldConstant for &Told<'_, T> {
+impl<T> RefusedConstant for &Outgoing<'_, T> {
     fn constant(&self, name: &str, to: &mut Describer) {
         to.lacks(&format!("`{name}`, of the type `{}`", std::any::type_name::<T>()));
     }
 }
 
 /// A parameter of any type of the user's, on its way in.
-pub struct Sought<T>(PhantomData<T>);
+pub struct Incoming<T>(PhantomData<T>);
 
-impl<T> Sought<T> {
+impl<T> Incoming<T> {
     #[allow(clippy::new_without_default)]
     #[allow(missing_docs)]
     pub fn new() -> Self {
-        Sought(PhantomData)
+        Incoming(PhantomData)
     }
 }
 
 /// With serde.
-pub trait SoughtBySerde<T> {
+pub trait IncomingBySerde<T> {
     /// The parameter of that name.
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 
 /// Without it.
-pub trait Unsought<T> {
+pub trait IncomingRefused<T> {
     /// Refuses.
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 
-impl<T: Serialize + DeserializeOwned> SoughtBySerde<T> for Sought<T> {
+impl<T: Serialize + DeserializeOwned> IncomingBySerde<T> for Incoming<T> {
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T> {
         from.value(name, &mut |value| {
             serde_json::from_value(value.clone()).map_err(|error| error.to_string())
@@ -220,7 +220,7 @@ impl<T: Serialize + DeserializeOwned> SoughtBySerde<T> for Sought<T> {
     }
 }
 
-impl<T> Unsought<T> for &Sought<T> {
+impl<T> IncomingRefused<T> for &Incoming<T> {
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T> {
         from.noted(Err(without_serde::<T>(name)))
     }

@@ -13,8 +13,8 @@ mod timed;
 mod values;
 
 pub use crate::data::{
-    Described, Describer, Reader, Sought, SoughtBySerde, Told, ToldBySerde, ToldConstant, Unsought, Untold,
-    UntoldConstant,
+    Described, Describer, Incoming, IncomingBySerde, IncomingRefused, Outgoing, OutgoingBySerde,
+    OutgoingConstant, OutgoingRefused, Reader, RefusedConstant,
 };
 use crate::model::dimension::{self, Name};
 

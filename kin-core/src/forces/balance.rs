@@ -46,7 +46,7 @@ impl Powers {
         self.0.push(at);
     }
 
-    pub(super) fn told(self, motion: &Motion) -> (Energy, Balance) {
+    pub(super) fn energy_and_balance(self, motion: &Motion) -> (Energy, Balance) {
         let units = motion.unit_words();
         let series = |name: &str, unit: String, of: &dyn Fn(&At) -> f64| {
             Series::new(name, unit, motion.clock(), self.0.iter().map(of).collect())

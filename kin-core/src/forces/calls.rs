@@ -75,7 +75,7 @@ impl System {
             powers.push(at);
             multipliers.push(found);
         }
-        let (energy, balance) = powers.told(motion);
+        let (energy, balance) = powers.energy_and_balance(motion);
         let mut forces = Forces { system: self, motion, multipliers, loads, energy, balance };
         forces.share(sharing)?;
         Ok(forces)

@@ -13,7 +13,7 @@ use kin_language::lower::alone::Beside;
 use kin_language::parse::{ConstraintFn, LawFn, Role};
 
 /// The statements of `describe` that put the text of a function that was read.
-pub fn told(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
+pub fn describe_text(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
     let Beside { constants, functions, unknown } = Beside::of(source, lowered);
     let last = |path: &Path| path.segments.last().map(|last| last.ident.to_string());
     let is_with =
@@ -48,7 +48,7 @@ pub fn law_text(source: &LawFn, lowered: &Lowered) -> Option<TokenStream> {
     Some(quote! {
         #[cold]
         fn text(&self) -> ::core::option::Option<&str> {
-            use ::kin::emitted::{ToldConstant as _, UntoldConstant as _};
+            use ::kin::emitted::{OutgoingConstant as _, RefusedConstant as _};
             static TEXT: ::std::sync::OnceLock<::core::option::Option<::std::string::String>> = ::std::sync::OnceLock::new();
             let made = || {
                 let mut all = <::kin::emitted::Describer as ::core::default::Default>::default();
@@ -73,7 +73,7 @@ pub fn unread() -> TokenStream {
 fn put_constants(constants: &[Ident]) -> TokenStream {
     let names = constants.iter().map(Ident::to_string);
     quote! {
-        #((&::kin::emitted::Told(&#constants)).constant(#names, to);)*
+        #((&::kin::emitted::Outgoing(&#constants)).constant(#names, to);)*
     }
 }
 
@@ -95,7 +95,7 @@ pub fn helper(with: &[Path], function: &ItemFn, item: &TokenStream) -> TokenStre
         impl #name {
             #[doc(hidden)]
             pub fn put(to: &mut ::kin::emitted::Describer) {
-                use ::kin::emitted::{ToldConstant as _, UntoldConstant as _};
+                use ::kin::emitted::{OutgoingConstant as _, RefusedConstant as _};
                 #constants
                 #(#with::put(to);)*
                 to.put_beside(#text);

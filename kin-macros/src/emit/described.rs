@@ -14,19 +14,19 @@ pub fn describe(source: &ConstraintFn, lowered: Option<&Lowered>) -> TokenStream
         let (name, text) = (&argument.name, text(argument));
         match argument.kind {
             Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
-                quote!(::kin::emitted::Untold::put(&&::kin::emitted::Told(&self.#name), #text, to);)
+                quote!(::kin::emitted::OutgoingRefused::put(&&::kin::emitted::Outgoing(&self.#name), #text, to);)
             }
-            Kind::Other => quote!((&::kin::emitted::Told(&self.#name)).put(#text, to);),
+            Kind::Other => quote!((&::kin::emitted::Outgoing(&self.#name)).put(#text, to);),
             _ => quote!(to.put(#text, &self.#name);),
         }
     });
     let text = match lowered {
-        Some(lowered) => super::alone::told(source, lowered),
+        Some(lowered) => super::alone::describe_text(source, lowered),
         None => super::alone::unread(),
     };
     quote! {
         fn describe(&self, to: &mut ::kin::emitted::Describer) {
-            use ::kin::emitted::{ToldBySerde as _, ToldConstant as _, Untold as _, UntoldConstant as _};
+            use ::kin::emitted::{OutgoingBySerde as _, OutgoingConstant as _, OutgoingRefused as _, RefusedConstant as _};
             #(#puts)*
             #text
         }
@@ -66,7 +66,7 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
             Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
                 quote!(return ::core::option::Option::None)
             }
-            Kind::Other => quote!((&::kin::emitted::Sought::<#ty>::new()).get(#text, from)?),
+            Kind::Other => quote!((&::kin::emitted::Incoming::<#ty>::new()).get(#text, from)?),
             _ => quote!(from.get(#text)),
         };
         quote!(#field: #value)
@@ -79,7 +79,7 @@ pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) ->
             const KIND: &'static str = #kind;
             const ARGUMENTS: &'static [::kin::emitted::ArgumentKind] = <Self as ::kin::emitted::Equation<#n, #m>>::ARGUMENTS;
             fn read(from: &mut ::kin::emitted::Reader<'_>) -> ::core::option::Option<Self> {
-                use ::kin::emitted::{SoughtBySerde as _, Unsought as _};
+                use ::kin::emitted::{IncomingBySerde as _, IncomingRefused as _};
                 ::core::option::Option::Some(#name { #(#fields),* #bindings })
             }
         }

@@ -285,10 +285,10 @@ impl Samples {
 }
 
 /// The quantiles that are told: three σ of a normal distribution, 5 %, the middle.
-const TOLD: [f64; 5] = [0.00135, 0.05, 0.5, 0.95, 0.99865];
+const SHARES: [f64; 5] = [0.00135, 0.05, 0.5, 0.95, 0.99865];
 
 impl fmt::Display for Samples {
-    /// "slider.R_x \[m\], 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how many cannot
+    /// "slider.R_x (m), 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how many cannot
     /// be assembled.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Sampling { count, seed, .. } = self.sampling;
@@ -296,7 +296,7 @@ impl fmt::Display for Samples {
         if !self.values.is_empty() {
             write!(f, ": mean {}, σ {}.", digits(self.mean(), 5), digits(self.sigma(), 2))?;
             let told =
-                TOLD.map(|p| format!("{} % below {}", digits(100.0 * p, 4), digits(self.quantile(p), 5)));
+                SHARES.map(|p| format!("{} % below {}", digits(100.0 * p, 4), digits(self.quantile(p), 5)));
             write!(f, "\n  {}.", told.join(", "))?;
         }
         let (missing, share) = (self.missing(), 100.0 * self.share_missing());

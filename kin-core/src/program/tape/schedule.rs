@@ -26,9 +26,15 @@ pub(crate) fn schedule(program: Program) -> Tape {
     [0, 1].into_iter().for_each(|k| planner.require(own(k), 1));
     (2..outputs.parts.len()).for_each(|k| planner.require(own(k), 2));
     let order = planner.order();
-    let (mut tape, kept) = (Tape::default(), planner.kept(&order, &all));
-    let mut places =
-        Places { planner: &planner, place: ByNode::new(&graph), free: Vec::new(), next: 0, nothing: 0, kept };
+    let (mut tape, readers) = (Tape::default(), planner.readers(&order, &all));
+    let mut places = Places {
+        planner: &planner,
+        place: ByNode::new(&graph),
+        free: Vec::new(),
+        next: 0,
+        nothing: 0,
+        readers,
+    };
     places.begin(&mut tape, &program.torn, &all);
     places.write(&mut tape, &order);
     let of = |nodes: &[Node]| {
@@ -248,7 +254,7 @@ impl<'a> Planner<'a> {
 
     /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what later
     /// stages read.
-    fn kept(&self, order: &[usize], outputs: &[Node]) -> ByNode {
+    fn readers(&self, order: &[usize], outputs: &[Node]) -> ByNode {
         let (mut reads, mut keep) = (ByNode::new(self.graph), Vec::new());
         for &k in order {
             for node in self.tasks[k].reads.iter().flatten() {
@@ -302,7 +308,7 @@ struct Places<'a> {
     /// Of what has none.
     nothing: u32,
     /// How often each number is still read before its place is free.
-    kept: ByNode,
+    readers: ByNode,
 }
 
 impl Places<'_> {
@@ -350,8 +356,8 @@ impl Places<'_> {
             let [a, b, c] =
                 reads.map(|node| node.map_or(nothing, |node| self.place.get(node).unwrap_or(nothing)));
             for node in reads.iter().flatten() {
-                let Some(left) = self.kept.get(*node).filter(|left| *left > 0) else { continue };
-                self.kept.insert(*node, left - 1);
+                let Some(left) = self.readers.get(*node).filter(|left| *left > 0) else { continue };
+                self.readers.insert(*node, left - 1);
                 if left == 1 {
                     self.free.extend(self.place.get(*node));
                 }

@@ -10,7 +10,7 @@ use crate::solve::assembly::search::Found;
 
 /// Dimensions that are tried at most, and told at most.
 const TRIED: usize = 24;
-const TOLD: usize = 3;
+const MOST_SHOWN: usize = 3;
 
 /// Mechanisms of more coordinates are not examined for their lengths.
 const EXAMINED: usize = 400;
@@ -71,7 +71,7 @@ pub(crate) fn that_fit(
         a.0.cmp(&b.0).then(about(a.1).total_cmp(&about(b.1))).then_with(|| rank(&a.2).cmp(&rank(&b.2)))
     });
     // Where a dimension is out of scale, it is the one thing to change.
-    let only = if fits.first().is_some_and(|first| !first.0) { 1 } else { TOLD };
+    let only = if fits.first().is_some_and(|first| !first.0) { 1 } else { MOST_SHOWN };
     fits.into_iter().take(only).map(|(_, _, resize)| resize).collect()
 }
 
