@@ -175,3 +175,10 @@ fn a_mistake_is_shown_with_a_caret() {
   |                ^^^^^^^";
     assert_eq!(shown, wanted);
 }
+
+#[test]
+fn a_let_within_an_expression_is_told_at_its_word() {
+    let text = "fn f(x: Coord) -> f64 { let a = 2.0 * x * let b = x + 1.0; a - 1.0 }";
+    let [one] = &told(text)[..] else { panic!("{:?}", told(text)) };
+    assert!(one.starts_with("1:43 `let` begins a statement") && one.contains("a `;` is missing"), "{one}");
+}

@@ -16,6 +16,8 @@ use super::value::{Value, entry, position};
 use super::{MOST_EXPRESSIONS, MOST_NODES, MOST_PARTS, MOST_TURNS, Read, Reader, Unreadable};
 use crate::vocabulary::is_integer;
 
+const LET_WITHIN: &str = "`let` begins a statement, or tests a pattern in the condition of an `if` or `while`: a `;` is missing before it";
+
 impl Reader {
     /// The value of an expression; of a reference, what it refers to.
     pub fn expression(&mut self, expression: &Expr) -> Read {
@@ -70,7 +72,8 @@ impl Reader {
             Expr::Continue(leaving) => self.continue_expression(leaving),
             Expr::Return(leaving) => self.return_expression(leaving),
             Expr::Try(tried) => self.try_expression(tried),
-            Expr::Let(_) => self.tested_condition(expression).map(Value::Condition),
+            // Conditions with `let` in them are read by `tested_condition`.
+            Expr::Let(test) => Ok(self.mistake(&test.let_token, LET_WITHIN)),
             Expr::Assign(assign) => self.assignment(assign),
             Expr::Cast(cast) => self.cast(cast),
             Expr::Range(range) => self.range(range),

@@ -238,6 +238,18 @@ impl Reader {
                 let x = self.graph.decimal(x.base10_digits());
                 Ok(self.graph.compare(Comparison::Equal, *n, x))
             }
+            (Lit::Float(x), Value::Integer(..)) => {
+                let whole = x.base10_parse::<f64>().map_or(0.0, f64::trunc);
+                self.mistake(at, format!("the value is an integer; a pattern of it is one too, `{whole}`"));
+                Ok(self.graph.bool(false))
+            }
+            (Lit::Int(k), Value::Scalar(_)) => {
+                self.mistake(
+                    at,
+                    format!("the value is an f64; a pattern of it is one too, `{}.0`", k.base10_digits()),
+                );
+                Ok(self.graph.bool(false))
+            }
             _ => Err(Unreadable::new(at, "this pattern")),
         }
     }
