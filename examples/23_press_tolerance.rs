@@ -46,7 +46,7 @@ fn main() -> kin::Result<()> {
     println!("{}", system.samples(&motion, ram.y(), extremes.min(), &sampling)?);
 
     // 4. The table of the motion, the bars, the press as it moves.
-    motion.add_point("ram", ram, (0.0, 0.0))?;
+    motion.add_point("wrist", ram, (0.0, 0.0))?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
     Bars::new(&lowest, "s").save(format!("{OUT}/tolerance.svg"))?;
     let scene = Scene::new(&system)

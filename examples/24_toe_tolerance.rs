@@ -83,7 +83,8 @@ fn main() -> kin::Result<()> {
     let rim = (0..48).map(|k| TAU * k as f64 / 48.0).map(|a| HUB + vec3(a.cos(), 0.0, a.sin()) * 320.0);
     scene = scene
         .outline(upright, Outline::polygon([LOWER[2], UPPER[2], TIE_ROD[1]]))
-        .add_outline(upright, Outline::polygon(rim));
+        .add_outline(upright, Outline::polygon(rim))
+        .trace("hub", upright, HUB);
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;
     scene.page(&motion)?.chart("Toe", [("toe", &of_time.value)]).save(format!("{OUT}/index.html"))
 }
