@@ -122,7 +122,7 @@ fn units_of_forces_are_told() {
     let forces = system.forces(&motion).expect("forces");
     assert_eq!(forces.drive("motor").expect("a driver").effort().unit(), "N mm");
     let on = forces.reaction("O").expect("a joint").on(arm).expect("its body");
-    assert_eq!((on.magnitude().expect("unique").unit(), forces.balance().left.unit()), ("N", "N mm/s"));
+    assert_eq!((on.magnitude().expect("unique").unit(), forces.balance().left.unit()), ("N", "mW"));
     m = Mechanism::new("nameless");
     m.units("mm", "s").mass(" ");
     assert!(told(m.build()).contains("a unit of mass needs a name"));

@@ -99,29 +99,34 @@ impl Units {
         }
     }
 
-    /// The unit of energy, such as `J`, `mN mm`.
+    /// The unit of energy, such as `J`, `kJ`; of millimetre, second and tonne `mJ`; of words that are not
+    /// known that of torque.
     pub fn energy(&self) -> String {
-        if self.torque() == "N m" { "J".to_string() } else { self.torque() }
+        self.prefixed([1, 2, -2], "J").unwrap_or_else(|| self.torque())
     }
 
-    /// The unit of power, such as `W`, `mN mm/s`.
+    /// The unit of power, such as `W`, `kW`; of millimetre, second and tonne `mW`; of words that are not
+    /// known `MASS LENGTH^2/TIME^3`.
     pub fn power(&self) -> String {
-        match self.newtons() {
-            Some(force) if force == "N" && self.length() == "m" && self.time() == "s" => "W".to_string(),
-            Some(force) => format!("{force} {}/{}", self.length(), self.time()),
-            None => format!("{} {}^2/{}^3", self.mass(), self.length(), self.time()),
-        }
+        self.prefixed([1, 2, -3], "W")
+            .unwrap_or_else(|| format!("{} {}^2/{}^3", self.mass(), self.length(), self.time()))
     }
 
-    /// Newton with the prefix that mass, length and time make of it.
+    /// Newton with its prefix.
     fn newtons(&self) -> Option<String> {
+        self.prefixed([1, 1, -2], "N")
+    }
+
+    /// A unit of the SI with the prefix that these powers of mass, length and time make of it; `None` of
+    /// words that are not known, and where there is no prefix.
+    fn prefixed(&self, powers: [i32; 3], unit: &str) -> Option<String> {
         let mass = power_of_ten(self.mass(), &[("kg", 0), ("g", -3), ("t", 3), ("mg", -6)])?;
         let lengths = [("m", 0), ("dm", -1), ("cm", -2), ("mm", -3), ("um", -6), ("µm", -6), ("km", 3)];
         let length = power_of_ten(self.length(), &lengths)?;
         let time = power_of_ten(self.time(), &[("s", 0), ("ms", -3), ("us", -6), ("µs", -6)])?;
         let prefix = [("", 0), ("m", -3), ("µ", -6), ("n", -9), ("p", -12), ("k", 3), ("M", 6), ("G", 9)];
-        let exponent = mass + length - 2 * time;
-        prefix.iter().find(|(_, known)| *known == exponent).map(|(prefix, _)| format!("{prefix}N"))
+        let exponent = mass * powers[0] + length * powers[1] + time * powers[2];
+        prefix.iter().find(|(_, known)| *known == exponent).map(|(prefix, _)| format!("{prefix}{unit}"))
     }
 
     /// True if the units are metre and second.
@@ -197,9 +202,10 @@ mod tests {
             [units.force(), units.torque(), units.energy(), units.power()]
         };
         assert_eq!(of("kg", "m", "s"), ["N", "N m", "J", "W"]);
-        assert_eq!(of("kg", "mm", "s"), ["mN", "mN mm", "mN mm", "mN mm/s"]);
-        assert_eq!(of("t", "mm", "s"), ["N", "N mm", "N mm", "N mm/s"]);
-        assert_eq!(of("g", "mm", "ms"), ["N", "N mm", "N mm", "N mm/ms"]);
+        assert_eq!(of("kg", "mm", "s"), ["mN", "mN mm", "µJ", "µW"]);
+        assert_eq!(of("t", "mm", "s"), ["N", "N mm", "mJ", "mW"]);
+        assert_eq!(of("g", "mm", "ms"), ["N", "N mm", "mJ", "W"]);
+        assert_eq!(of("t", "m", "s"), ["kN", "kN m", "kJ", "kW"]);
         assert_eq!(of("lb", "in", "s"), ["lb in/s^2", "lb in^2/s^2", "lb in^2/s^2", "lb in^2/s^3"]);
         assert_eq!(of("kg", "m", "min")[0], "kg m/min^2");
     }
