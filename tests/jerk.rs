@@ -38,7 +38,7 @@ fn worst(system: &System, times: &[f64], h: f64) -> f64 {
 }
 
 /// How long each example runs.   [s]
-const SECONDS: [(&str, f64); 24] = [
+const SECONDS: [(&str, f64); 27] = [
     ("01_slider_crank", 1.0),
     ("02_two_link_manipulator", 24.0),
     ("03_custom_constraint", 1.0),
@@ -64,6 +64,9 @@ const SECONDS: [(&str, f64); 24] = [
     ("22_planetary_train", 8.0),
     ("23_press_tolerance", 1.0),
     ("24_toe_tolerance", 4.0),
+    ("25_arm_torque", 4.0),
+    ("26_engine", 40.0),
+    ("27_digging", 9.0),
 ];
 
 #[test]

@@ -8,6 +8,7 @@ mod closed;
 #[path = "../data/mod.rs"]
 mod data;
 mod errors;
+mod examples;
 mod file;
 mod loads;
 mod newton_euler;

@@ -8,7 +8,7 @@ use crate::own;
 use crate::{SLOT, data, example, place};
 
 /// Examples of the library's constraints with the times, and the change points at which they turn.
-const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 21] = [
+const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 24] = [
     ("02_two_link_manipulator", [0.0, 24.0], 2401, &[]),
     ("04_four_bar", [0.0, 1.0], 361, &[]),
     ("05_quick_return", [0.0, 1.0], 721, &[]),
@@ -30,6 +30,9 @@ const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 21] = [
     ("22_planetary_train", [0.0, 8.0], 401, &[]),
     ("23_press_tolerance", [0.0, 1.0], 361, &[]),
     ("24_toe_tolerance", [0.0, 4.0], 201, &[]),
+    ("25_arm_torque", [0.0, 4.0], 401, &[]),
+    ("26_engine", [0.0, 40.0], 361, &[]),
+    ("27_digging", [0.0, 9.0], 301, &[]),
 ];
 
 /// Examples with constraints of the program's own, whose equations stand in the file.
