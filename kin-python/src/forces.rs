@@ -25,6 +25,10 @@ pub struct Forces {
 /// A way to another point or other axes: `at`, `about` or `in_body`, with a point for the first two.
 type Way = (String, Vec<f64>);
 
+/// What puts forces on bodies: `constraints` by their names, of which none are all that act on the ground, or
+/// a `load`.
+type Sources = (String, Vec<String>);
+
 /// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
 type Driven<'py> = (String, Vec<Orders<'py>>, Orders<'py>, (f64, f64, String), String);
 
@@ -78,17 +82,17 @@ impl Forces {
         Ok((name.to_owned(), efforts, series(py, drive.power())?, (peak.value, peak.t, peak.unit), words))
     }
 
-    /// Power of a constraint or of several together; of what acts on the ground without names.
-    fn power<'py>(&self, py: Python<'py>, names: Vec<String>) -> PyResult<Orders<'py>> {
-        let power = self.with(py, |forces| reaction(forces, &names).map(|found| found.power()))?;
+    /// Power of a constraint, of several together, of a load.
+    fn power<'py>(&self, py: Python<'py>, sources: Sources) -> PyResult<Orders<'py>> {
+        let power = self.with(py, |forces| reaction(forces, &sources).map(|found| found.power()))?;
         series(py, &power)
     }
 
-    /// Something that is asked of the force and torque of constraints on a body, as lists over time.
+    /// Something that is asked of the force and torque of constraints or a load on a body, as lists over time.
     fn acted<'py>(
         &self,
         py: Python<'py>,
-        names: Vec<String>,
+        sources: Sources,
         body: (bool, Option<String>),
         ways: Vec<Way>,
         asked: &str,
@@ -104,7 +108,7 @@ impl Forces {
                 };
                 let ways =
                     ways.into_iter().map(|(way, u)| Ok((way, of_two(u)?))).collect::<PyResult<Vec<_>>>()?;
-                self.with(py, |forces| on(forces, &names, body, ways, asked))?
+                self.with(py, |forces| on(forces, &sources, body, ways, asked))?
             }
             (false, name) => {
                 let body = match name {
@@ -113,7 +117,7 @@ impl Forces {
                 };
                 let ways =
                     ways.into_iter().map(|(way, u)| Ok((way, of_three(u)?))).collect::<PyResult<Vec<_>>>()?;
-                self.with(py, |forces| on(forces, &names, body, ways, asked))?
+                self.with(py, |forces| on(forces, &sources, body, ways, asked))?
             }
         };
         found.iter().map(|one| series(py, one)).collect()
@@ -130,17 +134,18 @@ impl Forces {
     }
 }
 
-fn reaction<'f>(forces: &'f kin::Forces<'f>, names: &[String]) -> kin::Result<kin::Reaction<'f>> {
-    match names {
-        [] => Ok(forces.on_ground()),
-        [name] => forces.reaction(name),
-        names => forces.sum(names),
+fn reaction<'f>(forces: &'f kin::Forces<'f>, (kind, names): &Sources) -> kin::Result<kin::Reaction<'f>> {
+    match (kind.as_str(), &names[..]) {
+        ("load", [name]) => forces.load(name),
+        (_, []) => Ok(forces.on_ground()),
+        (_, [name]) => forces.reaction(name),
+        (_, names) => forces.sum(names),
     }
 }
 
 fn on<B: Massive>(
     forces: &kin::Forces<'_>,
-    names: &[String],
+    sources: &Sources,
     body: B,
     ways: Vec<(String, Option<B::Vector>)>,
     asked: &str,
@@ -148,7 +153,7 @@ fn on<B: Massive>(
 where
     B::Vector: Turning,
 {
-    let mut acted = reaction(forces, names)?.on(body)?;
+    let mut acted = reaction(forces, sources)?.on(body)?;
     for (way, point) in ways {
         acted = match (way.as_str(), point) {
             ("at", Some(u)) => acted.at(u),

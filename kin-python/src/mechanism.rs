@@ -1,7 +1,7 @@
 //! A mechanism as it is described. Bodies and coordinates are told by their names; `kin.Mechanism` sees that
 //! they are its own.
 
-use kin::data::{ConstraintData, MechanismData};
+use kin::data::{ConstraintData, LoadData, MechanismData};
 use kin::text::{Making, On, Parameter};
 use kin::{Dimension, Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
@@ -64,6 +64,13 @@ impl Mechanism {
 
     fn gravity(&mut self, g: [f64; 3]) {
         self.0.gravity(vec3(g));
+    }
+
+    /// Adds a load, described as in a file, with the texts of the functions that it names.
+    fn load(&mut self, py: Python<'_>, json: &str, equations: Vec<String>) -> PyResult<()> {
+        let data: LoadData = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
+        let registry = kin::text::registry().with_equations(&equations).map_err(wrong_type)?;
+        or_raise(py, self.0.add_load_data(&data, &registry))
     }
 
     /// A dimension, or a name for an expression of others; gives its value.

@@ -1,7 +1,7 @@
 """Writes the joints of the package from the list of the library, docs/library.md, which is itself made from the code.
 
-`python tools/library.py` writes `python/kin/library.py`, `python/kin/spatial.py` and `python/kin/_library_names.py`;
-with `--check` it says whether they are what it would write.
+`python tools/library.py` writes `python/kin/library.py`, `python/kin/spatial.py`, `python/kin/_library_names.py` and the loads,
+`python/kin/_library_loads.py` and `_library_spatial_loads.py`; with `--check` it says whether they are what it would write.
 """
 
 import re
@@ -39,6 +39,20 @@ from ._joint import AxisLike, EulerLike, Joint, LawLike, Vec2Like, Vec3Like, joi
 '''
 
 
+LOADS = '''"""{title}
+
+Made from docs/library.md by `python tools/library.py`; do not edit.
+"""
+
+from __future__ import annotations
+
+from ._dimension import NumberLike
+from ._handles import {handles}
+from ._joint import {kinds}, joint
+from ._load import {own}
+'''
+
+
 def plain(text):
     """Markdown as text."""
     return re.sub(r"\s+", " ", text.replace("\\|", "|").replace("**", "").replace("*", "")).strip()
@@ -61,6 +75,35 @@ def functions():
             yield section, name, pairs, equations[name], plain(text)
 
 
+def loads():
+    """Section, kind, name, arguments and description of each length, energy and force of the page."""
+    section = ""
+    for line in PAGE.read_text(encoding="utf-8").splitlines():
+        if line.startswith("## "):
+            section = "" if "loads::" not in line else "spatial_loads" if "loads::spatial::" in line else "loads"
+        found = re.match(r"\* \*\*`(\w+)`\*\* `\((.*?)\)`, (\w+): (.*)", line)
+        if section and found and found[3] != "load":
+            pairs = [re.match(r"(\w+): (.*)", one).groups() for one in re.split(r", (?=\w+: )", found[2])]
+            yield section, found[3], found[1], pairs, plain(found[4])
+
+
+def written_load(kind, name, pairs, text):
+    """One length, energy or force of the library."""
+    if kind == "length":
+        return written(name, pairs, "", text)
+    types = [(argument, "Along" if kind == "force" and k == 0 else TYPES[of]) for k, (argument, of) in enumerate(pairs)]
+    signature = f"def {name}({', '.join(f'{argument}: {of}' for argument, of in types)}) -> Load:"
+    if len(signature) > 110:
+        signature = f"def {name}(\n" + "".join(f"    {argument}: {of},\n" for argument, of in types) + ") -> Load:"
+    given = [f'("{argument}", "{of}", {argument})' for argument, of in pairs]
+    call = f'of_library("{name}", [{", ".join(given)}])'
+    if kind == "force":
+        call = f'along_library("{name}", {pairs[0][0]}, [("x", "Coord", FORCED), {", ".join(given[1:])}])'
+    call = textwrap.fill(f"return {call}", 108, initial_indent="    ", subsequent_indent="        ")
+    body = textwrap.fill(text, 108, initial_indent="    ", subsequent_indent="    ").strip()
+    return f'\n\n{signature}\n    """{body}\n    """\n{call}\n'
+
+
 def written(name, pairs, equation, text):
     """One function."""
     arguments = ", ".join(f"{argument}: {TYPES[kind]}" for argument, kind in pairs)
@@ -69,7 +112,7 @@ def written(name, pairs, equation, text):
         lines = "".join(f"    {argument}: {TYPES[kind]},\n" for argument, kind in pairs)
         signature = f"def {name}(\n{lines}) -> Joint:"
     body = "\n\n".join(
-        textwrap.fill(part, 108, initial_indent="    ", subsequent_indent="    ") for part in (equation, text)
+        textwrap.fill(part, 108, initial_indent="    ", subsequent_indent="    ") for part in (equation, text) if part
     )
     given = ", ".join(f'("{argument}", "{kind}", {argument})' for argument, kind in pairs)
     call = textwrap.fill(f"return joint(\"{name}\", [{given}])", 108, initial_indent="    ", subsequent_indent="        ")
@@ -90,12 +133,29 @@ def files():
         made[f"{section}.py"] = (
             HEAD.format(title=title) + "".join(written(*one) for one in own) + f"\n\n__all__ = [\n{names}]\n"
         )
-    names = "".join(f'        "{name}",\n' for name in sorted({name for _, name, *_ in all_functions}))
+    all_loads = list(loads())
+    for section, title, handles in (
+        ("loads", "Loads of planar bodies and coordinates.", "CoordinateLike, PlanarLike"),
+        ("spatial_loads", "Loads of spatial bodies.", "SpatialLike"),
+    ):
+        own = [rest for known, *rest in all_loads if known == section]
+        body = "".join(written_load(*one) for one in own)
+        kinds = [kind for kind in ("AxisLike", "EulerLike", "Joint", "LawLike", "Vec2Like", "Vec3Like") if kind in body]
+        own = [one for one in ("FORCED", "Along", "Load", "along_library", "of_library") if one in body]
+        head = LOADS.format(title=title, handles=handles, kinds=", ".join(kinds), own=", ".join(own))
+        made[f"_library_{section}.py"] = head + body
     made["_library_names.py"] = (
-        '"""Names of the joints of the library. Made by `python tools/library.py`; do not edit."""\n\n'
-        f"LIBRARY = frozenset(\n    [\n{names}    ]\n)\n"
+        '"""Names of the joints and loads of the library. Made by `python tools/library.py`; do not edit."""\n'
+        + name_set("LIBRARY", {name for _, name, *_ in all_functions})
+        + name_set("LOADS", {name for *_, name, _, _ in all_loads})
     )
     return made
+
+
+def name_set(name, names):
+    """A set of names as Python."""
+    lines = "".join(f'        "{one}",\n' for one in sorted(names))
+    return f"\n{name} = frozenset(\n    [\n{lines}    ]\n)\n"
 
 
 if __name__ == "__main__":

@@ -294,6 +294,15 @@ fn loads_come_back_from_a_file_with_equations_of_ones_own_as_text() {
     assert_eq!(efforts(again), before);
 }
 
+/// Text of the library in a file would take the place of its compiled functions.
+#[test]
+fn loads_of_the_library_carry_no_text() {
+    let data = with_everything().data().expect("data");
+    let own = ["fn strut(", "fn gap(", "fn stiffening("];
+    assert_eq!(data.equations.len(), own.len(), "{:?}", data.equations);
+    assert!(own.iter().all(|own| data.equations.iter().any(|text| text.contains(own))));
+}
+
 #[test]
 fn loads_of_a_file_that_make_no_sense_are_refused_by_name() {
     let told = |change: &dyn Fn(&mut serde_json::Value)| {

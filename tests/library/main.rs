@@ -8,6 +8,7 @@ mod engines;
 mod hermite;
 mod joints;
 mod laws;
+mod loads;
 mod motions;
 mod page;
 mod quintic;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::sample::{Argument, Random, arguments};
 use crate::table::Joint;
-use crate::{laws, signature, sketch, table};
+use crate::{laws, loads, signature, sketch, table};
 
 const HEAD: &str = "\
 # The library
@@ -40,10 +40,13 @@ fn tidy(text: &str) -> String {
 }
 
 /// The doc comment's first paragraph, its equation and unit; the rest; what it says of signs and directions.
-fn paragraphs(text: &str) -> (String, String, String) {
+pub fn paragraphs(text: &str) -> (String, String, String) {
     let (first, rest) = text.split_once("\n\n").unwrap_or((text, ""));
-    let (rest, signs) = rest.split_once("\n\nSigns: ").unwrap_or((rest, ""));
-    (tidy(first), links(&tidy(rest)), links(&tidy(signs)))
+    let (rest, signs) = match rest.strip_prefix("Signs: ") {
+        Some(signs) => ("", signs),
+        None => rest.split_once("\n\nSigns: ").unwrap_or((rest, "")),
+    };
+    (links(&tidy(first)), links(&tidy(rest)), links(&tidy(signs)))
 }
 
 /// Names in documentation that link to code are plain names here.
@@ -115,6 +118,7 @@ fn page() -> String {
             let _ = writeln!(text, "* **`{}`** `({given})`: {more} *Signs:* {signs}", joint.name());
         }
     }
+    text += &loads::sections();
     text += "\n## Laws\n\nA break is where a derivative jumps; there the law has the derivatives of its right side.\n\n";
     text += "| law | | parameters | lowest derivative that jumps |\n|---|---|---|---|\n";
     let mut known: Vec<&str> = Vec::new();

@@ -148,19 +148,23 @@ impl Mechanism {
         Some(ActingData::OnBody { body, point: on.point, force, torque, in_body: on.fixed })
     }
 
-    /// Takes loads from data. Errors: an unknown kind, a body or parameter that is missing, and those of
-    /// [`Mechanism::load`].
+    /// Takes loads from data. Errors: those of [`Mechanism::add_load_data`].
     pub(super) fn take_loads(&mut self, loads: &[LoadData], registry: &Registry) -> Result<()> {
-        for LoadData { name, parts } in loads {
-            plain("load", name)?;
-            let parts = parts.iter().map(|part| self.acting(part, registry).map(Load));
-            let parts = parts.collect::<std::result::Result<Vec<Load>, String>>();
-            let mut parts =
-                parts.map_err(|reason| Error::Data { place: format!("load `{name}`"), reason })?.into_iter();
-            let first = parts.next().ok_or(Error::EmptyName { what: "load" })?;
-            self.load(name, parts.fold(first, Load::and))?;
-        }
-        Ok(())
+        loads.iter().try_for_each(|load| self.add_load_data(load, registry))
+    }
+
+    /// Adds the load that the data say, made by the registry, on bodies of this mechanism.
+    ///
+    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts, and those of
+    /// [`Mechanism::load`].
+    pub fn add_load_data(&mut self, LoadData { name, parts }: &LoadData, registry: &Registry) -> Result<()> {
+        plain("load", name)?;
+        let parts = parts.iter().map(|part| self.acting(part, registry).map(Load));
+        let parts = parts.collect::<std::result::Result<Vec<Load>, String>>();
+        let mut parts =
+            parts.map_err(|reason| Error::Data { place: format!("load `{name}`"), reason })?.into_iter();
+        let first = parts.next().ok_or(Error::EmptyName { what: "load" })?;
+        self.load(name, parts.fold(first, Load::and))
     }
 
     fn acting(&self, data: &ActingData, registry: &Registry) -> std::result::Result<Acting, String> {

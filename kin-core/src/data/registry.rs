@@ -103,8 +103,8 @@ impl Registry {
     }
 
     /// The same registry with the constraints that these texts say; without a reader the program has to know
-    /// them itself.
-    pub(super) fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
+    /// them itself. Errors: the mistakes of a text.
+    pub fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
         match self.equations {
             Some(read) => texts.iter().try_fold(self.clone(), |registry, text| read(registry, text)),
             None => Ok(Registry { unread: !texts.is_empty(), ..self.clone() }),

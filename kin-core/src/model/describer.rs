@@ -12,8 +12,8 @@ pub struct Describer {
     lacking: Vec<String>,
 }
 
-/// The constraints of the library need no text: every reader has them.
-const LIBRARY: &str = "kin_core::joints";
+/// The constraints and loads of the library need no text: every reader has them.
+const LIBRARY: [&str; 2] = ["kin_core::joints", "kin_core::forces::library"];
 
 impl Describer {
     /// The constraint cannot be described, and why.
@@ -33,7 +33,7 @@ impl Describer {
 
     /// The same of a function of this module.
     pub fn put_text(&mut self, module: &str, text: &str) {
-        if !module.starts_with(LIBRARY) {
+        if !LIBRARY.iter().any(|library| module.starts_with(library)) {
             self.put_equation(text);
         }
     }

@@ -9,7 +9,7 @@
 Metre, radian, second; any consistent set of units works.
 """
 
-from . import spatial
+from . import loads, spatial
 from ._constraint import Constraint, Equation, branch, constraint, equation, law, measure, require
 from ._diagnosis import Diagnosis
 from ._dimension import Dimension, NumberLike
@@ -58,11 +58,12 @@ from ._functions import (
 from ._handles import Coordinate, Ground, Link, PlanarBody, SpatialBody, SpatialLink, ground
 from ._joint import Joint
 from ._law import Law
+from ._load import Force, Load, Potential, force, potential
 from ._mechanism import Mechanism, Terms
 from ._motion import Event, Motion, Point, Quantity, Rotation
 from ._scalars import Scalar
 from ._solid import Solid
-from ._states import Coord, Planar, Spatial, Time
+from ._states import Coord, Planar, Rate, Spatial, Time
 from ._sweeps import Batch, Rows, sweep
 from ._pictures import Page, Picture
 from ._system import Assembly, Extreme, Extremes, Proof, Solution, System
@@ -93,11 +94,13 @@ __all__ = [
     "Event",
     "Extreme",
     "Extremes",
+    "Force",
     "Forces",
     "Ground",
     "Joint",
     "Law",
     "Link",
+    "Load",
     "Mat2",
     "Mat3",
     "Mechanism",
@@ -109,8 +112,10 @@ __all__ = [
     "Planar",
     "PlanarBody",
     "Point",
+    "Potential",
     "Proof",
     "Quantity",
+    "Rate",
     "Reaction",
     "Rotation",
     "Rows",
@@ -148,9 +153,11 @@ __all__ = [
     "expm1",
     "fabs",
     "floor",
+    "force",
     "ground",
     "hypot",
     "law",
+    "loads",
     "log",
     "log10",
     "log1p",
@@ -159,6 +166,7 @@ __all__ = [
     "measure",
     "minimum",
     "pi",
+    "potential",
     "power",
     "radians",
     "require",

@@ -16,11 +16,12 @@ import numpy as np
 from . import _mistakes, _native
 from ._errors import ConstraintError
 from ._handles import Coordinate, Handle
+from ._joint import Joint
 from ._law import Law
-from ._library_names import LIBRARY
+from ._library_names import LIBRARY, LOADS
 from ._place import users_line
 from ._scalars import Condition, Expr
-from ._states import Coord, Planar, Spatial, Time, TracedLaw
+from ._states import Coord, Planar, Rate, Spatial, Time, TracedLaw
 from ._trace import Trace
 from ._values import numbers_of
 from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, _Components
@@ -75,6 +76,13 @@ class Constraint:
     bodies: tuple[Union[Handle, Coordinate], ...]
     parameters: dict[str, Any]
 
+    def _joint(self) -> Joint:
+        """The same as a joint of that kind."""
+        kinds = [(one.name, one.kind) for one in self.equation.arguments if one.is_body for _ in range(one.count or 1)]
+        bodies = tuple((name, kind, body) for (name, kind), body in zip(kinds, self.bodies))
+        types = {one.name: one.type for one in self.equation.arguments}
+        return Joint(self.equation.name, bodies, tuple((name, types[name], value) for name, value in self.parameters.items()))
+
     def __repr__(self) -> str:
         return f"{self.equation.name}(…)"
 
@@ -94,7 +102,7 @@ class Equation:
             if argument.is_body:
                 value = given[argument.name]
                 bodies.extend([value] if argument.count is None else value)
-            elif argument.kind != "Time":
+            elif argument.kind not in ("Time", "Rate"):
                 parameters[argument.name] = given[argument.name]
         return Constraint(self, tuple(bodies), parameters)
 
@@ -108,10 +116,12 @@ class Equation:
 def _bound(
     name: str, arguments: Sequence[Argument], args: tuple[Any, ...], keywords: dict[str, Any]
 ) -> dict[str, Any]:
-    """Values by names, as Python binds them; time is not given."""
+    """Values by names, as Python binds them; time and rates are not given."""
     kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
     wanted = [
-        inspect.Parameter(one.name, kind, default=one.default) for one in arguments if one.kind != "Time"
+        inspect.Parameter(one.name, kind, default=one.default)
+        for one in arguments
+        if one.kind not in ("Time", "Rate")
     ]
     # A default before an argument without one is no signature of Python's; then all are asked for.
     try:
@@ -133,6 +143,9 @@ class Traced:
     states of plain numbers gives the rows of C as a list.
     """
 
+    #: What stands before the function in the text.
+    _mark: tuple[str, ...] = ()
+
     def __init__(self, function: Callable[..., Any], name: Optional[str]) -> None:
         functools.update_wrapper(self, function)
         self.function = function
@@ -140,20 +153,27 @@ class Traced:
         self._place = (function.__code__.co_filename, function.__code__.co_firstlineno)
         if not self.name.isidentifier():
             _mistakes.at(self._place, "a function of a constraint needs a name: write it with `def`")
-        if self.name in LIBRARY:
-            text = f"`{self.name}` is a joint of the library: give your function another name"
+        if self.name in LIBRARY or self.name in LOADS:
+            what = "joint" if self.name in LIBRARY else "load"
+            text = f"`{self.name}` is a {what} of the library: give your function another name"
             _mistakes.at(self._place, text)
         self._known: dict[tuple[Any, ...], Equation] = {}
-        self._arguments = _arguments(function, self._place)
+        self._arguments = self._read_arguments()
         self._counts = [one.name for one in self._arguments if one.kind == "count"]
         if not self._counts:
             with contextlib.suppress(NameError):  # of a helper that stands further down: the first call tells
                 self._traced({})
 
-    def __call__(self, *args: Any, **keywords: Any) -> Constraint:
+    def __call__(self, *args: Any, **keywords: Any) -> Any:
+        return self._constraint(*args, **keywords)
+
+    def _constraint(self, *args: Any, **keywords: Any) -> Constraint:
         given = _bound(self.name, self._arguments, args, keywords)
         counts = {name: given.pop(name) for name in self._counts}
         return self._traced(counts)(**given)
+
+    def _read_arguments(self) -> list[Argument]:
+        return _arguments(self.function, self._place)
 
     @property
     def text(self) -> str:
@@ -258,7 +278,10 @@ def _read_signature(text: str, name: str) -> list[Argument]:
     return arguments
 
 
-def _arguments(function: Callable[..., Any], place: tuple[str, int]) -> list[Argument]:
+def _arguments(
+    function: Callable[..., Any], place: tuple[str, int], usual: Optional[dict[str, str]] = None
+) -> list[Argument]:
+    """The arguments of a function by their types; `usual` are kinds of those that have none."""
     try:
         hints = typing.get_type_hints(function, include_extras=True)
     except Exception as error:  # a name that does not exist, in any form that `eval` gives it
@@ -268,7 +291,8 @@ def _arguments(function: Callable[..., Any], place: tuple[str, int]) -> list[Arg
         if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
             text = f"`*{name}` has no fixed number of arguments: write `{name}: Annotated[Sequence[kin.Coord], 3]`"
             _mistakes.at(place, text)
-        kind, count = _kind(name, hints.get(name, float), place)
+        known = (usual or {}).get(name)
+        kind, count = (known, None) if known else _kind(name, hints.get(name, float), place)
         arguments.append(Argument(name, kind, count, parameter.default))
     if not any(one.is_body for one in arguments):
         text = "a constraint acts on bodies or coordinates: give an argument the type kin.Planar, kin.Spatial or kin.Coord"
@@ -283,7 +307,7 @@ def _kind(name: str, hint: Any, place: tuple[str, int]) -> tuple[str, Optional[i
         counts = [one for one in extra if isinstance(one, int) and one > 0]
         if of and counts:
             return _kind(name, of[0], place)[0], counts[0]
-    for known, kind in [*_BODIES.items(), *_VALUES.items(), (Time, "Time")]:
+    for known, kind in [*_BODIES.items(), *_VALUES.items(), (Time, "Time"), (Rate, "Rate")]:
         if hint is known:
             return kind, None
     if hint in _COUNTS:
@@ -302,8 +326,8 @@ def _stand_in(trace: Trace, argument: Argument, name: str) -> Any:
         return Spatial._traced(trace, name)
     if kind == "Coord":
         return Coord(trace, trace.atom(name, "f64"))
-    if kind == "Time":
-        return Time(trace, trace.atom(name, "f64"))
+    if kind in ("Time", "Rate"):
+        return (Time if kind == "Time" else Rate)(trace, trace.atom(name, "f64"))
     if kind == "f64":
         return Expr(trace, trace.atom(name, "f64"))
     if kind == "Law":
@@ -338,7 +362,8 @@ def _trace(self: Traced, counts: dict[str, Any]) -> Equation:
     nodes = [trace.number(row) for row in rows]
     trace.over = True
     name = self.name + "".join(f"_{re.sub(r'[^0-9a-zA-Z]', '_', str(value))}" for value in counts.values())
-    text, places = _written(trace, name, kept, [node for node in nodes if node is not None], shape, self.__doc__)
+    known = [node for node in nodes if node is not None]
+    text, places = _written(trace, name, kept, known, shape, self.__doc__, self._mark)
     native, mistakes = _native.Equation.read(text)
     if native is None:
         _told(self, text, places, mistakes)
@@ -366,11 +391,18 @@ def _flat(result: Any, place: tuple[str, int]) -> tuple[list[Any], list[int]]:
 
 
 def _written(
-    trace: Trace, name: str, arguments: list[Argument], rows: list[int], shape: list[int], doc: Optional[str]
+    trace: Trace,
+    name: str,
+    arguments: list[Argument],
+    rows: list[int],
+    shape: list[int],
+    doc: Optional[str],
+    marks: Sequence[str] = (),
 ) -> tuple[str, list[tuple[str, int]]]:
     """The text of the function, and the user's line of each of its lines."""
     printed = trace.printed(rows)
     lines = [f"/// {line}".rstrip() for line in textwrap.dedent(doc or "").strip().splitlines()]
+    lines += marks
     for node, why in trace.requirements:
         lines.append(f"#[require({trace.inline(node)}, {_quoted(why)})]")
     for node, why in trace.branches:

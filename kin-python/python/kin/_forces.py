@@ -103,19 +103,23 @@ class Forces:
 
     def reaction(self, constraint: str) -> "Reaction":
         """Force and torque of a constraint on its bodies; of a driver too."""
-        return Reaction(self, (constraint,))
+        return Reaction(self, ("constraints", (constraint,)))
+
+    def load(self, name: str) -> "Reaction":
+        """Force and torque of a load on its bodies."""
+        return Reaction(self, ("load", (name,)))
 
     def sum(self, constraints: Iterable[str]) -> "Reaction":
         """Force and torque of several constraints together: of redundant ones the sum can be unique where none of them is."""
         names = tuple(constraints)
         if not names:
             raise ValueError("`sum` needs the name of a constraint at least")
-        return Reaction(self, names)
+        return Reaction(self, ("constraints", names))
 
     def on_ground(self) -> "Reaction":
         """Force and torque of all constraints on the ground, `forces.on_ground().on(m.ground)`: the shaking force, and the
         shaking moment about the origin."""
-        return Reaction(self, ())
+        return Reaction(self, ("constraints", ()))
 
     def columns(self) -> dict[str, Any]:
         """Everything that is unique by the headers of the CSV file, such as `A on crank.F_x [N]`."""
@@ -147,10 +151,10 @@ class Forces:
 
 @dataclass(frozen=True)
 class Reaction:
-    """Forces and torques of a constraint, or of several together, on bodies."""
+    """Forces and torques of a constraint, of several together, or of a load, on bodies."""
 
     forces: Forces
-    constraints: tuple[str, ...]
+    _sources: tuple[str, tuple[str, ...]]
 
     def on(self, body: Union[PlanarBody, SpatialBody, Ground]) -> "Acted":
         """Force and torque on one body; the ground takes the opposite of all that is put on bodies.
@@ -171,7 +175,7 @@ class Reaction:
     @property
     def power(self) -> Quantity:
         """The power that it puts into the mechanism, Q · q̇.   [W]"""
-        return self.forces._quantity(self.forces._native.power(list(self.constraints)))
+        return self.forces._quantity(self.forces._native.power(self._sources))
 
 
 @dataclass(frozen=True)
@@ -200,7 +204,7 @@ class Acted:
 
     def _asked(self, asked: str) -> list[Quantity]:
         forces = self._reaction.forces
-        found = forces._native.acted(list(self._reaction.constraints), self._body, list(self._ways), asked)
+        found = forces._native.acted(self._reaction._sources, self._body, list(self._ways), asked)
         return [forces._quantity(one) for one in found]
 
     @property

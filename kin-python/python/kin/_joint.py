@@ -51,6 +51,10 @@ class Joint:
 
     def described(self, name: str, mechanism: str, own: str) -> str:
         """Its description under a name, as JSON."""
+        return json.dumps({"name": name, **self.data(name, mechanism, own)})
+
+    def data(self, name: str, mechanism: str, own: str) -> dict[str, Any]:
+        """Its kind, what it is on and its parameters, as in a file."""
         arguments = []
         for argument, kind, body in self.bodies:
             short, body_name, of = place_of(name, argument, kind, body)
@@ -61,7 +65,7 @@ class Joint:
             else:
                 arguments.append({short: body_name})  # type: ignore[dict-item]
         parameters = {key: _json(name, mechanism, own, key, kind, value) for key, kind, value in self.parameters}
-        return json.dumps({"name": name, "kind": self.kind, "arguments": arguments, "parameters": parameters})
+        return {"kind": self.kind, "arguments": arguments, "parameters": parameters}
 
 
 def foreign(place: str, argument: str, mechanism: str) -> ForeignBody:

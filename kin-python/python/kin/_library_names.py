@@ -1,4 +1,4 @@
-"""Names of the joints of the library. Made by `python tools/library.py`; do not edit."""
+"""Names of the joints and loads of the library. Made by `python tools/library.py`; do not edit."""
 
 LIBRARY = frozenset(
     [
@@ -52,5 +52,25 @@ LIBRARY = frozenset(
         "thread",
         "universal",
         "weld",
+    ]
+)
+
+LOADS = frozenset(
+    [
+        "along",
+        "bushing",
+        "coordinate_spring",
+        "force_by",
+        "force_in_time",
+        "gas",
+        "length",
+        "pressure",
+        "slide",
+        "small_turn",
+        "spring",
+        "spring_damper",
+        "torsion_spring",
+        "turn",
+        "viscous",
     ]
 )

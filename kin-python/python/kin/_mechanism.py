@@ -25,6 +25,7 @@ from ._handles import (
     place_of,
 )
 from ._joint import AxisLike, EulerLike, Joint, Vec2Like, Vec3Like, foreign
+from ._load import Load
 from ._solid import Solid, in_space, inertia_of
 from ._system import System
 from ._values import axis_of, euler_of, flat, law_of
@@ -268,7 +269,7 @@ class Mechanism:
             raise foreign(place, "body", self.name)
         return handle.name
 
-    # Masses and weight.
+    # Masses, weight and loads.
 
     def mass(self, body: Body, mass: float, centre: Any, inertia: Any) -> None:
         """The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the plane one moment,
@@ -283,6 +284,21 @@ class Mechanism:
     def solid(self, body: Body, solid: Solid) -> None:
         """The same by a shape and a density: `m.solid(crank, kin.Solid.bar(0.1, 0.02, 0.01, kin.Solid.STEEL))`."""
         self._native.solid(self._massive("solid", body)[0], solid._tuple())
+
+    def load(self, name: str, load: Load) -> None:
+        """Lets something act on the mechanism, under a name: `kin.loads.spring(…)` and the others of that library,
+        `kin.Load.force(body, u, force)`, a function under `@kin.potential` or `@kin.force`; `a + b` is both. Numbers of loads do not
+        follow dimensions.
+
+        Raises an error by name: the ground, a body of another mechanism, a length of several rows, a name that is taken.
+        """
+        if not isinstance(load, Load):
+            raise TypeError(
+                f"`{name}`: {load!r} is no load: call kin.loads.spring(…) or another of that library, kin.Load.force(…), or a "
+                "function under @kin.potential or @kin.force"
+            )
+        data, texts = load._data(name, self.name, self._token)
+        self._native.load(json.dumps(data), texts)
 
     def gravity(self, g: Any) -> None:
         """The acceleration of gravity, such as (0, -9.81); zero without it.   [m/s²]"""

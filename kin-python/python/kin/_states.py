@@ -208,3 +208,10 @@ class Time(Expr):
     """The time t: a number in the function, which is not given in its call.   [s]"""
 
     __slots__ = ()
+
+
+class Rate(Expr):
+    """The rate ẋ of the length or angle that a force acts along: a number in a function under `@kin.force`, which is not given
+    in its call.   [m/s, rad/s]"""
+
+    __slots__ = ()

@@ -1,0 +1,225 @@
+"""What acts on a mechanism: forces and torques on bodies, along lengths and angles, energies. `m.load(name, load)`."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+from dataclasses import dataclass
+from typing import Any, Callable, Protocol, Union
+
+from . import _mistakes
+from ._constraint import Argument, Constraint, Traced, _arguments
+from ._handles import Coordinate, Ground, Handle, PlanarBody, SpatialBody
+from ._joint import Joint, foreign, joint
+from ._values import flat, law_of
+
+# A length or an angle to act along: what is zero where a constraint holds is a number everywhere.
+Along = Union[Joint, Constraint]
+# Texts of functions of one's own, by their names.
+Texts = dict[str, str]
+# What x of a force stands for in its description: the load knows.
+FORCED = Coordinate("0", "", "ground_coord")
+
+
+class _Part(Protocol):
+    def data(self, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]: ...
+
+
+@dataclass(frozen=True)
+class Load:
+    """What acts together under one name: `m.load("closer", load)`. `a + b` is both."""
+
+    _parts: tuple[_Part, ...]
+
+    @staticmethod
+    def force(body: Handle, u: Any, force: Any) -> "Load":
+        """A force at a point ū of a body, by global components: numbers, laws of time or functions of it.   [m, N]"""
+        return Load((_OnBody(body, u, force, None, False),))
+
+    @staticmethod
+    def force_in_body(body: Handle, u: Any, force: Any) -> "Load":
+        """The same by components in the axes of the body, which it turns with.   [m, N]"""
+        return Load((_OnBody(body, u, force, None, True),))
+
+    @staticmethod
+    def torque(body: Handle, torque: Any) -> "Load":
+        """A torque on a body, counter-clockwise in the plane, three global components in space.   [N m]"""
+        return Load((_OnBody(body, None, None, torque, False),))
+
+    @staticmethod
+    def torque_in_body(body: Handle, torque: Any) -> "Load":
+        """The same by components in the axes of the body.   [N m]"""
+        return Load((_OnBody(body, None, None, torque, True),))
+
+    @staticmethod
+    def along(x: Along, force: Callable[..., Any]) -> "Load":
+        """A force along a length or an angle x, such as `kin.loads.length(…)` or any constraint of one row: `force` is a function
+        of x, of x and its rate, or of x, its rate and time, traced as a constraint is. Positive pushes the way x grows.   [N, N
+        m]"""
+        return _Bare(force)(x)
+
+    def __add__(self, other: "Load") -> "Load":
+        if not isinstance(other, Load):
+            return NotImplemented
+        return Load(self._parts + other._parts)
+
+    def _data(self, name: str, mechanism: str, own: str) -> tuple[dict[str, Any], list[str]]:
+        """Its description under a name, and the texts of functions in it."""
+        texts: Texts = {}
+        parts = [part.data(name, mechanism, own, texts) for part in self._parts]
+        return {"name": name, "parts": parts}, list(texts.values())
+
+    def __repr__(self) -> str:
+        return f"<load of {len(self._parts)} part{'s' if len(self._parts) > 1 else ''}>"
+
+
+@dataclass(frozen=True)
+class _Energy:
+    of: Along
+
+    def data(self, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
+        return {"energy": _scalar(self.of, name, mechanism, own, texts)}
+
+
+@dataclass(frozen=True)
+class _Along:
+    x: Along
+    force: Along
+
+    def data(self, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
+        x, force = (_scalar(one, name, mechanism, own, texts) for one in (self.x, self.force))
+        del force["arguments"]
+        return {"along": {"x": x, "force": force}}
+
+
+@dataclass(frozen=True)
+class _OnBody:
+    body: Any
+    u: Any
+    force: Any
+    torque: Any
+    in_body: bool
+
+    def data(self, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
+        if isinstance(self.body, Ground):
+            raise ValueError(f"`{name}`: a load on the ground moves nothing")
+        if not isinstance(self.body, (PlanarBody, SpatialBody)):
+            raise TypeError(f"`{name}`: a force or torque acts on a body, not on {self.body!r}")
+        if self.body._of != own:
+            raise foreign(name, "body", mechanism)
+        size = 2 if isinstance(self.body, PlanarBody) else 3
+        data: dict[str, Any] = {"body": self.body.name, "in_body": self.in_body}
+        if self.force is not None:
+            force, point = _components(name, "force", self.force, size), flat(self.u)
+            if len(point) != size:
+                raise TypeError(f"`{name}`: a point of `{self.body.name}` has {size} numbers, not {self.u!r}")
+            data["point"] = point + [0.0] * (3 - size)
+            data["force"] = [law_of(name, "force", one)._written(name, mechanism, own) for one in force]
+        if self.torque is not None:
+            torque = _components(name, "torque", self.torque, 2 * size - 3)
+            data["torque"] = [law_of(name, "torque", one)._written(name, mechanism, own) for one in torque]
+        return {"on_body": data}
+
+
+def _components(name: str, what: str, value: Any, size: int) -> list[Any]:
+    """Components in space: of a plane force z is zero, of a plane torque x and y are."""
+    several = list(value) if hasattr(value, "__len__") or hasattr(value, "_components") else [value]
+    if len(several) != size:
+        raise TypeError(f"`{name}`: its {what} has {size} component{'s' if size > 1 else ''}, not {value!r}")
+    zeros: list[Any] = [0.0] * (3 - size)
+    return zeros + several if what == "torque" else several + zeros
+
+
+def _scalar(one: Along, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
+    if isinstance(one, Constraint):
+        texts[one.equation.name] = one.equation.text
+        one = one._joint()
+    return one.data(name, mechanism, own)
+
+
+def _length(place: str, x: Any) -> Along:
+    if not isinstance(x, (Joint, Constraint)):
+        text = f"`{place}` acts along a length or an angle, kin.loads.length(…) or any constraint of one row, not {x!r}"
+        raise TypeError(text)
+    return x
+
+
+def of_library(kind: str, given: Any) -> Load:
+    """An energy of the library."""
+    return Load((_Energy(joint(kind, given)),))
+
+
+def along_library(kind: str, x: Any, given: Any) -> Load:
+    """A force of the library along x."""
+    return Load((_Along(_length(kind, x), joint(kind, given)),))
+
+
+class Potential(Traced):
+    """A function under `@kin.potential`: called with bodies and parameters it gives a load."""
+
+    def __call__(self, *args: Any, **keywords: Any) -> Load:
+        return Load((_Energy(self._constraint(*args, **keywords)),))
+
+    def __repr__(self) -> str:
+        return f"<potential {self.name}>"
+
+
+class Force(Traced):
+    """A function under `@kin.force`: called with a length or an angle and its parameters it gives a load."""
+
+    _mark = ("#[force]",)
+
+    def __call__(self, x: Along, *args: Any, **keywords: Any) -> Load:
+        made = self._constraint(FORCED, *args, **keywords)
+        return Load((_Along(_length(self.name, x), made),))
+
+    def _read_arguments(self) -> list[Argument]:
+        names = list(inspect.signature(self.function).parameters)
+        if not names:
+            _mistakes.at(self._place, f"`{self.name}` is a force along x: its first argument is x: kin.Coord")
+        known = {names[0]: "Coord", "rate": "Rate", "t": "Time"}
+        hints = getattr(self.function, "__annotations__", {})
+        usual = {name: kind for name, kind in known.items() if name not in hints}
+        return _arguments(self.function, self._place, usual)
+
+    def __repr__(self) -> str:
+        return f"<force {self.name}>"
+
+
+class _Bare(Force):
+    """A function of x, its rate and time in this order, without types; its name is that of its text."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        if not callable(function):
+            raise TypeError(f"`along` takes a function of x, its rate and time, not {function!r}")
+        super().__init__(function, "along_x")
+        given = hashlib.sha256(self.text.encode()).hexdigest()[:12]
+        super().__init__(function, f"along_x_{given}")
+
+    def _read_arguments(self) -> list[Argument]:
+        names = list(inspect.signature(self.function).parameters)
+        if not 1 <= len(names) <= 3:
+            text = f"a force along x is a function of x, its rate and time, not of {len(names)} arguments"
+            _mistakes.at(self._place, text)
+        return [Argument(name, kind) for name, kind in zip(names, ("Coord", "Rate", "Time"))]
+
+
+def potential(function: Callable[..., Any]) -> Potential:
+    """Makes a load of an energy V(q, t), written as a function as under `@kin.constraint`: it acts with −V_q.
+
+    Raises `kin.ConstraintError` at the user's line.
+    """
+    return Potential(function, None)
+
+
+def force(function: Callable[..., Any]) -> Force:
+    """Makes a load of a force f(x, ẋ, t) along any length or angle x: its arguments are `x: kin.Coord`, then, where they are
+    needed, `rate: kin.Rate` and `t: kin.Time`, then parameters. In its call x is `kin.loads.length(…)` or any constraint of one
+    row; rate and time are not given. Positive pushes the way x grows.   [N, N m]
+
+    Raises `kin.ConstraintError` at the user's line.
+    """
+    return Force(function, None)
+
+
+__all__ = ["Along", "Force", "Load", "Potential", "force", "potential"]
