@@ -61,7 +61,8 @@ pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
     ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose,
 };
-pub use model::loads::{ByLaws, IntoLoad, Load, Massive, Potential, Solid, Turning};
+pub use model::jammed::Jammed;
+pub use model::loads::{ByLaws, Friction, IntoLoad, Load, Massive, Potential, Solid, Turning};
 pub use model::no_derivative::NoDerivative;
 pub use model::not_unique::NotUnique;
 pub use model::units::Units;

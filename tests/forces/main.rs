@@ -10,6 +10,7 @@ mod data;
 mod errors;
 mod examples;
 mod file;
+mod friction;
 mod loads;
 mod newton_euler;
 #[path = "../data/own.rs"]

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::dimensions::{DimensionData, NumberData};
 use super::is_first;
-use super::loads::LoadData;
+use super::loads::{FrictionData, LoadData};
 use super::masses::MassData;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::layout::Kind;
@@ -49,6 +49,9 @@ pub struct MechanismData {
     /// Loads in their order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<LoadData>,
+    /// Dry friction in joints, by their names.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub frictions: Vec<FrictionData>,
 }
 
 /// Forces of a motion: everything that is unique as columns, each with its unit.

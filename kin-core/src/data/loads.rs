@@ -13,7 +13,7 @@ use crate::model::describer::Describer;
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::layout::Place;
-use crate::model::loads::{Acting, ForceAlong, Load, OnBody};
+use crate::model::loads::{Acting, ForceAlong, Friction, Load, OnBody, Shape};
 use crate::model::mechanism::Mechanism;
 
 /// A load: what acts together under one name.
@@ -86,6 +86,48 @@ pub struct FormulaData {
     pub parameters: Map<String, Value>,
 }
 
+/// Dry friction in a joint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FrictionData {
+    /// Name of the joint.
+    pub joint: String,
+    /// The coefficient.
+    pub coefficient: f64,
+    /// The rate of the slip at which it sets in: an angle or a length per time.
+    pub rate: f64,
+    /// Where it acts.
+    #[serde(flatten)]
+    pub shape: FrictionShape,
+}
+
+/// A pin or a slide.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum FrictionShape {
+    /// A pin.
+    Pin {
+        /// Its radius.
+        radius: f64,
+        /// The length of its bearing; 0 where it is short.
+        #[serde(default, skip_serializing_if = "is_zero")]
+        length: f64,
+    },
+    /// A slide.
+    Slide {
+        /// The length of its guide.
+        length: f64,
+        /// The width of its guide.
+        width: f64,
+    },
+}
+
+fn is_zero(x: &f64) -> bool {
+    *x == 0.0
+}
+
 /// Equations that the file has to carry as text, by their kinds.
 pub(super) type Carried = Vec<(String, String)>;
 
@@ -98,6 +140,36 @@ impl Mechanism {
             return Err(Error::Data { place: format!("load `{name}`"), reason: reason.to_string() });
         }
         self.loads.loads.iter().map(|(name, load)| self.one_load(name, load, carried)).collect()
+    }
+
+    /// Friction in joints as data.
+    pub(super) fn friction_data(&self) -> Vec<FrictionData> {
+        let data = |(joint, friction): &(String, Friction)| FrictionData {
+            joint: joint.clone(),
+            coefficient: friction.coefficient,
+            rate: friction.rate,
+            shape: match friction.shape {
+                Shape::Pin { radius, length } => FrictionShape::Pin { radius, length },
+                Shape::Slide { length, width } => FrictionShape::Slide { length, width },
+            },
+        };
+        self.loads.frictions.iter().map(data).collect()
+    }
+
+    /// Takes friction from data. Errors: those of [`Mechanism::friction`].
+    pub(super) fn take_frictions(&mut self, frictions: &[FrictionData]) -> Result<()> {
+        for FrictionData { joint, coefficient, rate, shape } in frictions {
+            let friction = match *shape {
+                FrictionShape::Pin { radius, length } => {
+                    Friction::pin(*coefficient, radius, *rate).length(length)
+                }
+                FrictionShape::Slide { length, width } => {
+                    Friction::slide(*coefficient, [length, width], *rate)
+                }
+            };
+            self.friction(joint, friction)?;
+        }
+        Ok(())
     }
 
     fn one_load(&self, name: &str, load: &Load, carried: &mut Carried) -> Result<LoadData> {

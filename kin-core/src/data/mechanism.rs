@@ -66,6 +66,7 @@ impl Mechanism {
             masses,
             gravity,
             loads,
+            frictions: self.friction_data(),
             name: self.name.clone(),
             units,
             dimensions: self.dimension_data()?,
@@ -188,6 +189,7 @@ impl Mechanism {
         }
         mechanism.take_masses(&data.masses, data.gravity)?;
         mechanism.take_loads(&data.loads, registry)?;
+        mechanism.take_frictions(&data.frictions)?;
         Ok(mechanism)
     }
 

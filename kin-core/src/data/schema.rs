@@ -40,12 +40,14 @@ pub fn schema(registry: &Registry) -> Value {
             "masses": list("mass", "Masses of bodies."),
             "gravity": vector("The acceleration of gravity; z is 0 in a plane."),
             "loads": list("load", "What acts on the mechanism."),
+            "frictions": list("friction", "Dry friction in joints."),
         },
         "$defs": {
             "body": body(),
             "dimension": dimension(),
             "mass": mass(),
             "load": load(),
+            "friction": friction(),
             "scalar": scalar(),
             "formula": formula(),
             "number": number(),
@@ -147,6 +149,32 @@ fn load() -> Value {
         &["name", "parts"],
         &[("name", text("Its name.")), ("parts", json!({ "type": "array", "items": acting, "minItems": 1 }))],
     )
+}
+
+fn friction() -> Value {
+    let above_zero = |told: &str| json!({ "description": told, "type": "number", "exclusiveMinimum": 0 });
+    let at_least_zero = |told: &str| json!({ "description": told, "type": "number", "minimum": 0 });
+    let pin = [
+        ("radius", above_zero("The radius of the pin.")),
+        ("length", at_least_zero("The length of its bearing; 0 where it is short.")),
+    ];
+    let slide = [
+        ("length", above_zero("The length of the guide.")),
+        ("width", at_least_zero("The width of the guide.")),
+    ];
+    let mut all = object(
+        "Dry friction in a joint: of a pin or of a slide.",
+        &["joint", "coefficient", "rate"],
+        &[
+            ("joint", text("Name of the joint.")),
+            ("coefficient", at_least_zero("The coefficient.")),
+            ("rate", above_zero("The rate of the slip at which it sets in.")),
+            ("pin", object("A pin.", &["radius"], &pin)),
+            ("slide", object("A slide.", &["length", "width"], &slide)),
+        ],
+    );
+    all["oneOf"] = json!([{ "required": ["pin"] }, { "required": ["slide"] }]);
+    all
 }
 
 fn on_body() -> Value {

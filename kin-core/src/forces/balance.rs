@@ -25,9 +25,11 @@ pub struct Balance {
     pub drives: Series,
     /// The power of loads and of weight.   \[W\]
     pub loads: Series,
+    /// The power of friction in joints, which is lost: at most zero.   \[W\]
+    pub friction: Series,
     /// dT/dt, by differentiating T along the motion: not by the balance of forces.   \[W\]
     pub kinetic: Series,
-    /// Power of drives and loads less dT/dt.   \[W\]
+    /// Power of drives, loads and friction less dT/dt.   \[W\]
     pub left: Series,
     /// The largest power that any force (of a drive, a load, weight, inertia) has on any coordinate at any
     /// time: rounding is a share of that.   \[W\]
@@ -60,8 +62,9 @@ impl Powers {
         let balance = Balance {
             drives: power("drives", &|at| at.drives),
             loads: power("loads", &|at| at.loads + at.weight),
+            friction: power("friction", &|at| at.friction),
             kinetic: power("T'", &|at| at.rate),
-            left: power("left", &|at| at.drives + at.loads + at.weight - at.rate),
+            left: power("left", &|at| at.drives + at.loads + at.weight + at.friction - at.rate),
             largest,
         };
         (energy, balance)
@@ -80,9 +83,10 @@ impl Balance {
 impl fmt::Display for Balance {
     /// "power balance: drives + loads − kinetic energy's rate = 3e-15 of 41 W at most."
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rubs = if self.friction.min() < 0.0 { " + friction" } else { "" };
         write!(
             f,
-            "power balance: drives + loads − kinetic energy's rate = {:.0e} of {:.3} {} at most.",
+            "power balance: drives + loads{rubs} − kinetic energy's rate = {:.0e} of {:.3} {} at most.",
             self.worst(),
             self.largest,
             self.left.unit()

@@ -1,10 +1,10 @@
 //! The forces of a motion, and what can be asked of them by name.
 
-use super::acted::LOOSE;
 use super::acting::{Beside, Laid, Now, scatter};
 use super::balance::{Balance, Energy, Powers};
 use super::body::{self, Moved};
 use super::drive::{self, Drive};
+use super::friction::{Frictions, Rub};
 use super::multipliers::{Multipliers, Solver};
 use super::reaction::{Reaction, Source};
 use super::sharing::Sharing;
@@ -21,6 +21,7 @@ pub struct Forces<'a> {
     /// λ, time by time.
     pub(super) multipliers: Vec<Multipliers>,
     pub(super) loads: Vec<(&'a str, Laid<'a>)>,
+    pub(super) frictions: Frictions,
     energy: Energy,
     balance: Balance,
 }
@@ -36,7 +37,8 @@ impl System {
     /// [`crate::Mechanism::gravity`], other loads by [`crate::Mechanism::load`].
     ///
     /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system; a singular
-    /// position, where forces are infinite; a load that is not finite, by name.
+    /// position, where forces are infinite; a load that is not finite, by name; a mechanism that is jammed by
+    /// friction ([`crate::Jammed`]), friction on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
         self.forces_with(motion, &Sharing::NotGiven)
     }
@@ -61,22 +63,25 @@ impl System {
         let points: Vec<_> = points
             .map(|(name, point, mass)| (name.as_str(), Beside::new(self.layout(), point.as_ref()), *mass))
             .collect();
+        let frictions = Frictions::new(self);
         let (mut solver, mut multipliers) = (Solver::new(self), Vec::with_capacity(motion.len()));
         let mut powers = Powers::new(motion.len());
         let mut sum = Sum { system: self, loads: &loads, points: &points, by_q: Vec::new(), own: Vec::new() };
         for (k, &t) in motion.times().iter().enumerate() {
             let now = Now { t, q: motion.q(k), qd: motion.qd(k), qdd: motion.qdd(k) };
             let mut at = sum.at(now)?;
-            let found = solver.solve(now, &sum.by_q)?;
-            at.drives = solver.power(&found.lambda);
+            let mut found = solver.solve(now, &sum.by_q)?;
             if let Some(bad) = found.lambda.iter().position(|x| !x.is_finite()) {
                 return Err(not_finite(self, &self.equations().equation(bad), t, found.lambda[bad]));
             }
+            frictions.add(&solver, now, &mut found)?;
+            at.drives = solver.power(&found.lambda);
+            at.take_friction(&found.rubs);
             powers.push(at);
             multipliers.push(found);
         }
         let (energy, balance) = powers.energy_and_balance(motion);
-        let mut forces = Forces { system: self, motion, multipliers, loads, energy, balance };
+        let mut forces = Forces { system: self, motion, multipliers, loads, frictions, energy, balance };
         forces.share(sharing)?;
         Ok(forces)
     }
@@ -103,11 +108,19 @@ pub(super) struct At {
     pub drives: f64,
     pub loads: f64,
     pub weight: f64,
+    pub friction: f64,
     /// The largest power of any of the forces on any coordinate.
     pub largest: f64,
 }
 
 impl At {
+    fn take_friction(&mut self, rubs: &[Rub]) {
+        for power in rubs.iter().map(|rub| rub.amount * rub.rate) {
+            self.friction += power;
+            self.raise(power);
+        }
+    }
+
     fn raise(&mut self, power: f64) {
         self.largest = self.largest.max(power.abs());
     }
@@ -242,8 +255,8 @@ impl<'a> Forces<'a> {
     }
 
     /// Force and torque of all constraints, drivers among them, on the ground: asked on a planar or spatial
-    /// body that is the ground, the shaking force, and the shaking moment about the origin. Loads between a
-    /// body and the ground are not in it.
+    /// body that is the ground, the shaking force, and the shaking moment about the origin. Friction in joints
+    /// is in it, loads between a body and the ground are not.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -263,8 +276,23 @@ impl<'a> Forces<'a> {
     /// # }
     /// ```
     pub fn on_ground(&self) -> Reaction<'_> {
-        let all = (0..self.system.equations().blocks.len()).map(Source::Constraint).collect();
-        Reaction::new(self, "all constraints", all)
+        let all = (0..self.system.equations().blocks.len()).map(Source::Constraint);
+        let friction = (0..self.frictions.all.len()).map(Source::Friction);
+        Reaction::new(self, "all constraints", all.chain(friction).collect())
+    }
+
+    /// Force and torque of the friction in a joint on its bodies, about the joint's point; its power is what
+    /// is lost as heat, negative. [`Forces::reaction`] of the joint is without it: the normal forces.
+    ///
+    /// Errors: a name that no joint with friction has.
+    pub fn friction(&self, joint: &str) -> Result<Reaction<'_>> {
+        let known = || self.frictions.all.iter().map(|rubbing| &rubbing.name);
+        let number = known().position(|name| name == joint).ok_or_else(|| Error::UnknownName {
+            what: "joint with friction",
+            name: joint.to_string(),
+            known: known().cloned().collect(),
+        })?;
+        Ok(Reaction::new(self, &format!("{joint}.friction"), vec![Source::Friction(number)]))
     }
 
     /// Force and torque of a load on its bodies.
@@ -315,11 +343,7 @@ impl<'a> Forces<'a> {
 
     /// The constraints that share what is not unique at time k.
     pub(super) fn sharing(&self, k: usize) -> Vec<String> {
-        let open = &self.multipliers[k].open;
-        let largest = open.iter().flatten().fold(0.0_f64, |m, y| m.max(y.abs()));
-        let shares = |row: usize| open.iter().any(|y| y[row].abs() > LOOSE * largest);
-        let blocks = self.system.equations().blocks.iter();
-        blocks.filter(|block| block.rows().any(shares)).map(|block| block.name.clone()).collect()
+        self.multipliers[k].sharing(self.system)
     }
 
     /// The values of C_q of one constraint at time k.

@@ -18,6 +18,7 @@ mod balance;
 mod body;
 mod calls;
 mod drive;
+mod friction;
 pub mod library;
 mod multipliers;
 mod reaction;

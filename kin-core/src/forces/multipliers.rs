@@ -1,6 +1,8 @@
 //! The multipliers λ of all constraints, time by time.
 
+use super::acted::LOOSE;
 use super::acting::Now;
+use super::friction::Rub;
 use crate::linear::{Echelon, Independent, Linear, RANK};
 use crate::model::error::Result;
 use crate::model::units::Unit;
@@ -18,6 +20,18 @@ pub(super) struct Multipliers {
     pub open: Vec<Vec<f64>>,
     /// The characteristic length.   \[m\]
     pub length: f64,
+    /// Friction in each joint that has it.
+    pub rubs: Vec<Rub>,
+}
+
+impl Multipliers {
+    /// The constraints that share what is not unique.
+    pub(super) fn sharing(&self, system: &System) -> Vec<String> {
+        let largest = self.open.iter().flatten().fold(0.0_f64, |m, y| m.max(y.abs()));
+        let shares = |row: usize| self.open.iter().any(|y| y[row].abs() > LOOSE * largest);
+        let blocks = system.equations().blocks.iter();
+        blocks.filter(|block| block.rows().any(shares)).map(|block| block.name.clone()).collect()
+    }
 }
 
 /// Solves C_qᵀ λ = Q at one time after the other: the elimination of the time before is tried first.
@@ -49,6 +63,41 @@ impl<'a> Solver<'a> {
         Solver { system, instant: equations.instant(), kind, c: vec![0.0; m] }
     }
 
+    /// The system whose forces these are.
+    pub(super) fn system(&self) -> &'a System {
+        self.system
+    }
+
+    /// λ for other generalised forces, by the elimination of the last solution.
+    pub(super) fn transposed(&self, by_q: &[f64]) -> Vec<f64> {
+        match &self.kind {
+            Kind::Square(linear) => linear.solved_transposed(by_q),
+            Kind::Redundant { rows, measures, .. } => {
+                let Some(measures) = measures else { return vec![0.0; self.system.n_equations()] };
+                let scaled: Vec<f64> = by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
+                let mut lambda = rows.solved_transposed(&scaled);
+                lambda.iter_mut().zip(&measures.norms).for_each(|(lambda, norm)| *lambda /= norm);
+                lambda
+            }
+        }
+    }
+
+    /// −C_qᵀ λ of one constraint, at the time of the last solution.
+    pub(super) fn by_block(&self, block: usize, lambda: &[f64]) -> Vec<f64> {
+        let equations = self.system.equations();
+        let values = match &self.kind {
+            Kind::Square(linear) => linear.values(),
+            Kind::Redundant { values, .. } => values,
+        };
+        let (mut by_q, own) = (vec![0.0; self.system.n_coordinates()], equations.blocks[block].values());
+        for (entry, value) in equations.entries[own.clone()].iter().zip(&values[own]) {
+            if let Some((row, column)) = entry {
+                by_q[*column] -= value * lambda[*row];
+            }
+        }
+        by_q
+    }
+
     /// λ · C_t, the power of all that drives, at the time of the last solution.   \[W\]
     pub(super) fn power(&mut self, lambda: &[f64]) -> f64 {
         self.system.equations().velocity_rhs(&self.instant, &mut self.c);
@@ -70,7 +119,12 @@ impl<'a> Solver<'a> {
                     return Err(system.singular(now.t, now.q, None));
                 }
                 let length = length(system, &sizes);
-                Ok(Multipliers { lambda: linear.solved_transposed(by_q), open: Vec::new(), length })
+                Ok(Multipliers {
+                    lambda: linear.solved_transposed(by_q),
+                    open: Vec::new(),
+                    length,
+                    rubs: Vec::new(),
+                })
             }
             Kind::Redundant { rows, values, measures } => {
                 equations.set_constants(values);
@@ -103,7 +157,7 @@ impl<'a> Solver<'a> {
                 for y in open.iter_mut().chain([&mut lambda]) {
                     y.iter_mut().zip(&measures.norms).for_each(|(y, norm)| *y /= norm);
                 }
-                Ok(Multipliers { lambda, open, length: length(system, &measures.sizes) })
+                Ok(Multipliers { lambda, open, length: length(system, &measures.sizes), rubs: Vec::new() })
             }
         }
     }

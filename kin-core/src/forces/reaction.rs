@@ -18,6 +18,8 @@ use crate::numbers::algebra::Vec3;
 pub(super) enum Source {
     Constraint(usize),
     Load(usize),
+    /// In a joint, by its number among those that have it.
+    Friction(usize),
 }
 
 /// Forces and torques of a constraint, a sum of several, or a load on bodies.
@@ -130,6 +132,9 @@ impl<'f> Reaction<'f> {
                     block.constraint.arguments().iter().for_each(|argument| touch(&argument.target));
                 }
                 Source::Load(load) => self.forces.loads[*load].1.targets().iter().for_each(&mut touch),
+                Source::Friction(number) => {
+                    self.forces.frictions.all[*number].bodies().iter().for_each(&mut touch)
+                }
             }
         }
         found
@@ -153,6 +158,10 @@ impl<'f> Reaction<'f> {
                 (constraint.arguments(), points.collect::<Vec<_>>())
             }
             Source::Load(load) => self.forces.loads[*load].1.points(),
+            Source::Friction(number) => {
+                let (body, u) = self.forces.frictions.all[*number].point();
+                return Some((item(&body), u));
+            }
         };
         let owner = |(argument, u): &(usize, Vec3)| Some((arguments.get(*argument)?.target, *u));
         let all: Vec<(Target, Vec3)> = points.iter().filter_map(owner).collect();
@@ -185,6 +194,7 @@ impl<'f> Reaction<'f> {
                     let now = Now { t: motion.times()[k], q, qd, qdd };
                     forces.loads[*load].1.add(now, &mut all[0]);
                 }
+                Source::Friction(number) => multipliers.rubs[*number].scatter(&mut all[0]),
             }
         }
         all

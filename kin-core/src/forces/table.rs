@@ -13,10 +13,11 @@ use crate::solve::motion::csv::{reason, to_file};
 
 impl Forces<'_> {
     /// Everything that is unique as numbers over time: of each drive effort and power, of each constraint the
-    /// components on each of its bodies about its point in global axes (`A on crank.F_x`), both energies. The
+    /// components on each of its bodies about its point in global axes (`A on crank.F_x`), of friction the same
+    /// and its power (`A.friction on crank.T`), both energies. The
     /// rows by which Euler parameters stay normalised hold nothing and have no columns.
     pub fn columns(&self) -> Vec<Series> {
-        let (layout, mut all) = (self.system.layout(), Vec::new());
+        let mut all = Vec::new();
         for name in self.drives() {
             if let Ok(drive) = self.drive(name) {
                 all.extend(drive.efforts().iter().cloned());
@@ -28,16 +29,29 @@ impl Forces<'_> {
                 continue;
             }
             let reaction = Reaction::new(self, &block.name, vec![Source::Constraint(number)]);
-            for item in reaction.touched() {
-                let (mechanism, index) = (layout.mechanism, Some(item));
-                let components = match layout.items[item].kind {
-                    Kind::Planar => reaction.on(PlanarBody { mechanism, index }).map(|on| on.components()),
-                    _ => reaction.on(SpatialBody { mechanism, index }).map(|on| on.components()),
-                };
-                all.extend(components.unwrap_or_default());
+            all.extend(self.on_bodies(&reaction));
+        }
+        for rubbing in &self.frictions.all {
+            if let Ok(friction) = self.friction(&rubbing.name) {
+                all.extend(self.on_bodies(&friction));
+                all.push(friction.power());
             }
         }
         all.extend([self.energy().kinetic.clone(), self.energy().potential.clone()]);
+        all
+    }
+
+    /// The components of a reaction that are unique, on each of its bodies.
+    fn on_bodies(&self, reaction: &Reaction<'_>) -> Vec<Series> {
+        let (layout, mut all) = (self.system.layout(), Vec::new());
+        for item in reaction.touched() {
+            let (mechanism, index) = (layout.mechanism, Some(item));
+            let components = match layout.items[item].kind {
+                Kind::Planar => reaction.on(PlanarBody { mechanism, index }).map(|on| on.components()),
+                _ => reaction.on(SpatialBody { mechanism, index }).map(|on| on.components()),
+            };
+            all.extend(components.unwrap_or_default());
+        }
         all
     }
 

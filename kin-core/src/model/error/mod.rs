@@ -334,7 +334,6 @@ pub enum Error {
         /// The motion that a run had computed before; `None` of a sweep.
         motion: Option<Box<Motion>>,
     },
-
     /// A list of the wrong length.
     #[error("{what}: {found} values given, {expected} needed")]
     WrongLength {
@@ -345,7 +344,6 @@ pub enum Error {
         /// The length given.
         found: usize,
     },
-
     /// An output with a value that is infinite or not a number.
     #[error("the output `{output}` is {value} at t = {}; give finite numbers", words::at(*.t, .units))]
     OutputNotFinite {
@@ -368,6 +366,9 @@ pub enum Error {
     /// A force that redundant constraints share ([`crate::Forces`]).
     #[error(transparent)]
     NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
+    /// A mechanism that friction holds fast ([`crate::Mechanism::friction`]).
+    #[error(transparent)]
+    Jammed(#[from] Box<crate::model::jammed::Jammed>),
     /// A dimension that makes no sense ([`crate::Mechanism::dimension`]).
     #[error(transparent)]
     Dimension(#[from] Box<crate::model::dimension::DimensionError>),

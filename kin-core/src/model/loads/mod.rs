@@ -1,10 +1,13 @@
 //! Masses of bodies, gravity, and what else acts on a mechanism: described here, computed in `forces/`.
 
 mod check;
+mod friction;
 mod load;
 mod solid;
 mod turning;
 
+pub use friction::Friction;
+pub(crate) use friction::{Seat, Shape};
 pub(crate) use load::{Acting, ForceAlong, OnBody};
 pub use load::{IntoLoad, Load, Potential};
 pub use solid::{Massive, Solid};
@@ -22,6 +25,8 @@ pub(crate) struct Loads {
     /// Acceleration of gravity; the third component is zero in a plane.
     pub gravity: [f64; 3],
     pub loads: Vec<(String, Load)>,
+    /// Friction by the names of joints.
+    pub frictions: Vec<(String, Friction)>,
 }
 
 impl Loads {

@@ -3,6 +3,7 @@
 
 pub(crate) mod admission;
 mod dimensions;
+mod friction;
 mod limit;
 mod loads;
 mod place;

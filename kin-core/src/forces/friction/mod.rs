@@ -1,0 +1,146 @@
+//! Dry friction: reactions enter the friction, which enters the reactions.
+//!
+//! The normal forces N of all contacts depend on the amounts f of friction linearly, N = N₀ + Σ f_e N_e, N_e
+//! being those of one unit of friction of joint e, by one transposed solve with the elimination at hand; and f
+//! depends on N by Coulomb's law. So Newton's method works on the few normal forces alone (`grown.rs`).
+
+mod grown;
+mod rubbing;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::acting::Now;
+use super::multipliers::{Multipliers, Solver};
+use crate::model::error::{Error, Result};
+use crate::model::jammed::Jammed;
+use crate::model::not_unique::NotUnique;
+use crate::numbers::algebra::Vec3;
+use crate::system::System;
+use crate::system::evaluate::Block;
+use grown::{Grown, Laws};
+pub(super) use rubbing::{Rub, Rubbing};
+
+/// A component is unique if what can be added without changing any balance changes it by less than this,
+/// where it changes something by 1.   \[-\]
+const LOOSE: f64 = super::acted::LOOSE;
+
+/// A drive works against friction if its effort is at least this share of the largest.   \[-\]
+const WORKS: f64 = 1e-6;
+
+/// All joints with friction.
+pub(super) struct Frictions {
+    pub all: Vec<Rubbing>,
+}
+
+impl Frictions {
+    pub(super) fn new(system: &System) -> Frictions {
+        let blocks = &system.equations().blocks;
+        let one = |(name, friction): &(String, _)| {
+            let number = blocks.iter().position(|block| block.name == *name)?;
+            Rubbing::new(name, friction, number, blocks[number].constraint.as_ref())
+        };
+        Frictions { all: system.loads.frictions.iter().filter_map(one).collect() }
+    }
+
+    /// Adds friction to λ without it, and tells what it is at each joint.
+    ///
+    /// Errors: a reaction that is not unique, by name; a mechanism that is jammed.
+    pub(super) fn add(&self, solver: &Solver<'_>, now: Now<'_>, found: &mut Multipliers) -> Result<()> {
+        if self.all.is_empty() {
+            return Ok(());
+        }
+        let system = solver.system();
+        let rubs: Vec<Rub> = self.all.iter().map(|rubbing| rubbing.at(system, now)).collect();
+        self.unique(&rubs, solver, found)?;
+        let n = now.q.len();
+        let mut lambda = Vec::new();
+        for rub in &rubs {
+            for unit in rub.units(n) {
+                lambda.push(solver.transposed(&unit));
+            }
+        }
+        let columns: Vec<DVector<f64>> =
+            lambda.iter().map(|unit| self.contacts(&rubs, solver, unit)).collect();
+        let rows = columns.first().map_or(0, |column| column.len());
+        let contacts = DMatrix::from_fn(rows, columns.len(), |i, k| columns[k][i]);
+        let laws = Laws::new(&self.all, &rubs, &contacts);
+        let amounts = match laws.grow(&self.contacts(&rubs, solver, &found.lambda)) {
+            Grown::Whole(contacts) => laws.amounts(&contacts, 1.0),
+            Grown::Jammed { share, contacts } => {
+                let amounts = laws.amounts(&contacts, share);
+                return Err(self.jammed(
+                    solver,
+                    now.t,
+                    Held { rubs: &rubs, lambda: &lambda, amounts, share },
+                ));
+            }
+        };
+        for (amount, unit) in amounts.iter().zip(&lambda) {
+            found.lambda.iter_mut().zip(unit).for_each(|(all, unit)| *all += amount * unit);
+        }
+        let mut rest = amounts.as_slice();
+        for mut rub in rubs {
+            let (own, others) = rest.split_at(rub.n_amounts().min(rest.len()));
+            rest = others;
+            rub.take(own);
+            found.rubs.push(rub);
+        }
+        Ok(())
+    }
+
+    /// Normal forces at all contacts by λ.
+    fn contacts(&self, rubs: &[Rub], solver: &Solver<'_>, lambda: &[f64]) -> DVector<f64> {
+        let mut all = Vec::new();
+        for (rubbing, rub) in self.all.iter().zip(rubs) {
+            let wrench = rub.held(&solver.by_block(rubbing.block, lambda));
+            all.extend(rubbing.contacts(rub, wrench).iter().flat_map(|normal| normal.to_array()));
+        }
+        DVector::from_vec(all)
+    }
+
+    /// Errors: contacts to which something can be added that no balance notices.
+    fn unique(&self, rubs: &[Rub], solver: &Solver<'_>, found: &Multipliers) -> Result<()> {
+        for open in &found.open {
+            for (rubbing, rub) in self.all.iter().zip(rubs) {
+                let wrench = rub.held(&solver.by_block(rubbing.block, open));
+                let loose = |normal: &Vec3| normal.norm() * found.length > LOOSE;
+                if rubbing.contacts(rub, wrench).iter().any(loose) {
+                    let what = "the force that its friction comes from";
+                    return Err(NotUnique::error(&rubbing.name, what, found.sharing(solver.system())));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn jammed(&self, solver: &Solver<'_>, t: f64, held: Held<'_>) -> Error {
+        let (system, blocks) = (solver.system(), &solver.system().equations().blocks);
+        let mut lambda = vec![0.0; system.n_equations()];
+        for (amount, unit) in held.amounts.iter().zip(held.lambda) {
+            lambda.iter_mut().zip(unit).for_each(|(all, unit)| *all += amount * unit);
+        }
+        let (mut worst, mut name, mut first) = (0.0, "", 0);
+        for (rubbing, rub) in self.all.iter().zip(held.rubs) {
+            let power = (held.amounts[first] * rub.rate).abs();
+            if power >= worst {
+                (worst, name) = (power, &rubbing.name);
+            }
+            first += rub.n_amounts();
+        }
+        let effort = |block: &Block| block.rows().map(|row| lambda[row].abs()).fold(0.0, f64::max);
+        let all = || blocks.iter().filter(|block| block.drives);
+        let largest = all().map(effort).fold(0.0, f64::max);
+        let drives = all().filter(|block| effort(block) > WORKS * largest);
+        let drives = drives.map(|block| block.name.clone()).collect();
+        let (constraint, units) = (name.to_string(), system.unit_words().clone());
+        Jammed { constraint, t, share: held.share, drives, units }.into()
+    }
+}
+
+/// Forces without bound, by their directions.
+struct Held<'a> {
+    rubs: &'a [Rub],
+    lambda: &'a [Vec<f64>],
+    amounts: Vec<f64>,
+    share: f64,
+}

@@ -1,0 +1,215 @@
+//! Friction of one joint at one time: where it acts, and the normal forces at its contacts.
+
+use super::super::acting::Now;
+use super::super::body::generalised;
+use super::super::wrench::{Stand, Wrench};
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::Target;
+use crate::model::layout::Place;
+use crate::model::loads::{Friction, Seat, Shape};
+use crate::model::state::SpatialState;
+use crate::numbers::algebra::{Vec3, vec3};
+use crate::system::System;
+
+/// A joint with friction.
+#[derive(Clone, Debug)]
+pub(in crate::forces) struct Rubbing {
+    /// The joint's name, and its number.
+    pub name: String,
+    pub block: usize,
+    pub friction: Friction,
+    seat: Seat,
+}
+
+/// The same at one time.
+#[derive(Clone, Debug)]
+pub(in crate::forces) struct Rub {
+    /// First coordinates of bodies i and j; `None` on the ground.
+    first: [Option<(usize, usize)>; 2],
+    /// Coordinates of the bodies.
+    q: [Vec<f64>; 2],
+    /// The joint's point and the axis of the pin or the way of the slide, global.
+    point: Vec3,
+    pub axis: Vec3,
+    /// Directions across the axis in which a slide's friction, off the line, turns the body.
+    across: Vec<Vec3>,
+    slides: bool,
+    /// The slip: of i in j about or along the axis.   \[rad/s, m/s\]
+    pub rate: f64,
+    /// The friction on body i: a torque about the axis or a force along it, and a torque across.
+    pub amount: f64,
+    pub torque: Vec3,
+}
+
+impl Rubbing {
+    pub(super) fn new(
+        name: &str,
+        friction: &Friction,
+        block: usize,
+        constraint: &dyn Constraint,
+    ) -> Option<Rubbing> {
+        let seat = friction.seat(constraint).ok()?;
+        Some(Rubbing { name: name.to_string(), block, friction: *friction, seat })
+    }
+
+    /// Bodies i and j.
+    pub(in crate::forces) fn bodies(&self) -> [Target; 2] {
+        self.seat.bodies
+    }
+
+    /// The joint's point, on body i.
+    pub(in crate::forces) fn point(&self) -> (Target, Vec3) {
+        (self.seat.bodies[0], self.seat.point)
+    }
+
+    /// Where it acts at one time, without any friction yet.
+    pub(super) fn at(&self, system: &System, now: Now<'_>) -> Rub {
+        let first = self.seat.bodies.map(|body| place(system, &body));
+        let part =
+            |of: &[f64], k: usize| first[k].map_or(Vec::new(), |(first, n)| of[first..first + n].to_vec());
+        let q = [0, 1].map(|k| part(now.q, k));
+        let stands = [Stand::of(&q[0]), Stand::of(&q[1])];
+        let (point, axis) = (stands[0].point(self.seat.point), stands[self.seat.axis_of].a * self.seat.axis);
+        let slides = matches!(self.friction.shape, Shape::Slide { .. });
+        let planar = matches!(self.seat.bodies[0], Target::Planar(_));
+        let z = vec3(0.0, 0.0, 1.0);
+        let across = match (slides, planar) {
+            (false, _) => Vec::new(),
+            (true, true) => vec![z.cross(axis)],
+            (true, false) => {
+                let other = if axis.z.abs() < 0.8 { z } else { vec3(1.0, 0.0, 0.0) };
+                let f = axis.cross(other);
+                let f = f * (1.0 / f.norm());
+                vec![f, axis.cross(f)]
+            }
+        };
+        let mut rub =
+            Rub { first, q, point, axis, across, slides, rate: 0.0, amount: 0.0, torque: Vec3::zeros() };
+        // By virtual work: the power of one unit of it.
+        let unit = rub.spread(system.n_coordinates(), rub.along());
+        rub.rate = unit.iter().zip(now.qd).map(|(q, qd)| q * qd).sum();
+        rub
+    }
+
+    /// How many contacts it has.
+    pub(super) fn n_contacts(&self) -> usize {
+        match self.friction.shape {
+            Shape::Pin { length: 0.0, .. } => 1,
+            Shape::Slide { .. } if self.seat.holds_turn => 3,
+            _ => 2,
+        }
+    }
+
+    /// Friction along the axis for one newton of normal forces, and across it for one of force across.
+    pub(super) fn by_normal_force(&self, rate: f64) -> [f64; 2] {
+        let share = self.friction.coefficient * (rate / self.friction.rate).tanh();
+        match self.friction.shape {
+            Shape::Pin { radius, .. } => [-share * radius, 0.0],
+            Shape::Slide { width, .. } => [-share, 0.5 * share * width],
+        }
+    }
+
+    /// Normal forces at its contacts by the force and torque that the joint puts on body i about its point.
+    pub(super) fn contacts(&self, rub: &Rub, held: Wrench) -> Vec<Vec3> {
+        let h = rub.axis;
+        let across = |v: Vec3| v - h * h.dot(v);
+        let (force, torque) = (across(held.force), across(held.torque));
+        let ends = |length: f64| {
+            let bent = torque.cross(h) * (1.0 / length);
+            vec![force * 0.5 + bent, force * 0.5 - bent]
+        };
+        match self.friction.shape {
+            Shape::Pin { length: 0.0, .. } => vec![force],
+            Shape::Pin { length, .. } => ends(length),
+            Shape::Slide { length, width } => {
+                let mut all = ends(length);
+                if self.seat.holds_turn {
+                    all.push(h * (2.0 * h.dot(held.torque) / width));
+                }
+                all
+            }
+        }
+    }
+}
+
+impl Rub {
+    /// How many amounts it has: along the axis, and across it.
+    pub(super) fn n_amounts(&self) -> usize {
+        1 + self.across.len()
+    }
+
+    /// One unit along the axis.
+    fn along(&self) -> Wrench {
+        let zero = Vec3::zeros();
+        match self.slides {
+            true => Wrench { force: self.axis, torque: zero },
+            false => Wrench { force: zero, torque: self.axis },
+        }
+    }
+
+    /// Generalised forces of one unit of each amount.
+    pub(super) fn units(&self, n: usize) -> Vec<Vec<f64>> {
+        let turned = self.across.iter().map(|u| Wrench { force: Vec3::zeros(), torque: u.cross(self.axis) });
+        std::iter::once(self.along()).chain(turned).map(|unit| self.spread(n, unit)).collect()
+    }
+
+    /// Directions across the axis.
+    pub(super) fn across(&self) -> &[Vec3] {
+        &self.across
+    }
+
+    /// Takes the amounts that have been found.
+    pub(super) fn take(&mut self, amounts: &[f64]) {
+        let Some((along, across)) = amounts.split_first() else { return };
+        self.amount = *along;
+        let turned = self.across.iter().zip(across).map(|(u, amount)| u.cross(self.axis) * *amount);
+        self.torque = turned.fold(Vec3::zeros(), |all, turned| all + turned);
+    }
+
+    /// Adds its generalised forces to those of the mechanism.
+    pub(in crate::forces) fn scatter(&self, by_q: &mut [f64]) {
+        let along = self.along();
+        let whole =
+            Wrench { force: along.force * self.amount, torque: along.torque * self.amount + self.torque };
+        let own = self.spread(by_q.len(), whole);
+        by_q.iter_mut().zip(own).for_each(|(all, own)| *all += own);
+    }
+
+    /// Generalised forces of a force and a torque at the point on body i, and of their opposite on body j.
+    fn spread(&self, n: usize, on_i: Wrench) -> Vec<f64> {
+        let mut all = vec![0.0; n];
+        for (k, sign) in [(0, 1.0), (1, -1.0)] {
+            let Some((first, _)) = self.first[k] else { continue };
+            let stand = Stand::of(&self.q[k]);
+            let own = on_i.times(sign).moved(self.point, stand.r);
+            match self.q[k].first_chunk::<7>() {
+                Some(q) => {
+                    let p = SpatialState::new(*q).p;
+                    let by_q = generalised(p, own.force, stand.a.transpose() * own.torque);
+                    all[first..first + 7].copy_from_slice(&by_q);
+                }
+                None => all[first..first + 3].copy_from_slice(&[own.force.x, own.force.y, own.torque.z]),
+            }
+        }
+        all
+    }
+
+    /// Force and torque on body i about the point, of the generalised forces of the joint.
+    pub(super) fn held(&self, by_q: &[f64]) -> Wrench {
+        let of = |k: usize| {
+            let (first, n) = self.first[k]?;
+            let own = Wrench::of(&self.q[k], &by_q[first..first + n]);
+            Some(own.moved(Stand::of(&self.q[k]).r, self.point))
+        };
+        // On the ground it is the opposite of what the other body has.
+        of(0).or_else(|| of(1).map(|other| other.times(-1.0))).unwrap_or_default()
+    }
+}
+
+/// First coordinate of a body and how many it has; `None` on the ground.
+fn place(system: &System, body: &Target) -> Option<(usize, usize)> {
+    match system.layout().place(body) {
+        Some(Place::Own { first, .. }) => Some((first, body.columns())),
+        _ => None,
+    }
+}

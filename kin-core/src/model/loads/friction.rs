@@ -1,0 +1,170 @@
+//! Dry friction in pins and slides: what is given of it, and where in a joint it acts.
+
+use crate::model::constraint::{Attached, Constraint};
+use crate::model::coordinates::Target;
+use crate::numbers::algebra::{Vec3, vec3};
+
+/// Dry friction in a joint, from the forces that the joint holds: their sum of magnitudes times μ, against
+/// the slip v as tanh(v/v₀). Well above v₀ it is Coulomb's; at rest it holds nothing.
+///
+/// * In a pin of radius r: the torque μ r F tanh(ω/ω₀), F the force across its axis. In space a pin with
+///   [`Friction::length`] holds bending too, as a pair of forces at the ends of its bearing.
+/// * In a slide whose guide has length L and width b: the force F across the slide and the moment M about the
+///   joint's point are held at both ends of the guide, at ± L/2 from the point P_i with which body i moves:
+///   N₁,₂ = F/2 ± M/L. Friction is μ (|N₁| + |N₂|) tanh(v/v₀) along the slide, at the side of the guide that
+///   is pressed, b/2 off its line. In space the torque T about the slide is held across the width and adds
+///   2 |T|/b.
+///
+/// These are Coulomb's law at each place of contact. A block that is pushed along its guide, but off its line
+/// by a, holds at its ends ± P a/L against a push P: it needs P = load/(1 − 2 μ a/L), and jams where a ≥
+/// L/(2 μ).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// μ.
+    pub(crate) coefficient: f64,
+    /// ω₀ or v₀.
+    pub(crate) rate: f64,
+    pub(crate) shape: Shape,
+}
+
+/// The shape of what rubs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Shape {
+    /// A length of 0 is none: the bearing is short.
+    Pin {
+        radius: f64,
+        length: f64,
+    },
+    Slide {
+        length: f64,
+        width: f64,
+    },
+}
+
+impl Friction {
+    /// In a pin: the coefficient μ, the radius r, and the rate ω₀ at which friction has three quarters of its
+    /// full size.   \[-, m, rad/s\]
+    pub fn pin(coefficient: f64, radius: f64, rate: f64) -> Friction {
+        Friction { coefficient, rate, shape: Shape::Pin { radius, length: 0.0 } }
+    }
+
+    /// In a slide: the coefficient μ, length L and width b of the guide, and the rate v₀ at which friction
+    /// has three quarters of its full size. The guide's ends move with body i of the joint: a block in a
+    /// long guide is body i, and so is the bush on a rod.   \[-, m, m, m/s\]
+    pub fn slide(coefficient: f64, [length, width]: [f64; 2], rate: f64) -> Friction {
+        Friction { coefficient, rate, shape: Shape::Slide { length, width } }
+    }
+
+    /// The same of a pin whose bearing is so long that it holds bending: by forces at its two ends. In a
+    /// plane nothing bends it.   \[m\]
+    #[must_use]
+    pub fn length(mut self, bearing: f64) -> Friction {
+        match &mut self.shape {
+            Shape::Pin { length, .. } | Shape::Slide { length, .. } => *length = bearing,
+        }
+        self
+    }
+
+    /// The reason why these numbers make no sense, if so.
+    fn refusal(&self) -> Option<String> {
+        let at_least_zero = |what: &str, x: f64| {
+            (!(x.is_finite() && x >= 0.0)).then(|| format!("{what} is {x}; give one of at least zero"))
+        };
+        let above_zero = |what: &str, x: f64| {
+            (!(x.is_finite() && x > 0.0)).then(|| format!("{what} is {x}; give one above zero"))
+        };
+        let shape = match self.shape {
+            Shape::Pin { radius, length } => above_zero("the radius of the pin", radius)
+                .or_else(|| at_least_zero("the length of the bearing", length)),
+            Shape::Slide { length, width } => above_zero("the length of the guide", length)
+                .or_else(|| at_least_zero("the width of the guide", width)),
+        };
+        let rate = "the rate at which friction sets in";
+        at_least_zero("the coefficient", self.coefficient).or(shape).or_else(|| above_zero(rate, self.rate))
+    }
+
+    /// Where it acts in a joint. Errors: numbers that make no sense, a joint that has no such friction, in
+    /// words.
+    pub(crate) fn seat(&self, joint: &dyn Constraint) -> Result<Seat, String> {
+        if let Some(reason) = self.refusal() {
+            return Err(reason);
+        }
+        let kind = joint.facts().kind.to_string();
+        let (kinds, told) = match self.shape {
+            Shape::Pin { .. } => (&["revolute", "cylindrical"][..], "pin"),
+            Shape::Slide { .. } => {
+                (&["prismatic", "cylindrical", "point_on_line", "pin_in_slot"][..], "slide")
+            }
+        };
+        let seat = kinds.contains(&kind.as_str()).then(|| Seat::of(joint, told == "pin")).flatten();
+        let seat = seat.ok_or_else(|| {
+            format!("friction of a {told} needs one of {}, and this is `{kind}`", kinds.join(", "))
+        })?;
+        match self.shape {
+            Shape::Slide { width, .. } if seat.holds_turn && width == 0.0 => {
+                let reason = "in space its guide holds the torque about the slide across its width: give one \
+                              above zero";
+                Err(reason.to_string())
+            }
+            _ => Ok(seat),
+        }
+    }
+}
+
+/// The place of friction in a joint of two bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Seat {
+    /// Bodies i and j.
+    pub bodies: [Target; 2],
+    /// ū_i of the joint's point.
+    pub point: Vec3,
+    /// The axis of the pin or the way of the slide, of length 1, in the axes of body `axis_of`.
+    pub axis: Vec3,
+    pub axis_of: usize,
+    /// True if the joint keeps body i from turning about the axis.
+    pub holds_turn: bool,
+}
+
+impl Seat {
+    /// Of a joint of the library, by its parameters and directions.
+    fn of(joint: &dyn Constraint, pin: bool) -> Option<Seat> {
+        let arguments = joint.arguments();
+        let [i, j] = arguments.as_slice() else { return None };
+        let mut numbers: Vec<(String, f64)> = Vec::new();
+        joint.parameters(&mut |name, value| numbers.push((name.to_string(), value)));
+        let number = |vector: &str, component: &str| {
+            let name = format!("{vector}.{component}");
+            numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
+        };
+        let vector =
+            |name: &str| Some(vec3(number(name, "x")?, number(name, "y")?, number(name, "z").unwrap_or(0.0)));
+        let point = vector("u_i")?;
+        let spatial = matches!(i.target, Target::Spatial(_));
+        let kind = joint.facts().kind.to_string();
+        let z = vec3(0.0, 0.0, 1.0);
+        let (axis, axis_of) = match kind.as_str() {
+            _ if spatial => {
+                let across = joint.attachments().into_iter().filter_map(|found| match found.what {
+                    Attached::Direction(h) if found.argument == 0 => Some(h),
+                    _ => None,
+                });
+                let across: Vec<Vec3> = across.collect();
+                (across.first()?.cross(*across.get(1)?), 0)
+            }
+            _ if pin => (z, 0),
+            // What the joint has is the direction across: of y to its left the slide is along x.
+            "prismatic" => (vector("h_i")?.cross(z), 0),
+            "point_on_line" => (vector("h_j")?, 1),
+            _ => (vector("b_j")? - vector("a_j")?, 1),
+        };
+        let length = axis.norm();
+        let seat = Seat {
+            bodies: [i.target, j.target],
+            point,
+            axis: axis * (1.0 / length),
+            axis_of,
+            holds_turn: spatial && kind == "prismatic",
+        };
+        (length > 0.0 && length.is_finite()).then_some(seat)
+    }
+}

@@ -1,0 +1,49 @@
+//! Friction in joints of a mechanism.
+
+use super::Mechanism;
+use crate::model::error::{Error, Result};
+use crate::model::loads::Friction;
+
+impl Mechanism {
+    /// Dry friction in a joint that has been added, by the joint's name; given again it takes the place of
+    /// what was given before. It moves nothing in a driven mechanism, but drives must give more and joints
+    /// hold more; where no force of the drives overcomes it, forces are told as jammed
+    /// ([`crate::System::forces`]).
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # use kin::Friction;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("drum");
+    /// let drum = m.planar("drum", pose(0.0, 0.0, 0.0))?;
+    /// m.add("shaft", revolute(drum, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0)))?;
+    /// m.friction("shaft", Friction::pin(0.1, 0.02, 1e-3))?; // μ, radius, rate at which it sets in
+    /// m.add("motor", drive_angle(drum, Law::ramp(5.0)))?;
+    /// m.mass(drum, 30.0, vec2(0.0, 0.0), 0.6)?;
+    /// m.gravity(vec2(0.0, -9.81));
+    /// let system = m.build()?;
+    /// let motion = system.run([0.0, 1.0])?;
+    /// let effort = system.forces(&motion)?.drive("motor")?.peak().value;
+    /// assert!((effort - 0.1 * 0.02 * 30.0 * 9.81).abs() < 1e-12); // μ r F
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Errors: a name that no constraint has; a joint that is no pin or no slide; a coefficient below zero, a
+    /// radius, length or rate that is not above zero, a number that is not finite.
+    pub fn friction(&mut self, joint: &str, friction: Friction) -> Result<()> {
+        let found = self.constraints.iter().find(|(name, _)| name == joint);
+        let (_, constraint) = found.ok_or_else(|| Error::UnknownName {
+            what: "constraint",
+            name: joint.to_string(),
+            known: self.constraints.iter().map(|(name, _)| name.clone()).collect(),
+        })?;
+        if let Err(reason) = friction.seat(constraint.as_ref()) {
+            let (constraint, kind) = (joint.to_string(), "friction".to_string());
+            return Err(Error::InvalidParameters { constraint, kind, reason });
+        }
+        self.loads.frictions.retain(|(known, _)| known != joint);
+        self.loads.frictions.push((joint.to_string(), friction));
+        Ok(())
+    }
+}
