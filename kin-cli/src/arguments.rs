@@ -218,6 +218,9 @@ pub struct Tolerance {
     /// Of this extreme of the measure, or of its stroke, instead of the time at which it is worst
     #[arg(long, value_enum)]
     pub of: Option<Asked>,
+    /// Proves bounds by interval arithmetic too, which hold for every mechanism within the tolerances
+    #[arg(long, requires = "of")]
+    pub proved: bool,
     /// Makes so many mechanisms at random too, and tells mean, σ, quantiles and how many cannot be assembled
     #[arg(long, value_name = "COUNT")]
     pub samples: Option<usize>,

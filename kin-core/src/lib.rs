@@ -47,8 +47,8 @@ pub use coordinates::{
 };
 pub use data::Registry;
 pub use design::{
-    Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Objective, Samples, Sampling, SecondOrder,
-    Sensitivities, Sensitivity, Tolerance,
+    Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Objective, Proved, Samples, Sampling,
+    SecondOrder, Sensitivities, Sensitivity, Tolerance,
 };
 pub use dimension::{Dimension, DimensionError, Distribution, IntoNumber, IntoParameter};
 pub use error::{Error, Result};

@@ -5,6 +5,7 @@ mod engines;
 mod files;
 mod mistakes;
 mod names;
+mod proved;
 mod samples;
 mod set;
 mod slopes;

@@ -103,6 +103,24 @@ fn compare_samples(found: &Samples, case: &Value) {
     }
 }
 
+/// Compares a proved worst case with its reference: it holds the true one and every sample of the box, and
+/// is little wider where the mechanism is nearly linear.
+fn compare_proved(found: &Tolerance, case: &Value) {
+    let (id, proved) = (case["id"].as_str().expect("a name"), found.proved.as_ref().expect("a proof"));
+    for (name, low, high) in [("true_worst_case", "minimum", "maximum"), ("box_sample", "minimum", "maximum")]
+    {
+        let [low, high] = [low, high].map(|end| number(&case[name][end]));
+        assert!(proved.low <= low && high <= proved.high, "{id}: {proved:?} {low} {high}");
+    }
+    let [low, high] = ["minimum", "maximum"].map(|end| number(&case["true_worst_case"][end]));
+    let width = (proved.high - proved.low) / (high - low) - 1.0;
+    let stack = 2.0 * number(&case["linear_worst_case"]) / (high - low) - 1.0;
+    println!("{id}: {:.2} % wider", 100.0 * width);
+    if stack.abs() < 0.02 {
+        assert!(width < 0.05, "{id}: {width}");
+    }
+}
+
 /// `KIN_SAMPLES=1000000` for as many as the reference has.
 fn sampling() -> Sampling {
     let count = std::env::var("KIN_SAMPLES").ok().and_then(|count| count.parse().ok());
@@ -134,6 +152,9 @@ fn compare_all(
 ) {
     let of = of.into();
     compare(&system.tolerance_of(motion, what, of).expect("a tolerance"), case);
+    if what.coordinate(system).is_some() {
+        compare_proved(&system.tolerance_proved(motion, what, of).expect("a proof"), case);
+    }
     compare_samples(&system.samples(motion, what, of, &sampling()).expect("samples"), case);
 }
 
@@ -270,6 +291,7 @@ fn the_clutch_is_told_to_mislead_the_stack() {
     let found = system.tolerance(&motion, phi).expect("a tolerance");
     compare(&found, case);
     compare_samples(&system.samples(&motion, phi, 0.0, &sampling()).expect("samples"), case);
+    compare_proved(&system.tolerance_proved(&motion, phi, 0.0).expect("a proof"), case);
     assert!((found.misled().expect("a share") - 0.44).abs() < 0.01, "{found}");
     let told = found.to_string();
     assert!(told.contains("the stack misleads by 44 %"), "{told}");

@@ -170,11 +170,17 @@ pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
                 Asked::Min => extremes.min().into(),
                 Asked::Stroke => (&extremes).into(),
             };
-            system.tolerance_of(&motion, name, feature)
+            match asked.proved {
+                true => system.tolerance_proved(&motion, name, feature),
+                false => system.tolerance_of(&motion, name, feature),
+            }
         }
     };
     let found = found.map_err(Fault::asked)?;
     say.note(&found.to_string());
+    if let Some(proved) = &found.proved {
+        say.note(&format!("{}: proved from {} to {} {}", found.name, proved.low, proved.high, found.unit));
+    }
     let header = ["dimension", "tolerance", "derivative", "off", "share", "share of variance"];
     let rows = found.contributions.iter().map(|one| {
         let numbers = [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)];

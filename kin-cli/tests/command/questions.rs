@@ -145,6 +145,11 @@ fn tolerances_of_an_arm_are_those_of_its_length() {
     }
     let told = words(&done(&arguments));
     assert!(told.contains("arm.R_x (0.25 m at 1 s): ± 0.0005 worst case, ± 0.0005 RSS."), "{told}");
+    let told = words(&done(&[&arguments[..], &["--proved"]].concat()));
+    assert!(
+        told.contains("worst case (proved: 0.0005") && told.contains("arm.R_x: proved from 0.249"),
+        "{told}"
+    );
     let stroke = ["tolerance", &file, "arm.R_x", "--times", "0:3:31", "--of", "stroke"];
     let told = words(&done(&stroke));
     assert!(told.contains("stroke of arm.R_x (0.35404 m): ± 0.000708 worst case"), "{told}"); // 0.25 (1 − cos 2)

@@ -68,8 +68,8 @@ use crate::model::units::Units;
 pub use crate::numbers::enclosure::Series;
 use crate::solve::motion::Motion;
 use crate::system::{System, scale};
-use bounds::Bounds;
-pub(crate) use bounds::Part;
+pub(crate) use bounds::{Bounds, Column, Entry, Part, Unknown};
+pub(crate) use krawczyk::settled;
 use krawczyk::{Around, Fault, Test};
 use step::{Curve, Failure, step};
 
@@ -202,7 +202,7 @@ impl System {
     }
 
     /// An error unless C_q is square and not too large.
-    fn provable(&self) -> Result<()> {
+    pub(crate) fn provable(&self) -> Result<()> {
         let (n, m) = (self.n_coordinates(), self.n_equations());
         let reason = if m != n {
             format!(
@@ -220,7 +220,7 @@ impl System {
     }
 
     /// Characteristic sizes of coordinates in a motion.
-    fn sizes_of(&self, motion: &Motion) -> Vec<f64> {
+    pub(crate) fn sizes_of(&self, motion: &Motion) -> Vec<f64> {
         let t = motion.times().first().copied().unwrap_or_default();
         let first = if motion.is_empty() { self.initial() } else { motion.q(0) };
         let values = self.model().linearize(first, t).map(|point| point.values).unwrap_or_default();
@@ -248,7 +248,7 @@ impl System {
     }
 
     /// The coordinate that moves most, in its characteristic size, along what C_q nearly leaves free.
-    fn loosest(&self, q: &[f64], t: f64, sizes: &[f64]) -> String {
+    pub(crate) fn loosest(&self, q: &[f64], t: f64, sizes: &[f64]) -> String {
         let found = self.jacobian(q, t).ok().and_then(|mut c_q| {
             c_q.column_iter_mut().zip(sizes).for_each(|(mut column, size)| column *= *size);
             c_q.row_iter_mut().for_each(|mut row| row /= row.amax().max(f64::MIN_POSITIVE));

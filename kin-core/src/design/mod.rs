@@ -29,4 +29,4 @@ pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use objective::Objective;
 pub use sensitivities::{Sensitivities, Sensitivity};
-pub use tolerance::{Contribution, Samples, Sampling, SecondOrder, Tolerance};
+pub use tolerance::{Contribution, Proved, Samples, Sampling, SecondOrder, Tolerance};

@@ -7,6 +7,7 @@ use super::parameters::CasePlace;
 use crate::model::dimension::{Bound, DimensionError, Distribution, Entry, Snapshot};
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::admission::sensible_parameters;
+use crate::numbers::enclosure::Series;
 
 /// The dimensions of a system, and their values.
 #[derive(Clone)]
@@ -73,6 +74,19 @@ impl System {
             made.then_some(())?;
         }
         Some(system)
+    }
+
+    /// Bounds of all numbers that hang on dimensions, with their places, where dimensions of these names are
+    /// those series and the others what they are.
+    pub(crate) fn hung_over(&self, names: &[String], all: &[Series]) -> Vec<(Bound, Series)> {
+        let Some(Dimensions { all: own, values }) = &self.dimensions else { return Vec::new() };
+        let mut series: Vec<Series> = values.iter().map(|x| Series::number(*x)).collect();
+        for (name, over) in names.iter().zip(all) {
+            if let Some(k) = self.dimension_number(name) {
+                series[k] = *over;
+            }
+        }
+        own.hung.iter().map(|hung| hung.at.clone()).zip(own.over(&series)).collect()
     }
 
     /// Takes the dimensions of the mechanism that it was built of.

@@ -19,6 +19,7 @@ pub use roots::Crossing;
 
 use crate::model::coordinates::Coordinate;
 use crate::model::error::Result;
+use crate::model::layout::Place;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
@@ -32,6 +33,12 @@ pub trait Measure {
     /// Its name, where it is asked by one.
     fn name(&self) -> Option<&str> {
         None
+    }
+
+    /// The place among [`System::coordinate_names`] of the coordinate that it is, where it is one.
+    fn coordinate(&self, system: &System) -> Option<usize> {
+        let name = self.name()?;
+        system.coordinate_names().iter().position(|known| known == name)
     }
 }
 
@@ -68,6 +75,13 @@ impl Measure for &String {
 impl Measure for Coordinate {
     fn of(&self, _: &System, motion: &Motion) -> Result<Quantity> {
         motion.coordinate(*self)
+    }
+
+    fn coordinate(&self, system: &System) -> Option<usize> {
+        match system.layout().coordinate(self)? {
+            Place::Own { first, .. } => Some(first),
+            Place::Ground(_) => None,
+        }
     }
 }
 

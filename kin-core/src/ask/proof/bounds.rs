@@ -15,26 +15,26 @@ use crate::system::evaluate::Block;
 /// An equation of which no bounds are known over a box, and the expression that makes it so.
 #[derive(Clone, Debug)]
 pub(crate) struct Unknown {
-    pub(super) row: usize,
-    pub(super) expression: Option<(String, Option<Source>)>,
+    pub(crate) row: usize,
+    pub(crate) expression: Option<(String, Option<Source>)>,
 }
 
 /// The equations of a system, to be asked for bounds.
-pub(super) struct Bounds<'a> {
+pub(crate) struct Bounds<'a> {
     pub system: &'a System,
-    parts: Vec<Part<'a>>,
+    pub parts: Vec<Part<'a>>,
 }
 
 /// One constraint, and what stands behind its columns.
 pub(crate) struct Part<'a> {
-    constraint: &'a dyn Constraint,
+    pub constraint: &'a dyn Constraint,
     /// Its first row among all.
-    first: usize,
-    columns: Vec<Column>,
+    pub first: usize,
+    pub columns: Vec<Column>,
 }
 
 #[derive(Clone, Copy)]
-enum Column {
+pub(crate) enum Column {
     Own(usize),
     /// A coordinate of the ground, with its value.
     Fixed(f64),
@@ -42,7 +42,7 @@ enum Column {
 
 impl<'a> Bounds<'a> {
     /// The constraints of a system; an error by name for one that is not known as steps.
-    pub(super) fn new(system: &'a System) -> Result<Self, Error> {
+    pub(crate) fn new(system: &'a System) -> Result<Self, Error> {
         let equations = system.equations();
         let instant = equations.instant_at(0.0, system.initial());
         let part = |block: &'a Block| {
@@ -66,7 +66,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// The laws whose bounds are taken on their own word, each with its constraint.
-    pub(super) fn trusted(&self) -> Vec<String> {
+    pub(crate) fn trusted(&self) -> Vec<String> {
         let blocks = self.parts.iter().zip(&self.system.equations().blocks);
         let mut all: Vec<String> = blocks
             .flat_map(|(part, block)| {
@@ -97,7 +97,7 @@ impl<'a> Bounds<'a> {
 pub(crate) type Entry = (usize, usize, Interval);
 
 impl Column {
-    fn of<T: Copy + From<Fixed>>(self, q: &[T]) -> T {
+    pub(crate) fn of<T: Copy + From<Fixed>>(self, q: &[T]) -> T {
         match self {
             Column::Own(k) => q.get(k).copied().unwrap_or(T::from(Fixed(f64::NAN))),
             Column::Fixed(x) => T::from(Fixed(x)),
@@ -106,7 +106,7 @@ impl Column {
 }
 
 /// A number that does not move.
-struct Fixed(f64);
+pub(crate) struct Fixed(f64);
 
 impl From<Fixed> for Interval {
     fn from(x: Fixed) -> Self {
@@ -122,7 +122,7 @@ impl From<Fixed> for Series {
 
 /// Function that is called with a formula, the values of its parameters and the function that computes the
 /// rest.
-type Shown<'a> = dyn FnMut(&Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
+pub(crate) type Shown<'a> = dyn FnMut(&Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
 
 impl<'a> Part<'a> {
     /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
@@ -177,7 +177,12 @@ impl<'a> Part<'a> {
     }
 
     /// Its rows among the results of the steps, at least `len` coefficients of each.
-    fn rows(&self, table: &Table, results: &Results<Series>, len: usize) -> Result<Vec<Series>, Unknown> {
+    pub(crate) fn rows(
+        &self,
+        table: &Table,
+        results: &Results<Series>,
+        len: usize,
+    ) -> Result<Vec<Series>, Unknown> {
         let known = |row: usize| {
             let y = equation::row(table.formula(), row, results);
             let is_known = y.len() >= len && y.known().iter().all(|c| c.is_finite());
@@ -197,7 +202,7 @@ impl<'a> Part<'a> {
     }
 
     /// Shows the formula.
-    fn with(&self, of: &mut Shown<'_>) -> Result<(), Unknown> {
+    pub(crate) fn with(&self, of: &mut Shown<'_>) -> Result<(), Unknown> {
         self.constraint.formula(of).unwrap_or(Ok(()))
     }
 }

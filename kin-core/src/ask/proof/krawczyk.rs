@@ -132,7 +132,7 @@ impl Frame {
 
 /// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where there is
 /// none.
-fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
+pub(crate) fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
     /// Above what was found, so that the next one may stay below.
     const ROOM: f64 = 1.02;
     let applied = |y: &DVector<f64>| -> Vec<f64> {

@@ -1,12 +1,14 @@
 //! How far a measure may be off where dimensions have tolerances: the linear stack with its second-order
 //! term, what the mechanism itself does at the corners that are the worst, samples of it, and a proof.
 
+mod proved;
 mod samples;
 mod second;
 mod source;
 mod text;
 mod worst;
 
+pub use proved::Proved;
 pub use samples::{Samples, Sampling};
 pub use second::SecondOrder;
 pub use source::Contribution;
@@ -42,6 +44,9 @@ pub struct Tolerance {
     pub corners: [Option<f64>; 2],
     /// The second-order term; `None` where the mechanism cannot be assembled beside its dimensions.
     pub second_order: Option<SecondOrder>,
+    /// Bounds over all mechanisms within the tolerances, where a proof was asked for
+    /// ([`System::tolerance_proved`]).
+    pub proved: Option<Proved>,
     units: Units,
 }
 
@@ -104,18 +109,45 @@ impl System {
         what: impl Measure,
         of: impl Into<Feature>,
     ) -> Result<Tolerance> {
-        let (feature, (sources, names)) = (of.into(), self.sources_of_error(None)?);
-        let followed = Followed::new(self, motion, &what, &feature)?;
+        self.told_of(motion, &what, of.into(), false)
+    }
+
+    /// The same with a proof ([`Tolerance::proved`]): bounds, by interval arithmetic, that hold for every
+    /// mechanism whose dimensions are within their tolerances, each of which is shown to be assembled on the
+    /// branch of the motion. They are halved until they are within some half per cent of what is attained, or
+    /// no longer get nearer.
+    ///
+    /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] where some mechanism of the
+    /// box may not be assembled, with its dimensions, and of what no bounds are known: measures that are no
+    /// coordinates, laws whose coefficients have a tolerance, and what [`System::prove`] refuses.
+    pub fn tolerance_proved(
+        &self,
+        motion: &Motion,
+        what: impl Measure,
+        of: impl Into<Feature>,
+    ) -> Result<Tolerance> {
+        self.told_of(motion, &what, of.into(), true)
+    }
+
+    fn told_of(
+        &self,
+        motion: &Motion,
+        what: &impl Measure,
+        feature: Feature,
+        proof: bool,
+    ) -> Result<Tolerance> {
+        let (sources, names) = self.sources_of_error(None)?;
+        let followed = Followed::new(self, motion, what, &feature)?;
         let slopes = followed.gradient(self, &names)?.unwrap_or_else(|| vec![f64::NAN; names.len()]);
+        let proved = proof.then(|| proved::proved(&followed, &sources, &names, &slopes)).transpose()?;
         let corners = [-1.0, 1.0].map(|side| worst::corner(&followed, &sources, &names, &slopes, side));
         let second_order = second::order(&followed, &sources, &names, &slopes)?;
         let mut contributions: Vec<Contribution> =
             sources.into_iter().map(|source| source.contribution(&slopes)).collect();
         contributions.sort_by(|a, b| b.off().abs().total_cmp(&a.off().abs()));
         let Followed { name, unit, nominal, .. } = followed;
-        let units = self.unit_words().clone();
-        let t = feature.t();
-        Ok(Tolerance { name, unit, feature, t, nominal, contributions, corners, second_order, units })
+        let (t, units) = (feature.t(), self.unit_words().clone());
+        Ok(Tolerance { name, unit, feature, t, nominal, contributions, corners, second_order, proved, units })
     }
 
     /// All that may be off, with the names of all dimensions in it; an error if nothing may.

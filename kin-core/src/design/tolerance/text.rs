@@ -16,6 +16,13 @@ pub(super) fn digits(x: f64, count: usize) -> f64 {
     format!("{x:.count$e}").parse().unwrap_or(x)
 }
 
+/// The same, not below x.
+fn above(x: f64, count: usize) -> f64 {
+    let near = digits(x, count);
+    // Half a unit of the last digit further it is rounded to the next number.
+    if near >= x { near } else { digits(x * (1.0 + 0.5 * 0.1_f64.powi(count as i32)), count).max(near) }
+}
+
 impl fmt::Display for Tolerance {
     /// "slide (0.312 m at 0.418 s): ± 0.00041 worst case, ± 0.00027 RSS.", and a line for each dimension.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -24,9 +31,11 @@ impl fmt::Display for Tolerance {
             Feature::Stroke(_) => String::new(),
             _ => format!(" at {} {}", digits(self.t, 4), self.units.time()),
         };
+        let proved = self.proved.as_ref().map(|proved| proved.off(self.nominal));
+        let proved = proved.map_or(String::new(), |off| format!(" (proved: {})", above(off, 2)));
         writeln!(
             f,
-            "{name} ({} {unit}{when}): ± {} worst case, ± {} RSS.",
+            "{name} ({} {unit}{when}): ± {} worst case{proved}, ± {} RSS.",
             digits(self.nominal, 4),
             digits(self.worst_case(), 2),
             digits(self.rss(), 2)
@@ -56,6 +65,9 @@ impl fmt::Display for Tolerance {
                 digits(second.sigma, 2),
                 digits(self.sigma(), 2)
             )?;
+        }
+        if let Some(proved) = self.proved.as_ref().filter(|proved| !proved.trusted.is_empty()) {
+            write!(f, "\n  Proved trusting the bounds of {}.", proved.trusted.join(", "))?;
         }
         match (self.corners, self.misled()) {
             ([Some(low), Some(high)], Some(misled)) if misled > MISLED => write!(

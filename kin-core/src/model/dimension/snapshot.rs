@@ -3,6 +3,7 @@
 use kin_graph::{Graph, Input, LeafUse, Node, Number, Op, Source, evaluate};
 
 use super::Entry;
+use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::numbers::real::{Dual64, Real};
 
 /// The dimensions of a mechanism as it was built, and the numbers that hang on them.
@@ -80,6 +81,11 @@ impl Snapshot {
         self.walk(&Along { values, k }).into_iter().map(|Real(x)| x.eps).collect()
     }
 
+    /// Bounds of all numbers where dimensions are these, as they move.
+    pub(crate) fn over(&self, values: &[Series]) -> Vec<Series> {
+        self.walk(&Over(values))
+    }
+
     fn walk<N: Number>(&self, source: &impl Source<N>) -> Vec<N> {
         let nodes: Vec<Node> = self.hung.iter().map(|hung| hung.node).collect();
         let results = evaluate(&self.graph, &nodes, source);
@@ -96,6 +102,9 @@ struct Along<'a> {
     values: &'a [f64],
     k: usize,
 }
+
+/// The dimensions over intervals.
+struct Over<'a>(&'a [Series]);
 
 /// An expression of dimensions reads nothing but dimensions.
 macro_rules! source {
@@ -124,6 +133,7 @@ macro_rules! source {
 }
 
 source!(Values, f64, |self, k| self.0.get(k).copied().unwrap_or(f64::NAN));
+source!(Over, Series, |self, k| self.0.get(k).copied().unwrap_or(UNKNOWN));
 source!(Along, Real<Dual64>, |self, k| {
     let moves = if k == self.k { 1.0 } else { 0.0 };
     Real(Dual64::new(self.values.get(k).copied().unwrap_or(f64::NAN), moves))

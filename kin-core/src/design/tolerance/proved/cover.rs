@@ -1,0 +1,225 @@
+//! Boxes of dimensions and times, covered by sheets that are joined to one another.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use super::super::source::Source;
+use super::equations::Equations;
+use super::sheet::{Fault, Sheet, sheet};
+use crate::model::error::{Error, Result};
+use crate::numbers::enclosure::interval::{Interval, down, up};
+use crate::system::System;
+
+/// Boxes that are looked at before it is told that nothing is proved.
+const MOST: usize = 6000;
+
+/// A box is halved so often at most.
+const DEEPEST: usize = 40;
+
+/// The pose of a place of a feature.
+pub(super) struct Place {
+    pub q: Vec<f64>,
+    /// Rates of the coordinates, for the side along which a box is cut.
+    pub qd: Vec<f64>,
+}
+
+/// All that is asked for boxes.
+pub(super) struct Cover<'a> {
+    pub system: &'a System,
+    pub equations: Equations<'a>,
+    pub names: &'a [String],
+    pub sources: &'a [Source],
+    /// The dimensions as they are.
+    pub nominal: Vec<f64>,
+    pub sizes: Vec<f64>,
+    /// The largest change of a coordinate in its size with each dimension.
+    pub weights: Vec<f64>,
+    pub places: Vec<Place>,
+    /// The measure, for words.
+    pub what: String,
+    pub tried: Cell<usize>,
+}
+
+/// A box with a sheet for each place: its sides are the dimensions, then a span of time for each place.
+pub(super) struct Node {
+    pub sides: Vec<Interval>,
+    pub sheets: Vec<Rc<Sheet>>,
+}
+
+impl Node {
+    fn holds(&self, point: &[f64]) -> bool {
+        self.sides.iter().zip(point).all(|(side, x)| side.contains(*x))
+    }
+}
+
+impl Cover<'_> {
+    /// The box that leaves each dimension where it may be off.
+    pub(super) fn whole(&self) -> Vec<Interval> {
+        let mut all: Vec<Interval> = self.nominal.iter().map(|x| Interval::from(*x)).collect();
+        for source in self.sources {
+            for k in &source.parts {
+                let (x, t) = (self.nominal[*k], source.tolerance);
+                all[*k] = Interval::new(down(x - t), up(x + t));
+            }
+        }
+        all
+    }
+
+    /// The dimensions as they are, as a box.
+    pub(super) fn point(&self) -> Vec<Interval> {
+        self.nominal.iter().map(|x| Interval::from(*x)).collect()
+    }
+
+    /// Sheets for these places over a box, which are one solution each; `guesses` are positions at its
+    /// centre, or near those.
+    pub(super) fn over(
+        &self,
+        which: &[usize],
+        sides: &[Interval],
+        guesses: &[Vec<f64>],
+        depth: usize,
+    ) -> Result<Vec<Node>> {
+        if self.is_outside(sides) {
+            return Ok(Vec::new());
+        }
+        let fault = match self.tried(which, sides, guesses) {
+            Ok(node) => return Ok(vec![node]),
+            Err(fault) => fault,
+        };
+        let cut = self.widest(which, sides).filter(|_| depth < DEEPEST && self.tried.get() < MOST);
+        let Some(cut) = cut else { return Err(self.told(&fault, sides)) };
+        let mut halves = Vec::new();
+        for half in halved(sides, cut) {
+            halves.push(self.over(which, &half, guesses, depth + 1)?);
+        }
+        let right = halves.pop().unwrap_or_default();
+        let mut left = halves.pop().unwrap_or_default();
+        if !left.is_empty() && !right.is_empty() && !self.are_joined(&left, &right) {
+            return Err(self.told(&Fault::Singular, sides));
+        }
+        left.extend(right);
+        Ok(left)
+    }
+
+    /// The halves of a box that has its sheets, with sheets of their own that are the same solutions; `None`
+    /// where these are not found.
+    pub(super) fn cut(&self, which: &[usize], node: &Node, cut: usize) -> Option<Vec<Node>> {
+        let mut all = Vec::new();
+        for half in halved(&node.sides, cut) {
+            if self.is_outside(&half) {
+                continue;
+            }
+            let guesses: Vec<Vec<f64>> = node.sheets.iter().map(|sheet| sheet.q.clone()).collect();
+            let found = self.tried(which, &half, &guesses).ok()?;
+            let point: Vec<f64> = half.iter().map(|x| x.mid()).collect();
+            self.is_one(&found, node, &point).then_some(())?;
+            all.push(found);
+        }
+        Some(all)
+    }
+
+    /// True if two boxes have the same solutions at a point of both.
+    pub(super) fn is_one(&self, a: &Node, b: &Node, point: &[f64]) -> bool {
+        let d = self.names.len();
+        let at = |place: usize| [&point[..d], &point[d + place..=d + place]].concat();
+        let both = a.sheets.iter().zip(&b.sheets).enumerate();
+        a.holds(point) && b.holds(point) && both.into_iter().all(|(k, (a, b))| a.is_joined(b, &at(k)))
+    }
+
+    /// True if the solutions of some box and its neighbour on the other side are one. As each side is one
+    /// solution, and both have all of the face between them, that is so along the face.
+    fn are_joined(&self, left: &[Node], right: &[Node]) -> bool {
+        let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
+        let common = |a: &Node, b: &Node| {
+            let all = a.sides.iter().zip(&b.sides).map(|(a, b)| a.common(*b));
+            let common: Vec<Interval> = all.collect::<Option<_>>()?;
+            (!self.is_outside(&common)).then_some(common)
+        };
+        pairs.into_iter().any(|(a, b)| {
+            let point = common(a, b).map(|all| all.iter().map(|x| x.mid()).collect::<Vec<f64>>());
+            point.is_some_and(|point| self.is_one(a, b, &point))
+        })
+    }
+
+    /// True if no point of a box is in the disc of a clearance.
+    fn is_outside(&self, sides: &[Interval]) -> bool {
+        let least = |k: &usize| (sides[*k] - Interval::from(self.nominal[*k])).sqr().lo();
+        self.sources.iter().filter(|source| source.parts.len() > 1).any(|source| {
+            source.parts.iter().map(least).fold(0.0, |sum, x| down(sum + x)) > up(source.tolerance.powi(2))
+        })
+    }
+
+    fn tried(
+        &self,
+        which: &[usize],
+        sides: &[Interval],
+        guesses: &[Vec<f64>],
+    ) -> std::result::Result<Node, Fault> {
+        self.tried.set(self.tried.get() + 1);
+        let d = self.names.len();
+        let off = self.names.iter().zip(&sides[..d]).zip(&self.nominal);
+        let system = self.system.off(off.map(|((name, side), x)| (name, side.mid() - x)));
+        let system = system.ok_or(Fault::Singular)?;
+        let mut sheets = Vec::new();
+        for (number, guess) in (0..which.len()).zip(guesses) {
+            let mut region = sides[..d].to_vec();
+            region.push(sides[d + number]);
+            let pose = system.next_to(sides[d + number].mid(), guess).map_err(|_| Fault::Singular)?;
+            sheets.push(Rc::new(sheet(&self.equations, &self.sizes, &region, pose.q(0))?));
+        }
+        Ok(Node { sides: sides.to_vec(), sheets })
+    }
+
+    /// The side along which coordinates move most; `None` where none does.
+    fn widest(&self, which: &[usize], sides: &[Interval]) -> Option<usize> {
+        let d = self.names.len();
+        let fast = |place: &Place| {
+            let sizes = place.qd.iter().zip(&self.sizes);
+            sizes.fold(0.0_f64, |m, (v, size)| m.max((v / size).abs()))
+        };
+        let weight = |k: usize| match k.checked_sub(d) {
+            None => self.weights[k],
+            Some(number) => fast(&self.places[which[number]]),
+        };
+        let reach = |k: usize| weight(k).max(f64::MIN_POSITIVE) * sides[k].radius();
+        let widest = (0..sides.len()).max_by(|a, b| reach(*a).total_cmp(&reach(*b)))?;
+        (!sides[widest].is_thin()).then_some(widest)
+    }
+
+    /// That nothing is proved, and where.
+    fn told(&self, fault: &Fault, sides: &[Interval]) -> Error {
+        let d = self.names.len();
+        let at = self.names.iter().zip(sides).map(|(name, side)| format!("{name} = {:.5}", side.mid()));
+        let times = sides[d..].iter().map(|side| format!("t = {:.5}", side.mid()));
+        let at = at.chain(times).collect::<Vec<_>>().join(", ");
+        let reason = match fault {
+            Fault::Singular => format!(
+                "near {at} C_q may be singular, so that some mechanisms within the tolerances may not be \
+                 assembled, or jump to another branch; `samples` counts them"
+            ),
+            Fault::Unknown(unknown) => {
+                let equation = self.system.equations().equation(unknown.row);
+                let expression = unknown.expression.as_ref();
+                let expression =
+                    expression.map(|(text, _)| format!(": `{text}` jumps there, or has no slope"));
+                format!("near {at} no bounds of `{equation}` are known{}", expression.unwrap_or_default())
+            }
+        };
+        self.refused(reason)
+    }
+
+    pub(super) fn refused(&self, reason: String) -> Error {
+        Error::CannotBeProved { what: format!("the worst case of {}", self.what), reason }
+    }
+}
+
+/// Both halves of a box.
+fn halved(sides: &[Interval], cut: usize) -> [Vec<Interval>; 2] {
+    let middle = sides[cut].mid();
+    let half = |side: Interval| {
+        let mut half = sides.to_vec();
+        half[cut] = side;
+        half
+    };
+    [half(Interval::new(sides[cut].lo(), middle)), half(Interval::new(middle, sides[cut].hi()))]
+}

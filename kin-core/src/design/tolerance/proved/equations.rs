@@ -1,0 +1,250 @@
+//! C and its derivatives by coordinates, dimensions and time, over boxes of all of these.
+
+use kin_graph::{
+    Formula, Graph, Input, LeafUse, Node, Op, Source, evaluate, evaluate_along, evaluate_beyond,
+};
+
+use crate::ask::proof::{Bounds, Column, Entry, Part, Unknown};
+use crate::model::dimension::Bound;
+use crate::model::error::{Error, Result};
+use crate::model::formula::Outside;
+use crate::model::formula::bounds::Inputs;
+use crate::numbers::enclosure::Series;
+use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
+use crate::system::System;
+
+/// Coefficients of a series that hold its values and slopes.
+const SLOPES: usize = 2;
+
+/// The equations of a system as functions of coordinates, the dimensions that may be off, and time.
+pub(super) struct Equations<'a> {
+    bounds: Bounds<'a>,
+    names: &'a [String],
+    /// Of each constraint, the parameters of its formula that hang on these dimensions, each with its place
+    /// among all numbers that hang on dimensions.
+    hung: Vec<Vec<(usize, usize)>>,
+}
+
+/// Positions, and dimensions with the time behind the last of them.
+pub(super) struct Region<'a> {
+    pub q: &'a [Interval],
+    pub d: &'a [Interval],
+}
+
+/// Bounds of C_q and of the derivatives by dimensions and time, all that are not zero throughout.
+#[derive(Default)]
+pub(super) struct Slopes {
+    pub by_q: Vec<Entry>,
+    pub by_d: Vec<Entry>,
+}
+
+impl<'a> Equations<'a> {
+    /// Errors: those of [`System::prove`]; by name a law, or a function of the user's program, that hangs on
+    /// one of the dimensions: of these no bounds are known.
+    pub(super) fn new(system: &'a System, names: &'a [String]) -> Result<Self> {
+        system.provable()?;
+        let bounds = Bounds::new(system)?;
+        let mut equations = Equations { hung: vec![Vec::new(); bounds.parts.len()], bounds, names };
+        let now = system.hung_over(names, &equations.nominal(None)?);
+        let mut moves = vec![false; now.len()];
+        for k in 0..names.len() {
+            let moved = system.hung_over(names, &equations.nominal(Some(k))?);
+            moves.iter_mut().zip(moved).for_each(|(moves, (_, x))| *moves |= !x.is_constant());
+        }
+        for (number, (at, value)) in now.iter().enumerate().filter(|(number, _)| moves[*number]) {
+            let Bound::Parameter { constraint, name, .. } = at else { continue };
+            let part = &equations.bounds.parts[*constraint];
+            let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
+            let found = parameter(part, name, value).map_err(|reason| refused(&own, reason))?;
+            equations.hung[*constraint].push((found, number));
+        }
+        Ok(equations)
+    }
+
+    pub(super) fn system(&self) -> &'a System {
+        self.bounds.system
+    }
+
+    /// The laws whose bounds are taken on their own word, each with its constraint.
+    pub(super) fn trusted(&self) -> Vec<String> {
+        self.bounds.trusted()
+    }
+
+    /// The dimensions as they are, of which number `moving` moves.
+    fn nominal(&self, moving: Option<usize>) -> Result<Vec<Series>> {
+        let of = |(k, name): (usize, &String)| {
+            let x = Interval::from(self.system().parameter(name)?);
+            Ok(if moving == Some(k) { Series::variable(x, ONE, SLOPES) } else { Series::constant(x) })
+        };
+        self.names.iter().enumerate().map(of).collect()
+    }
+
+    /// All numbers that hang on dimensions, where number `moving` of these moves.
+    fn numbers(&self, d: &[Interval], moving: Option<usize>) -> Vec<Series> {
+        let of = |(k, x): (usize, &Interval)| match moving {
+            Some(moving) if moving == k => Series::variable(*x, ONE, SLOPES),
+            _ => Series::constant(*x),
+        };
+        let all: Vec<Series> = d.iter().enumerate().take(self.names.len()).map(of).collect();
+        self.system().hung_over(self.names, &all).into_iter().map(|(_, number)| number).collect()
+    }
+
+    /// Bounds of every row of C.
+    pub(super) fn residual(&self, region: &Region<'_>) -> std::result::Result<Vec<Interval>, Unknown> {
+        let numbers = self.numbers(region.d, None);
+        let (q, t) = (constants(region.q), Series::constant(time(region.d)));
+        let mut c = Vec::with_capacity(self.system().n_equations());
+        for (part, hung) in self.bounds.parts.iter().zip(&self.hung) {
+            let columns: Vec<Series> = part.columns.iter().map(|column| column.of(&q)).collect();
+            part.with(&mut |table, parameters, outside| {
+                let Formula { graph, rows, .. } = table.formula();
+                let parameters = &given(parameters, hung, &numbers);
+                let results = evaluate(graph, rows, &Walk::of(&columns, t, parameters, outside));
+                c.extend(part.rows(table, &results, 1)?.iter().map(Series::value));
+                Ok(())
+            })?;
+        }
+        Ok(c)
+    }
+
+    /// Bounds of the derivatives of every row. As in [`Part::jacobian`] each row is asked for along
+    /// everything that it may depend on: what jumps has no slope that would tell it.
+    pub(super) fn slopes(&self, region: &Region<'_>) -> std::result::Result<Slopes, Unknown> {
+        let still = self.numbers(region.d, None);
+        let moved: Vec<Vec<Series>> =
+            (0..self.names.len()).map(|k| self.numbers(region.d, Some(k))).collect();
+        let mut slopes = Slopes::default();
+        for (part, hung) in self.bounds.parts.iter().zip(&self.hung) {
+            self.of_part((part, hung), region, (&still, &moved), &mut slopes)?;
+        }
+        Ok(slopes)
+    }
+
+    fn of_part(
+        &self,
+        (part, hung): (&Part<'_>, &[(usize, usize)]),
+        region: &Region<'_>,
+        (still, moved): (&[Series], &[Vec<Series>]),
+        slopes: &mut Slopes,
+    ) -> std::result::Result<(), Unknown> {
+        let (q, t) = (constants(region.q), Series::constant(time(region.d)));
+        let columns: Vec<Series> = part.columns.iter().map(|column| column.of(&q)).collect();
+        part.with(&mut |table, parameters, outside| {
+            let Formula { graph, rows, .. } = table.formula();
+            let own = given(parameters, hung, still);
+            let known = evaluate(graph, rows, &Walk::of(&columns, t, &own, outside));
+            let entries = |along, column: usize, to: &mut Vec<Entry>| {
+                let along = part.rows(table, &along, SLOPES)?;
+                let all = along.iter().enumerate().map(|(row, y)| (part.first + row, column, y.at(1)));
+                to.extend(all.filter(|entry| entry.2 != ZERO));
+                Ok(())
+            };
+            for (k, column) in part.columns.iter().enumerate() {
+                let Column::Own(column) = *column else { continue };
+                let mut along = columns.clone();
+                along[k] = Series::variable(columns[k].value(), ONE, SLOPES);
+                let walk = Walk::of(&along, t, &own, outside);
+                let found = evaluate_along(graph, rows, Input::Column(k), &known, &walk);
+                entries(found, column, &mut slopes.by_q)?;
+            }
+            for (k, moved) in moved.iter().enumerate() {
+                if hung.iter().all(|(_, number)| moved[*number].is_constant()) {
+                    continue;
+                }
+                let own = given(parameters, hung, moved);
+                let moves = |node| match graph.op(node) {
+                    Op::Input(Input::Parameter(k)) => own.get(k).copied().filter(|x| !x.is_constant()),
+                    _ => None,
+                };
+                let walk = Walk::of(&columns, t, &own, outside);
+                let found = evaluate_beyond(graph, rows, moves, &known, &walk);
+                entries(found, k, &mut slopes.by_d)?;
+            }
+            let later = Series::variable(t.value(), ONE, SLOPES);
+            let walk = Walk::of(&columns, later, &own, outside);
+            let found = evaluate_along(graph, rows, Input::Time, &known, &walk);
+            entries(found, self.names.len(), &mut slopes.by_d)
+        })
+    }
+}
+
+fn constants(all: &[Interval]) -> Vec<Series> {
+    all.iter().map(|x| Series::constant(*x)).collect()
+}
+
+/// The time of a box.
+fn time(d: &[Interval]) -> Interval {
+    d.last().copied().unwrap_or(ZERO)
+}
+
+/// The parameters of a formula, those that hang on dimensions among them.
+fn given(parameters: &[f64], hung: &[(usize, usize)], numbers: &[Series]) -> Vec<Series> {
+    let mut all: Vec<Series> = parameters.iter().map(|x| Series::number(*x)).collect();
+    hung.iter().for_each(|(own, number)| all[*own] = numbers[*number]);
+    all
+}
+
+fn refused(parameter: &str, reason: &str) -> Error {
+    Error::CannotBeProved { what: "a worst case".to_string(), reason: format!("`{parameter}` {reason}") }
+}
+
+/// The number in the formula of the parameter of that name and value, or why there is none that can be
+/// followed.
+fn parameter(part: &Part<'_>, name: &str, value: &Series) -> std::result::Result<usize, &'static str> {
+    let found = part.constraint.formula(|table, values, _| {
+        let Formula { graph, rows, parameters, .. } = table.formula();
+        let k = parameters.iter().position(|known| known == name);
+        let law =
+            "is a coefficient of a law, of which bounds are known at one value only; take its tolerance away";
+        let k = k.ok_or(law)?;
+        if graph.reachable(rows).into_iter().any(|node| is_foreign(graph, node, k)) {
+            return Err(
+                "goes into a function of yours, of which bounds are known at one value only; write its \
+                        expression out",
+            );
+        }
+        let held = values.get(k).is_some_and(|held| value.value().contains(*held));
+        held.then_some(k).ok_or("is not the number that its dimensions give")
+    });
+    found.unwrap_or(Err("is not read by an equation that is known as steps"))
+}
+
+/// True if a function that only the user's program can compute reads that parameter.
+fn is_foreign(graph: &Graph, node: Node, parameter: usize) -> bool {
+    let Op::Opaque(number, _) = graph.op(node) else { return false };
+    let read = graph.opaques.get(number).map(|operands| graph.reachable(operands)).unwrap_or_default();
+    read.into_iter().any(|node| graph.op(node) == Op::Input(Input::Parameter(parameter)))
+}
+
+/// Inputs whose parameters are series too.
+struct Walk<'a> {
+    inputs: Inputs<'a>,
+    parameters: &'a [Series],
+}
+
+impl<'a> Walk<'a> {
+    fn of(columns: &'a [Series], t: Series, parameters: &'a [Series], outside: Outside<'a>) -> Self {
+        Walk { inputs: Inputs { columns, t, parameters: &[], outside }, parameters }
+    }
+}
+
+impl Source<Series> for Walk<'_> {
+    fn input(&self, input: Input) -> Series {
+        match input {
+            Input::Parameter(k) if k < self.parameters.len() => self.parameters[k],
+            input => self.inputs.input(input),
+        }
+    }
+
+    fn law(&self, law: usize, x: Series, order: u8) -> Series {
+        self.inputs.law(law, x, order)
+    }
+
+    fn opaque(&self, number: usize, component: usize, operands: Vec<Series>) -> Series {
+        self.inputs.opaque(number, component, operands)
+    }
+
+    fn leaf(&self, used: LeafUse, operands: Vec<Series>) -> Series {
+        self.inputs.leaf(used, operands)
+    }
+}
