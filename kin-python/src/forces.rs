@@ -25,8 +25,8 @@ pub struct Forces {
 /// A way to another point or other axes: `at`, `about` or `in_body`, with a point for the first two.
 type Way = (String, Vec<f64>);
 
-/// What puts forces on bodies: `constraints` by their names, of which none are all that act on the ground, or
-/// a `load`.
+/// Sources of forces on bodies: `constraints` by their names, of which none are all that act on the ground,
+/// or a `load`.
 type Sources = (String, Vec<String>);
 
 /// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
@@ -88,7 +88,7 @@ impl Forces {
         series(py, &power)
     }
 
-    /// Something that is asked of the force and torque of constraints or a load on a body, as lists over time.
+    /// Something that is asked of the force and torque of constraints or a load on a body, over time.
     fn acted<'py>(
         &self,
         py: Python<'py>,

@@ -11,6 +11,7 @@ mod errors;
 mod examples;
 mod file;
 mod friction;
+mod friction_given;
 mod loads;
 mod newton_euler;
 #[path = "../data/own.rs"]

@@ -11,7 +11,7 @@ an *energy* V acts with −V_q.\n\n";
 
 /// A function of the library of loads.
 pub struct LoadFunction {
-    /// What it is: `length` of a constraint to act along, `energy`, `force`, or `load` of others.
+    /// Its kind: `length` of a constraint to act along, `energy`, `force`, or `load` of others.
     pub kind: &'static str,
     pub name: String,
     /// Its arguments as a caller gives them; of a force without the rate and the time.

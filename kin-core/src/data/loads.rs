@@ -227,8 +227,8 @@ impl Mechanism {
 
     /// Adds the load that the data say, made by the registry, on bodies of this mechanism.
     ///
-    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts, and those of
-    /// [`Mechanism::load`].
+    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts, and those
+    /// of [`Mechanism::load`].
     pub fn add_load_data(&mut self, LoadData { name, parts }: &LoadData, registry: &Registry) -> Result<()> {
         plain("load", name)?;
         let parts = parts.iter().map(|part| self.acting(part, registry).map(Load));

@@ -3,16 +3,13 @@
 use std::marker::PhantomData;
 
 use super::calls::Forces;
+use super::multipliers::LOOSE;
 use super::wrench::{Stand, Wrench};
 use crate::model::error::{Error, Result};
 use crate::model::loads::Turning;
 use crate::model::motion::Series;
 use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
-
-/// A component is unique if what can be added without changing any balance changes it by less than this,
-/// where it changes something by 1.   \[-\]
-pub(super) const LOOSE: f64 = 1e-7;
 
 /// Force and torque on a body over time, about a point and in axes that can be chosen: first about the
 /// constraint's point on that body (where it has none there, its point on the other body, else the body's

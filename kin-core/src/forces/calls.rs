@@ -255,8 +255,8 @@ impl<'a> Forces<'a> {
     }
 
     /// Force and torque of all constraints, drivers among them, on the ground: asked on a planar or spatial
-    /// body that is the ground, the shaking force, and the shaking moment about the origin. Friction in joints
-    /// is in it, loads between a body and the ground are not.
+    /// body that is the ground, the shaking force, and the shaking moment about the origin. Friction in
+    /// joints is in it, loads between a body and the ground are not.
     ///
     /// ```
     /// # use kin::prelude::*;

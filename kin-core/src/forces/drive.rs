@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::acted::LOOSE;
 use super::calls::Forces;
+use super::multipliers::LOOSE;
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::motion::Series;

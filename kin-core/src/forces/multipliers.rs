@@ -1,6 +1,5 @@
 //! The multipliers λ of all constraints, time by time.
 
-use super::acted::LOOSE;
 use super::acting::Now;
 use super::friction::Rub;
 use crate::linear::{Echelon, Independent, Linear, RANK};
@@ -10,6 +9,10 @@ use crate::system::System;
 use crate::system::evaluate::Instant;
 use crate::system::scale;
 use crate::system::scaled::{Measures, Point};
+
+/// A component is unique if what can be added without changing any balance changes it by less than this,
+/// where it changes something by 1.   \[-\]
+pub(super) const LOOSE: f64 = 1e-7;
 
 /// λ, and what can be added to it without changing any balance.
 pub(super) struct Multipliers {

@@ -57,7 +57,7 @@ const ITERATIONS: usize = 20;
 
 /// (Y, w).
 #[derive(Clone)]
-struct Place {
+struct Station {
     y: DVector<f64>,
     w: f64,
 }
@@ -120,7 +120,7 @@ impl<'a> Laws<'a> {
         }
         let start = without / size;
         let norm = (start.norm_squared() + 1.0).sqrt();
-        let (mut place, mut share) = (Place { y: &start / norm, w: 1.0 / norm }, 0.0);
+        let (mut place, mut share) = (Station { y: &start / norm, w: 1.0 / norm }, 0.0);
         let mut step = 1.0_f64;
         for _ in 0..STEPS {
             let next = (share + step).min(1.0);
@@ -140,7 +140,7 @@ impl<'a> Laws<'a> {
     }
 
     /// The share at which w falls to zero, between two.
-    fn unbounded(&self, mut place: Place, start: &DVector<f64>, [mut from, mut to]: [f64; 2]) -> Grown {
+    fn unbounded(&self, mut place: Station, start: &DVector<f64>, [mut from, mut to]: [f64; 2]) -> Grown {
         while to - from > 1e-15 {
             let middle = 0.5 * (from + to);
             if middle == from || middle == to {
@@ -155,7 +155,7 @@ impl<'a> Laws<'a> {
     }
 
     /// Newton's method at one share; `None` where it does not converge nearby.
-    fn corrected(&self, from: &Place, start: &DVector<f64>, share: f64) -> Option<Place> {
+    fn corrected(&self, from: &Station, start: &DVector<f64>, share: f64) -> Option<Station> {
         let (n, mut at) = (start.len(), from.clone());
         for _ in 0..ITERATIONS {
             let amounts = DVector::from_vec(self.amounts(&at.y, share));

@@ -1,8 +1,8 @@
 //! Dry friction: reactions enter the friction, which enters the reactions.
 //!
 //! The normal forces N of all contacts depend on the amounts f of friction linearly, N = N₀ + Σ f_e N_e, N_e
-//! being those of one unit of friction of joint e, by one transposed solve with the elimination at hand; and f
-//! depends on N by Coulomb's law. So Newton's method works on the few normal forces alone (`grown.rs`).
+//! being those of one unit of friction of joint e, by one transposed solve with the elimination at hand; and
+//! f depends on N by Coulomb's law. So Newton's method works on the few normal forces alone (`grown.rs`).
 
 mod grown;
 mod rubbing;
@@ -10,7 +10,7 @@ mod rubbing;
 use nalgebra::{DMatrix, DVector};
 
 use super::acting::Now;
-use super::multipliers::{Multipliers, Solver};
+use super::multipliers::{LOOSE, Multipliers, Solver};
 use crate::model::error::{Error, Result};
 use crate::model::jammed::Jammed;
 use crate::model::not_unique::NotUnique;
@@ -19,10 +19,6 @@ use crate::system::System;
 use crate::system::evaluate::Block;
 use grown::{Grown, Laws};
 pub(super) use rubbing::{Rub, Rubbing};
-
-/// A component is unique if what can be added without changing any balance changes it by less than this,
-/// where it changes something by 1.   \[-\]
-const LOOSE: f64 = super::acted::LOOSE;
 
 /// A drive works against friction if its effort is at least this share of the largest.   \[-\]
 const WORKS: f64 = 1e-6;

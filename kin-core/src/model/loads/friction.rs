@@ -152,7 +152,7 @@ impl Seat {
                 (across.first()?.cross(*across.get(1)?), 0)
             }
             _ if pin => (z, 0),
-            // What the joint has is the direction across: of y to its left the slide is along x.
+            // The joint has the direction across: of y to its left the slide is along x.
             "prismatic" => (vector("h_i")?.cross(z), 0),
             "point_on_line" => (vector("h_j")?, 1),
             _ => (vector("b_j")? - vector("a_j")?, 1),

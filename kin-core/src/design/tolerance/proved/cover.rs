@@ -17,7 +17,7 @@ const MOST: usize = 6000;
 const DEEPEST: usize = 40;
 
 /// The pose of a place of a feature.
-pub(super) struct Place {
+pub(super) struct Covered {
     pub q: Vec<f64>,
     /// Rates of the coordinates, for the side along which a box is cut.
     pub qd: Vec<f64>,
@@ -34,7 +34,7 @@ pub(super) struct Cover<'a> {
     pub sizes: Vec<f64>,
     /// The largest change of a coordinate in its size with each dimension.
     pub weights: Vec<f64>,
-    pub places: Vec<Place>,
+    pub places: Vec<Covered>,
     /// The measure, for words.
     pub what: String,
     pub tried: Cell<usize>,
@@ -87,7 +87,7 @@ impl Cover<'_> {
             Err(fault) => fault,
         };
         let cut = self.widest(which, sides).filter(|_| depth < DEEPEST && self.tried.get() < MOST);
-        let Some(cut) = cut else { return Err(self.told(&fault, sides)) };
+        let Some(cut) = cut else { return Err(self.refusal(&fault, sides)) };
         let mut halves = Vec::new();
         for half in halved(sides, cut) {
             halves.push(self.over(which, &half, guesses, depth + 1)?);
@@ -95,7 +95,7 @@ impl Cover<'_> {
         let right = halves.pop().unwrap_or_default();
         let mut left = halves.pop().unwrap_or_default();
         if !left.is_empty() && !right.is_empty() && !self.are_joined(&left, &right) {
-            return Err(self.told(&Fault::Singular, sides));
+            return Err(self.refusal(&Fault::Singular, sides));
         }
         left.extend(right);
         Ok(left)
@@ -173,7 +173,7 @@ impl Cover<'_> {
     /// The side along which coordinates move most; `None` where none does.
     fn widest(&self, which: &[usize], sides: &[Interval]) -> Option<usize> {
         let d = self.names.len();
-        let fast = |place: &Place| {
+        let fast = |place: &Covered| {
             let sizes = place.qd.iter().zip(&self.sizes);
             sizes.fold(0.0_f64, |m, (v, size)| m.max((v / size).abs()))
         };
@@ -187,7 +187,7 @@ impl Cover<'_> {
     }
 
     /// That nothing is proved, and where.
-    fn told(&self, fault: &Fault, sides: &[Interval]) -> Error {
+    fn refusal(&self, fault: &Fault, sides: &[Interval]) -> Error {
         let d = self.names.len();
         let at = self.names.iter().zip(sides).map(|(name, side)| format!("{name} = {:.5}", side.mid()));
         let times = sides[d..].iter().map(|side| format!("t = {:.5}", side.mid()));

@@ -5,8 +5,8 @@
 //! At each point of the box of tolerances, and at each time of the spans that are asked for, the mechanism
 //! has the position that the motion has, carried on to these dimensions: one, continuous, without a singular
 //! position between. `low` and `high` are bounds of the feature over all of these. Of an extreme it is the
-//! largest (least) value within a span of time around it, at whose ends the rate is shown to have the signs of
-//! a rise and a fall, so that all mechanisms turn round between.
+//! largest (least) value within a span of time around it, at whose ends the rate is shown to have the signs
+//! of a rise and a fall, so that all mechanisms turn round between.
 //!
 //! # How
 //! * **A sheet** (`sheet.rs`) is the position over a box as q + S Δ and a remainder, which is small of second
@@ -16,7 +16,7 @@
 //!   the error says where.
 //! * **The box with the farthest bound is halved** until that is near to a value that is attained.
 //!
-//! What it stands on is what proofs of motions stand on ([`crate::ask::proof`]).
+//! It stands on the same enclosures as proofs of motions ([`crate::ask::proof`]).
 
 mod cover;
 mod equations;
@@ -29,7 +29,7 @@ use super::source::Source;
 use crate::ask::measure::Measure;
 use crate::model::error::{Error, Result};
 use crate::numbers::enclosure::interval::{Interval, ZERO, up};
-use cover::{Cover, Node, Place};
+use cover::{Cover, Covered, Node};
 use equations::Equations;
 
 /// Bounds are halved until they are this share of the worst case from a value that is attained.   \[-\]
@@ -112,7 +112,7 @@ pub(super) fn proved<M: Measure>(
         let second = first(followed.what.of(system, &term.pose)?.second_rate.values());
         let moves = by.all().iter().map(|by| -by.qd(0)[coordinate] / second).collect();
         turns.push(turn(term, moves, sources, motion.times()));
-        places.push(Place { q: term.pose.q(0).to_vec(), qd: term.pose.qd(0).to_vec() });
+        places.push(Covered { q: term.pose.q(0).to_vec(), qd: term.pose.qd(0).to_vec() });
     }
     let (equations, what) = (Equations::new(system, names)?, followed.name.clone());
     let tried = Cell::new(0);
@@ -135,8 +135,8 @@ fn turn(term: &Term, moves: Vec<f64>, sources: &[Source], times: &[f64]) -> Turn
 
 impl Proof<'_> {
     /// The solutions over the spans with the dimensions as they are, which begin at the computed positions;
-    /// and that whatever the dimensions, the measure turns round in each span. A span is made wider as long as
-    /// that is not shown, and no more than a part of the motion.
+    /// and that whatever the dimensions, the measure turns round in each span. A span is made wider as long
+    /// as that is not shown, and no more than a part of the motion.
     fn trails(&mut self) -> Result<()> {
         for k in 0..self.turns.len() {
             loop {
