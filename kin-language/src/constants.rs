@@ -8,7 +8,7 @@ use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, ExprPath, Item, ItemFn};
 
-const KNOWN: [(&str, f64); 24] = [
+const KNOWN: [(&str, f64); 26] = [
     ("PI", consts::PI),
     ("TAU", consts::TAU),
     ("E", consts::E),
@@ -30,8 +30,10 @@ const KNOWN: [(&str, f64); 24] = [
     ("FRAC_2_SQRT_PI", consts::FRAC_2_SQRT_PI),
     ("EPSILON", f64::EPSILON),
     ("MAX", f64::MAX),
+    ("MIN", f64::MIN),
     ("MIN_POSITIVE", f64::MIN_POSITIVE),
     ("INFINITY", f64::INFINITY),
+    ("NEG_INFINITY", f64::NEG_INFINITY),
     ("NAN", f64::NAN),
 ];
 
@@ -77,7 +79,7 @@ fn value(expression: &Expr, own: &[String]) -> Option<f64> {
     let (around, name) = text.rsplit_once("::").unwrap_or(("", &text));
     let around = around.trim_start_matches("::").trim_start_matches("std::").trim_start_matches("core::");
     let known = match around {
-        "" => !own.iter().any(|own| own == name) && !matches!(name, "E" | "MAX" | "NAN"),
+        "" => !own.iter().any(|own| own == name) && !matches!(name, "E" | "MAX" | "MIN" | "NAN"),
         "consts" | "f64::consts" | "f64" => true,
         _ => false,
     };
@@ -86,10 +88,14 @@ fn value(expression: &Expr, own: &[String]) -> Option<f64> {
 
 fn literal(number: f64, at: Span) -> Expr {
     if !number.is_finite() {
-        let top = if number.is_nan() { 0.0 } else { 1.0 };
+        let top = if number.is_nan() { 0.0 } else { 1.0_f64.copysign(number) };
+        let top = literal(top, at);
         return syn::parse_quote_spanned!(at=> (#top / 0.0));
     }
-    let mut literal = Literal::f64_unsuffixed(number);
-    literal.set_span(at);
-    syn::parse_quote_spanned!(at=> #literal)
+    let mut size = Literal::f64_unsuffixed(number.abs());
+    size.set_span(at);
+    match number < 0.0 {
+        true => syn::parse_quote_spanned!(at=> (-#size)),
+        false => syn::parse_quote_spanned!(at=> #size),
+    }
 }

@@ -41,6 +41,8 @@ pub struct ConstraintFn {
     pub warn_dual: bool,
     /// The lengths of constants beside the function, as the attribute gives them.
     pub lengths: Vec<(Ident, syn::LitInt)>,
+    /// All lengths that the attribute gives, those of const generics too.
+    pub given: Vec<(Ident, syn::LitInt)>,
     /// The demands on the parameters.
     pub requirements: Vec<Demand>,
     /// The demands on the pose that is meant, where the equations have others.
@@ -98,10 +100,10 @@ pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
 
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
-    let Asked { choice, lanes, warn_dual, lengths, with } = attribute::asked(attribute)?;
+    let Asked { choice, lanes, warn_dual, lengths: given, with } = attribute::asked(attribute)?;
     let mut function = item_fn(item.clone())?;
     let mut mistakes = Mistakes::default();
-    let lengths = length::put(&mut function, &lengths, &mut mistakes);
+    let lengths = length::put(&mut function, &given, &mut mistakes);
     refuse_qualifiers(&function, &mut mistakes);
     let requirements = demand::take(&mut function.attrs, "require", &mut mistakes);
     let branches = demand::take(&mut function.attrs, "branch", &mut mistakes);
@@ -129,6 +131,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         lanes,
         warn_dual,
         lengths,
+        given,
         requirements,
         branches,
         measures,

@@ -32,6 +32,20 @@ pub fn make(function: &mut ItemFn) {
     Plain(names).visit_item_fn_mut(function);
 }
 
+/// The same of every function that is declared inside of this one.
+pub fn make_inside(function: &mut ItemFn) {
+    Inside.visit_block_mut(&mut function.block);
+}
+
+struct Inside;
+
+impl VisitMut for Inside {
+    fn visit_item_fn_mut(&mut self, function: &mut ItemFn) {
+        make(function);
+        visit_mut::visit_item_fn_mut(self, function);
+    }
+}
+
 fn is_dual(bound: &TypeParamBound) -> bool {
     matches!(bound, TypeParamBound::Trait(bound)
         if bound.path.segments.last().is_some_and(|last| last.ident == "Dual"))

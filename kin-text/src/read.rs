@@ -134,6 +134,7 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
     let marks: Vec<Attribute> = marks;
     let said = marks.first().and_then(|mark| mark.meta.require_list().ok().map(|list| list.tokens.clone()));
     found.iter_mut().for_each(plain::make);
+    plain::make_inside(&mut function);
     let beside: Vec<Item> = found.into_iter().map(Item::Fn).chain(beside).collect();
     let body = std::mem::take(&mut function.block.stmts);
     function.block.stmts = beside.iter().cloned().map(Stmt::Item).chain(body).collect();

@@ -108,6 +108,23 @@ fn bent_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
 
 const LEAST: f64 = 0.1;
 
+const TABLE: [(f64, f64); 2] = [(0.5, 0.1), (0.75, -2.0)];
+const LAST: usize = 1;
+const LEVEL: Vec2 = Vec2 { x: 0.1, y: 0.2 };
+
+/// With constants that are no numbers by themselves.
+#[constraint]
+fn tabled_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i)) - LEVEL;
+    s.y - k * TABLE[LAST].0 * s.x * s.x - TABLE[0].1
+}
+
+#[constraint]
+fn bitten_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
+    let s = j.local(i.point(u_i));
+    s.y - k.to_bits() as f64 * s.x
+}
+
 fn lost<D: Dual>(x: Real<D>) -> Real<D> {
     x * x
 }
@@ -160,6 +177,32 @@ fn constants_and_helpers_go_with_the_text() {
         assert_eq!(text.matches(part).count(), 1, "{part} in\n{text}");
     }
     move_alike(both);
+}
+
+#[test]
+fn tables_vectors_and_integers_go_with_the_text() {
+    let tabled = with_slot(|slider, ground| Box::new(tabled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let both = compiled_and_read("tabled_slot", tabled.unwrap());
+    let text = both[0].data().unwrap().equations.concat();
+    for part in [
+        "const TABLE: [(f64, f64); 2] = [(0.5, 0.1), (0.75, -2.0)];",
+        "const LAST: usize = 1;",
+        "const LEVEL: Vec2 = Vec2 { x: 0.1, y: 0.2 };",
+    ] {
+        assert!(text.contains(part), "{part} in\n{text}");
+    }
+    move_alike(both);
+}
+
+#[test]
+fn a_method_that_no_text_has_is_told_where_a_file_is_written() {
+    let m = with_slot(|slider, ground| Box::new(bitten_slot(slider, ground, vec2(0.1, 0.0), 2.0))).unwrap();
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("bitten.json");
+    let error = m.write_json(path).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(
+        error.contains("constraint `slot`") && error.contains("the method `to_bits` of a number"),
+        "{error}"
+    );
 }
 
 #[test]

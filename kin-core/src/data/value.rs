@@ -168,17 +168,84 @@ pub trait OutgoingConstant {
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-/// One of another type than f64.
+/// One of a type that has no text.
 pub trait RefusedConstant {
     /// Tells that it is lacking.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-impl OutgoingConstant for Outgoing<'_, f64> {
+/// A value that can be written as Rust: a number, a vector, a table of these.
+pub trait Literal {
+    /// Its type, as it is written.
+    fn type_text() -> String;
+    /// The value, as it is written; of a number that is not finite, that number.
+    fn text(&self) -> Result<String, f64>;
+}
+
+impl Literal for f64 {
+    fn type_text() -> String {
+        "f64".to_string()
+    }
+
+    fn text(&self) -> Result<String, f64> {
+        if self.is_finite() { Ok(format!("{self:?}")) } else { Err(*self) }
+    }
+}
+
+macro_rules! plain_literals {
+    ($($ty:ident)*) => {$(
+        impl Literal for $ty {
+            fn type_text() -> String {
+                stringify!($ty).to_string()
+            }
+
+            fn text(&self) -> Result<String, f64> {
+                Ok(self.to_string())
+            }
+        }
+    )*};
+}
+
+plain_literals!(bool u8 u16 u32 u64 usize i8 i16 i32 i64 isize);
+
+impl<T: Literal, const N: usize> Literal for [T; N] {
+    fn type_text() -> String {
+        format!("[{}; {N}]", T::type_text())
+    }
+
+    fn text(&self) -> Result<String, f64> {
+        let parts = self.iter().map(T::text).collect::<Result<Vec<String>, f64>>()?;
+        Ok(format!("[{}]", parts.join(", ")))
+    }
+}
+
+macro_rules! literals_of_parts {
+    ($($ty:ty: $($generic:ident)*, $text:expr, |$x:ident| $form:literal $($part:expr)*;)*) => {$(
+        impl<$($generic: Literal),*> Literal for $ty {
+            fn type_text() -> String {
+                $text
+            }
+
+            fn text(&self) -> Result<String, f64> {
+                let $x = self;
+                Ok(format!($form, $($part.text()?),*))
+            }
+        }
+    )*};
+}
+
+literals_of_parts! {
+    (A, B): A B, format!("({}, {})", A::type_text(), B::type_text()), |x| "({}, {})" x.0 x.1;
+    (A, B, C): A B C, format!("({}, {}, {})", A::type_text(), B::type_text(), C::type_text()), |x| "({}, {}, {})" x.0 x.1 x.2;
+    Vec2:, "Vec2".to_string(), |v| "Vec2 {{ x: {}, y: {} }}" v.x v.y;
+    Vec3:, "Vec3".to_string(), |v| "Vec3 {{ x: {}, y: {}, z: {} }}" v.x v.y v.z;
+}
+
+impl<T: Literal> OutgoingConstant for Outgoing<'_, T> {
     fn constant(&self, name: &str, to: &mut Describer) {
-        match self.0.is_finite() {
-            true => to.put_beside(&format!("const {name}: f64 = {:?};", self.0)),
-            false => to.lacks(&format!("`{name}`, which is {}", self.0)),
+        match self.0.text() {
+            Ok(text) => to.put_beside(&format!("const {name}: {} = {text};", T::type_text())),
+            Err(number) => to.lacks(&format!("`{name}`, which is {number}")),
         }
     }
 }

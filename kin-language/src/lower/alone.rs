@@ -43,8 +43,8 @@ impl Beside {
     fn read(arguments: &[Argument], asked: &[&Expr], body: &Block, lowered: &Lowered) -> Self {
         let mut beside = Beside::default();
         for argument in arguments.iter().filter(|argument| argument.kind == Kind::Other) {
-            let ty = argument.ty.to_token_stream().to_string();
-            beside.unknown.push(format!("the type `{ty}` of `{}`", argument.name));
+            let ty = of_type(&argument.ty);
+            beside.lacks(format!("the type `{ty}` of `{}`", argument.name));
         }
         let values = lowered.opaques.iter().chain(&lowered.leaves).map(|value| &value.template);
         values.chain(&lowered.laws).for_each(|template| beside.template(template));
@@ -53,6 +53,7 @@ impl Beside {
         inside.visit_block(body);
         let own = |name: &Ident| arguments.iter().any(|argument| argument.name == *name);
         beside.constants.retain(|name| !own(name) && !inside.declared.contains(name));
+        beside.functions.retain(|name| !inside.functions.contains(name));
         // Names that the body brings in are known to it alone, but for constants of the standard library.
         let (brought, others) = std::mem::take(&mut beside.constants)
             .into_iter()
@@ -60,7 +61,7 @@ impl Beside {
         beside.constants = others;
         let brought: Vec<Ident> = brought;
         let unknown = brought.iter().filter(|name| !constants::is_known(&syn::parse_quote!(#name)));
-        beside.unknown.extend(unknown.map(Ident::to_string));
+        unknown.for_each(|name| beside.lacks(format!("`{name}`")));
         beside
     }
 
@@ -70,14 +71,22 @@ impl Beside {
             Template::Call(callee, all, _) => {
                 match &**callee {
                     Template::Path(path, _) => self.function(path),
-                    other => self.unknown.push(other.key()),
+                    other => self.lacks(format!("`{}`", other.key())),
                 }
                 all.iter().for_each(|part| self.template(part));
             }
-            // A parameter whose type a text knows is read there as it is here.
+            // A parameter whose type a text knows is read there as here; other types are told above.
             Template::Parameter(_) | Template::Numbers(..) | Template::State(..) => {}
-            Template::Tokens(_) | Template::Struct(..) | Template::Part(..) | Template::Matches(..) => {
-                self.unknown.push(template.key());
+            Template::Tokens(tokens) if syn::parse2::<syn::Lit>(tokens.clone()).is_ok() => {}
+            Template::Tokens(tokens) => self.lacks(format!("`{tokens}`")),
+            Template::Part(value, ..) | Template::Matches(value, _) => self.template(value),
+            // A method that the language does not know, of a number.
+            Template::Method(receiver, name, _) if matches!(**receiver, Template::Numbers(..)) => {
+                self.lacks(format!("the method `{name}` of a number"));
+            }
+            Template::Struct(path, fields, _) => {
+                self.lacks(format!("the type `{}`", tidy(path)));
+                fields.iter().for_each(|(_, part)| self.template(part));
             }
             other => other.parts().into_iter().for_each(|part| self.template(part)),
         }
@@ -93,14 +102,21 @@ impl Beside {
             }
             None if constants::is_known(path) => {}
             Some(name) if self.constants.contains(name) => {}
-            _ => self.unknown.push(tidy(path)),
+            _ => self.lacks(format!("`{}`", tidy(path))),
         }
     }
 
     fn function(&mut self, path: &ExprPath) {
         let name = tidy(path);
-        if !is_kin_function(path) && !is_std_function(path) && !self.functions.contains(&name) {
+        let is_known = is_kin_function(path) || is_std_function(path) || name == "f64::from";
+        if !is_known && !self.functions.contains(&name) {
             self.functions.push(name);
+        }
+    }
+
+    fn lacks(&mut self, what: String) {
+        if !self.unknown.contains(&what) {
+            self.unknown.push(what);
         }
     }
 }
@@ -119,7 +135,7 @@ impl<'a> Visit<'a> for Beside {
             Expr::Call(call) => {
                 match &*call.func {
                     Expr::Path(path) => self.function(path),
-                    other => self.unknown.push(tidy(other)),
+                    other => self.lacks(format!("`{}`", tidy(other))),
                 }
                 call.args.iter().for_each(|argument| self.visit_expr(argument));
             }
@@ -132,10 +148,26 @@ fn tidy(tokens: &impl ToTokens) -> String {
     tokens.to_token_stream().to_string().replace(' ', "")
 }
 
+/// A type as it is written.
+fn of_type(ty: &syn::Type) -> String {
+    let spaced = [
+        (" < ", "<"),
+        (" >", ">"),
+        (" ,", ","),
+        ("& ", "&"),
+        (" :: ", "::"),
+        ("( ", "("),
+        (" )", ")"),
+        (" ;", ";"),
+    ];
+    spaced.iter().fold(ty.to_token_stream().to_string(), |text, (from, to)| text.replace(from, to))
+}
+
 /// The names that a body declares and brings in, wherever in it.
 #[derive(Default)]
 struct Inside {
     declared: Vec<Ident>,
+    functions: Vec<String>,
     brought: Vec<Ident>,
     has_glob: bool,
 }
@@ -144,6 +176,11 @@ impl<'a> Visit<'a> for Inside {
     fn visit_item_const(&mut self, item: &'a syn::ItemConst) {
         self.declared.push(item.ident.clone());
         visit::visit_item_const(self, item);
+    }
+
+    fn visit_item_fn(&mut self, item: &'a syn::ItemFn) {
+        self.functions.push(item.sig.ident.to_string());
+        visit::visit_item_fn(self, item);
     }
 
     fn visit_item_static(&mut self, item: &'a syn::ItemStatic) {

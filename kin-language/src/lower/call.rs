@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Span};
 use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprPath};
 
+use super::method::KINDS_OF_NUMBERS;
 use super::template::Template;
 use super::value::{Adt, Components, Value};
 use super::{Read, Reader, Unreadable};
@@ -189,6 +190,7 @@ impl Reader {
         }
         let known = Function::from_method(function).is_some()
             || Function2::from_method(function).is_some()
+            || KINDS_OF_NUMBERS.contains(&function)
             || matches!(
                 function,
                 "sin_cos" | "recip" | "to_radians" | "to_degrees" | "copysign" | "log" | "mul_add" | "clamp"

@@ -21,8 +21,8 @@ pub fn describe_text(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
     let lacking = functions.into_iter().filter(|name| !is_with(name));
     let lacking =
         lacking.map(|name| format!("`{name}` (`#[helper]` before it and `#[constraint(with = {name})]`)"));
-    let lacking = unknown.into_iter().map(|what| format!("`{what}`")).chain(lacking);
-    let lengths = source.lengths.iter().map(|(name, length)| format!("{name} = {length}"));
+    let lacking = unknown.into_iter().chain(lacking);
+    let lengths = source.given.iter().map(|(name, length)| format!("{name} = {length}"));
     let lengths: Vec<String> = lengths.collect();
     let word = if source.role == Role::Force { "force" } else { "constraint" };
     let mark = match (lengths.as_slice(), source.role) {

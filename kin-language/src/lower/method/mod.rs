@@ -19,6 +19,7 @@ use super::value::Value;
 use super::{Read, Reader, Unreadable};
 pub use changing::takes_itself;
 use kin_graph::Node;
+pub use scalar::KINDS_OF_NUMBERS;
 
 /// A method call: its name, its arguments' values, and their expressions for messages.
 struct Call<'a> {

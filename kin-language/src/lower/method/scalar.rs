@@ -9,7 +9,7 @@ use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable, counted, first_span};
 use crate::parse::Shape;
 use crate::vocabulary::is_underived;
-use kin_graph::{Function, Function2, Node};
+use kin_graph::{Comparison, Function, Function2, Graph, Node};
 
 impl Reader {
     pub(super) fn scalar_method(&mut self, n: Node, call: &Call) -> Read {
@@ -19,15 +19,6 @@ impl Reader {
                 return Ok(Value::Poison);
             }
             return self.power(n, call.arguments[0].clone(), call.places[0], call.whole);
-        }
-        if let "is_nan" | "is_finite" | "is_infinite" | "is_sign_negative" | "is_sign_positive" = name
-            && call.arguments.is_empty()
-        {
-            return Ok(Value::Opaque(Template::Method(
-                Box::new(number(n, call)),
-                call.whole.method.to_token_stream(),
-                vec![],
-            )));
         }
         if let "total_cmp" | "partial_cmp" = name {
             let Some(other) = self.scalars_of(1, call) else { return Ok(Value::Poison) };
@@ -41,7 +32,7 @@ impl Reader {
             return self.underived(n, call);
         }
         let count = match name {
-            _ if Function::from_method(name).is_some() => 0,
+            _ if Function::from_method(name).is_some() || KINDS_OF_NUMBERS.contains(&name) => 0,
             "sin_cos" | "recip" | "to_radians" | "to_degrees" => 0,
             _ if Function2::from_method(name).is_some() => 1,
             "copysign" | "log" => 1,
@@ -122,6 +113,7 @@ impl Reader {
                 let (size, sign) = (g.call(Function::Abs, x), g.call(Function::Signum, *sign));
                 g.mul(size, sign)
             }
+            (_, _, []) if KINDS_OF_NUMBERS.contains(&name) => return Value::Condition(is_such(g, name, x)),
             ("log", _, [base]) => {
                 let (x, base) = (g.call(Function::Ln, x), g.call(Function::Ln, *base));
                 g.div(x, base)
@@ -209,6 +201,34 @@ impl Reader {
 
 fn number(n: Node, at: &dyn ToTokens) -> Template {
     Template::Numbers(vec![n], Shape::Scalar, first_span(at))
+}
+
+/// Methods that say what kind of number one is.
+pub const KINDS_OF_NUMBERS: [&str; 5] =
+    ["is_nan", "is_finite", "is_infinite", "is_sign_negative", "is_sign_positive"];
+
+/// The condition that x is a number of such a kind.
+fn is_such(g: &mut Graph, name: &str, x: Node) -> Node {
+    let zero = g.zero();
+    match name {
+        "is_finite" => g.is_finite(x),
+        "is_sign_negative" | "is_sign_positive" => {
+            let sign = g.call(Function::Signum, x);
+            let side = if name == "is_sign_negative" { Comparison::Less } else { Comparison::Greater };
+            g.compare(side, sign, zero)
+        }
+        // A size is 0 or more, but of what is no number.
+        _ => {
+            let (size, largest) = (g.call(Function::Abs, x), g.constant(f64::MAX));
+            match name {
+                "is_infinite" => g.compare(Comparison::Greater, size, largest),
+                _ => {
+                    let is_number = g.compare(Comparison::GreaterEqual, size, zero);
+                    g.not(is_number)
+                }
+            }
+        }
+    }
 }
 
 /// π/180 and 180/π.
