@@ -85,6 +85,14 @@ impl ReadConstraint {
         if shown.is_empty() { text.clone() } else { format!("{text} ({})", shown.join(", ")) }
     }
 
+    /// The largest value that is met at an instant on the way to C, C_q, C_t and Q_d: rounding of these is a
+    /// part of it.
+    pub fn largest(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64) -> f64 {
+        let (read, seen) = (&*self.read, self.seen(at, Some(qd), t_dot));
+        let stages = [&read.values, &read.velocity, &read.acceleration];
+        stages.into_iter().map(|stage| stage.largest(&seen)).fold(0.0, f64::max)
+    }
+
     fn axis(&self, first: usize) -> Axis {
         let vector = |k: usize| Vec3::new(self.numbers[k], self.numbers[k + 1], self.numbers[k + 2]);
         Axis { h: vector(first), f: vector(first + 3), g: vector(first + 6) }

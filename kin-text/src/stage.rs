@@ -54,6 +54,14 @@ impl Stage {
         }
         MEMORY.set(results);
     }
+
+    /// The largest number, by its absolute value, of all that are met on the way to the outputs.
+    pub fn largest(&self, seen: &Seen<'_>) -> f64 {
+        let mut results = Results::default();
+        evaluate_all(&self.graph, seen, &mut results);
+        let numbers = self.graph.nodes().filter_map(|node| results.number(node));
+        numbers.map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max)
+    }
 }
 
 /// The state, time and parameters that the inputs of a stage are read from.

@@ -77,7 +77,7 @@ fn counted<D: Dual>(x: Real<D>) -> Real<D> {
 }
 
 #[constraint(symbolic)]
-fn with_a_call_in_one_branch(x: Coord, y: Coord) -> f64 {
+pub fn with_a_call_in_one_branch(x: Coord, y: Coord) -> f64 {
     if x < 1.0 { counted(x + y) * x.sin() } else { x * y.exp() - x.sinh() }
 }
 

@@ -87,7 +87,7 @@ reads!(the_last_factorial_of_an_i32, Symbolic, twelve(c()), at [0.5], 0.0 => [0.
 
 /// 13! is none: rustc's reading panics, and so does this one, on dual numbers.
 #[constraint]
-fn thirteen(x: Coord) -> f64 {
+pub fn thirteen(x: Coord) -> f64 {
     let mut f = 1;
     for k in 1..14 {
         f *= k;
@@ -97,7 +97,7 @@ fn thirteen(x: Coord) -> f64 {
 
 /// The index is below zero for a moment.
 #[constraint]
-fn below_zero(x: Coord, c: [f64; 3]) -> f64 {
+pub fn below_zero(x: Coord, c: [f64; 3]) -> f64 {
     let mut sum = x;
     for k in 0..3 {
         sum += c[k - 1 + 1];

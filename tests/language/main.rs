@@ -2,6 +2,8 @@
 //! promised for it, with derivatives that agree on both routes and with central differences of the function
 //! as it is written.
 
+#[path = "../data/as_text.rs"]
+mod as_text;
 mod bounded;
 mod branches;
 mod control;
@@ -14,6 +16,7 @@ mod own;
 mod promises;
 mod refused;
 mod tables;
+mod text;
 mod twice;
 mod values;
 
@@ -35,6 +38,7 @@ macro_rules! reads {
                     "C is {c}, expected {expected}"
                 );
             }
+            $crate::text::agrees(concat!(module_path!(), "::", stringify!($name)), &constraint);
             kin::check::derivatives(constraint);
         }
     };

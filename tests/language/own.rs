@@ -166,7 +166,7 @@ fn a_parameter_of_a_law_may_be_called_x() {
 }
 
 #[constraint]
-fn generic_inside(a: Coord, k: f64) -> f64 {
+pub fn generic_inside(a: Coord, k: f64) -> f64 {
     fn square<D: Dual>(x: Real<D>) -> Real<D> {
         x * x
     }

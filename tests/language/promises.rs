@@ -14,27 +14,27 @@ fn promised(constraint: &impl Constraint) -> [bool; 5] {
 }
 
 #[constraint]
-fn geared(a: Coord, b: Coord, ratio: f64) -> f64 {
+pub fn geared(a: Coord, b: Coord, ratio: f64) -> f64 {
     a - ratio * b
 }
 
 #[constraint]
-fn stepped(a: Coord, t: Time) -> f64 {
+pub fn stepped(a: Coord, t: Time) -> f64 {
     a * a - t.floor()
 }
 
 #[constraint]
-fn wrapped(a: Coord, t: Time) -> f64 {
+pub fn wrapped(a: Coord, t: Time) -> f64 {
     a - (a / 2.0).floor() * 2.0 - t
 }
 
 #[constraint]
-fn growing(a: Coord, t: Time) -> f64 {
+pub fn growing(a: Coord, t: Time) -> f64 {
     (1.0 + t) * a
 }
 
 #[constraint]
-fn searched(a: Coord) -> f64 {
+pub fn searched(a: Coord) -> f64 {
     let mut x = a;
     while x > 1.0 {
         x = x / 2.0;
@@ -161,7 +161,7 @@ fn a_constraint_sees_its_own_arguments_and_is_believed_what_can_be() {
 
 /// Motor and cam: laws of the time, and functions of the time and of parameters.
 #[constraint]
-fn timed_pair(body: Planar, t: Time, f: Law, k: f64, floor: f64) -> [f64; 2] {
+pub fn timed_pair(body: Planar, t: Time, f: Law, k: f64, floor: f64) -> [f64; 2] {
     let w = k.sqrt() * t;
     let gate = if w.sin() > floor { w.cos() } else { 2.0 };
     [body.theta - f.at(t) * body.r.x, body.r.y * gate - w.exp()]
@@ -191,6 +191,6 @@ fn what_depends_on_time_alone_is_evaluated_once_and_is_the_same() {
 }
 
 #[constraint]
-fn hold_x(body: Planar, x: f64) -> f64 {
+pub fn hold_x(body: Planar, x: f64) -> f64 {
     body.r.x - x
 }

@@ -12,7 +12,7 @@ use crate::twice;
 macro_rules! with_type {
     ($name:ident, $t:ty, $number:ty) => {
         #[constraint]
-        fn $name(a: Coord, k: $t, all: [$number; 2]) -> $number {
+        pub fn $name(a: Coord, k: $t, all: [$number; 2]) -> $number {
             let x: $number = a * k;
             let both: [$number; 2] = [x.sin(), x * all[0]];
             both[0] + both[1] - all[1]
@@ -29,7 +29,7 @@ fn types_that_a_macro_hands_over() {
     kin::check::derivatives(constraint);
 }
 
-mod belt {
+pub mod belt {
     use kin::prelude::{Route, Routed, constraint};
 
     /// A link of a chain: the name is the user's here.
@@ -79,7 +79,7 @@ fn interpolate<D: Dual>(table: &[(f64, f64)], x: Real<D>) -> Real<D> {
 }
 
 #[constraint]
-fn through_a_table(a: Coord, table: Vec<(f64, f64)>) -> f64 {
+pub fn through_a_table(a: Coord, table: Vec<(f64, f64)>) -> f64 {
     interpolate(&table, a.sin()) + interpolate(&[(0.0, 1.0), (1.0, 3.0)], a * a)
 }
 
@@ -288,7 +288,7 @@ fn plain_height(body: PlanarState, x: f64) -> f64 {
 }
 
 #[constraint]
-fn of_a_state(i: Planar, j: Planar, k: f64) -> f64 {
+pub fn of_a_state(i: Planar, j: Planar, k: f64) -> f64 {
     height(&i, k) - height(&j, i.theta)
 }
 
@@ -308,7 +308,7 @@ fn by_parts<D: Dual>(n: u32, k: i32, x: Real<D>) -> Real<D> {
 }
 
 #[constraint]
-fn real_from_integers(a: Coord) -> f64 {
+pub fn real_from_integers(a: Coord) -> f64 {
     by_parts(2, -3, a)
 }
 

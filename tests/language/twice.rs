@@ -237,6 +237,19 @@ macro_rules! twice {
                 let expected = $crate::expected!($route $($reason)?);
                 $crate::twice::agree(constraint, expected, |q| kin::emitted::rows($crate::called!(plain::f; q; []; $($given)*)));
             }
+            $crate::from_text! { $route $($given)* }
+        }
+    };
+}
+
+/// The test that the text which the constraint keeps is read as it is compiled; none of `Any`.
+#[macro_export]
+macro_rules! from_text {
+    (Any $($given:tt)*) => {};
+    ($route:ident $($given:tt)*) => {
+        #[test]
+        fn is_the_same_from_its_text() {
+            $crate::text::agrees(module_path!(), &$crate::made!(compiled::f; []; $($given)*));
         }
     };
 }

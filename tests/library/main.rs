@@ -1,5 +1,7 @@
 //! The library: every joint, driver and law, in one table each, and every test loops over the tables.
 
+#[path = "../data/as_text.rs"]
+mod as_text;
 mod checker;
 mod composed;
 #[path = "../data/engines.rs"]
