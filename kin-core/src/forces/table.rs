@@ -14,7 +14,8 @@ use crate::solve::motion::csv::{reason, to_file};
 impl Forces<'_> {
     /// Everything that is unique as numbers over time: of each drive effort and power, of each constraint the
     /// components on each of its bodies about its point in global axes (`A on crank.F_x`), of friction the
-    /// same and its power (`A.friction on crank.T`), both energies. The rows by which Euler parameters stay normalised hold nothing and have no columns.
+    /// same and its power (`A.friction on crank.T`), both energies. The rows by which Euler parameters stay
+    /// normalised hold nothing and have no columns.
     pub fn columns(&self) -> Vec<Series> {
         let mut all = Vec::new();
         for name in self.drives() {

@@ -1,6 +1,5 @@
 //! Mechanisms that friction holds fast.
 
-use crate::model::error::Error;
 use crate::model::units::Units;
 use crate::model::words;
 
@@ -29,10 +28,4 @@ pub struct Jammed {
 
 fn driven(drives: &[String]) -> String {
     if drives.is_empty() { String::new() } else { format!(", whatever {} gives", words::list(drives)) }
-}
-
-impl From<Jammed> for Error {
-    fn from(jammed: Jammed) -> Error {
-        Box::new(jammed).into()
-    }
 }

@@ -118,8 +118,8 @@ impl System {
     /// no longer get nearer.
     ///
     /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] where some mechanism of
-    /// the box may not be assembled, with its dimensions, and of what no bounds are known: measures that are no
-    /// coordinates, laws whose coefficients have a tolerance, and what [`System::prove`] refuses.
+    /// the box may not be assembled, with its dimensions, and of what no bounds are known: measures that are
+    /// no coordinates, laws whose coefficients have a tolerance, and what [`System::prove`] refuses.
     pub fn tolerance_proved(
         &self,
         motion: &Motion,

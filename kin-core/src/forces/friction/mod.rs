@@ -129,7 +129,7 @@ impl Frictions {
         let drives = all().filter(|block| effort(block) > WORKS * largest);
         let drives = drives.map(|block| block.name.clone()).collect();
         let (constraint, units) = (name.to_string(), system.unit_words().clone());
-        Jammed { constraint, t, share: held.share, drives, units }.into()
+        Box::new(Jammed { constraint, t, share: held.share, drives, units }).into()
     }
 }
 
