@@ -250,13 +250,16 @@ impl<'p, S: Level> Block<'p, S> {
         let (first, mut before, mut end) = (lanes.start, motion.times()[motion.len() - 1], End::None);
         let Block { times: solved, instant, q, .. } = self;
         let branches = !run.system().equations().branches().is_empty();
+        // Where rows give all coordinates there is one position at each time, however far it is from the last
+        // one: there is no branch to leave, and nothing to be seen in between.
+        let is_given = solved.torn().is_empty();
         let mut taken = first..first;
         let own = times[lanes.clone()].iter().zip(solved.judged.miss.as_slice()[lanes.clone()].iter());
         for ((t, miss), share) in own.zip(&solved.judged.pivot.as_slice()[lanes]) {
             let own = begun * share;
             let least = own.min(*pivot);
             // A miss that is not a number is an objection.
-            let mut good = !misses_too_far(*miss, least);
+            let mut good = if is_given { !miss.is_nan() } else { !misses_too_far(*miss, least) };
             if branches && good {
                 solved.position(taken.end, q);
                 good = is_meant(run, (*t, q), instant);
@@ -265,7 +268,7 @@ impl<'p, S: Level> Block<'p, S> {
                 end = End::Objection;
                 break;
             }
-            if !run.ends_suffice(before, *t, least) {
+            if !is_given && !run.ends_suffice(before, *t, least) {
                 end = End::Asked;
                 break;
             }
