@@ -1,9 +1,12 @@
 //! Diagonal blocks that follow one another, of a square pattern: each can be solved when those before it are.
 
-/// Rows and columns of each block; `None` where no choice of cells meets every row and every column. Columns
-/// may be any numbers.
+/// Rows and columns of each block; `None` where no choice of cells meets every row and every column once.
+/// Columns may be any numbers.
 pub(super) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
     let matched = Matching::of(pattern)?;
+    if pattern.iter().flatten().any(|column| !matched.row_of.contains_key(column)) {
+        return None;
+    }
     let (mut search, n) = (
         Search {
             pattern,
@@ -164,6 +167,7 @@ mod tests {
     fn rows_that_share_one_column_have_no_blocks() {
         assert_eq!(blocks(&[vec![4], vec![4]]), None);
         assert_eq!(blocks(&[vec![]]), None);
+        assert_eq!(blocks(&[vec![4, 5]]), None);
         assert_eq!(blocks(&[]), Some(vec![]));
     }
 }

@@ -9,9 +9,9 @@ pub(super) struct Cofactors {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
     pub determinant: Node,
-    inverse: Node,
+    pub(super) inverse: Node,
     /// Adjugate, by columns of the unknowns.
-    adjugate: Vec<Vec<Node>>,
+    pub(super) adjugate: Vec<Vec<Node>>,
 }
 
 impl Cofactors {

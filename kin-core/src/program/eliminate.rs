@@ -31,29 +31,29 @@ type Cells = BTreeMap<usize, Node>;
 pub(super) struct Elimination<'a> {
     order: &'a Order,
     /// The cells of given rows beside their own.
-    given: Vec<Vec<(usize, Node)>>,
+    pub(super) given: Vec<Vec<(usize, Node)>>,
     /// The cells of the rows that are left, in torn coordinates, and how much of which given rows is taken
     /// from them.
-    cells: Vec<Cells>,
-    multipliers: Vec<Vec<(usize, Node)>>,
-    blocks: Vec<Block>,
+    pub(super) cells: Vec<Cells>,
+    pub(super) multipliers: Vec<Vec<(usize, Node)>>,
+    pub(super) blocks: Vec<Block>,
 }
 
 /// Rows that are solved together, by their numbers among those that are left; coordinates.
-struct Block {
+pub(super) struct Block {
     rows: Vec<usize>,
-    pivots: Vec<Pivot>,
-    cofactors: Cofactors,
+    pub(super) pivots: Vec<Pivot>,
+    pub(super) cofactors: Cofactors,
 }
 
 /// One pivot of a larger block.
-struct Pivot {
+pub(super) struct Pivot {
     row: usize,
     column: usize,
-    inverse: Node,
-    guard: Node,
-    lower: Vec<(usize, Node)>,
-    upper: Vec<(usize, Node)>,
+    pub(super) inverse: Node,
+    pub(super) guard: Node,
+    pub(super) lower: Vec<(usize, Node)>,
+    pub(super) upper: Vec<(usize, Node)>,
 }
 
 /// Why there is no elimination.

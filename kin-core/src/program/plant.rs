@@ -1,5 +1,7 @@
 //! Faults as a generator could make them, for tests that look whether they are noticed.
 
+pub(crate) mod passes;
+
 use kin_graph::Node;
 
 use super::stages::Program;

@@ -60,18 +60,34 @@ pub(crate) fn program(system: &System, pose: Pose<'_>) -> Result<Program, Refusa
     let mut whole = gather(system)?;
     let slopes = slopes(&whole, pose);
     let order = substitute(&mut whole, &slopes, pose.sizes);
-    staged(whole, order, pose).map_err(refused)
+    let (mut reduced, values) = Reduced::new(&whole, &order);
+    let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
+    Ok(finished(&whole, &order, (reduced, values), &elimination))
 }
 
-fn staged(whole: Whole, order: Order, pose: Pose<'_>) -> Result<Program, &'static str> {
-    let (mut reduced, values) = Reduced::new(&whole, &order);
+/// The elimination of what is left where rows give what they give.
+pub(super) fn eliminated<'o>(
+    reduced: &mut Reduced<'_>,
+    whole: &Whole,
+    order: &'o Order,
+    pose: Pose<'_>,
+) -> Result<Elimination<'o>, &'static str> {
     let cells: Vec<Vec<(usize, Node)>> = whole
         .rows
         .iter()
         .map(|row| row.slopes.iter().map(|(column, slope)| (*column, reduced.of(*slope))).collect())
         .collect();
     let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &whole.laws });
-    let elimination = Elimination::new(&mut reduced.graph, &order, &cells, pose.sizes, at)?;
+    Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
+}
+
+/// All stages by an elimination; `values` are the nodes of coordinates.
+pub(super) fn finished(
+    whole: &Whole,
+    order: &Order,
+    (mut reduced, values): (Reduced<'_>, Vec<Node>),
+    elimination: &Elimination<'_>,
+) -> Program {
     // Given rows are met by what they give.
     let zero = reduced.graph.zero();
     let mut b = vec![zero; whole.rows.len()];
@@ -90,21 +106,21 @@ fn staged(whole: Whole, order: Order, pose: Pose<'_>) -> Result<Program, &'stati
     reduced.rewrite(columns.iter().enumerate().map(|(column, node)| (Input::State(column, SELF), *node)));
     let verify = whole.rows.iter().map(|row| reduced.of(row.residual)).collect();
     let (graph, guards) = (reduced.graph, elimination.guards());
-    Ok(Program {
+    Program {
         correction: order.torn.iter().map(|column| corrections[*column]).collect(),
         guards,
         blocks: elimination.sizes(),
         graph,
-        torn: order.torn,
-        rows: order.rows,
+        torn: order.torn.clone(),
+        rows: order.rows.clone(),
         left,
         values,
         corrections,
         rates,
         second_rates,
         verify,
-        laws: whole.laws,
-    })
+        laws: whole.laws.clone(),
+    }
 }
 
 /// The nodes with their signs changed.
@@ -118,7 +134,7 @@ fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec
 }
 
 /// The slopes of all rows at a pose.
-fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
+pub(super) fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
     let nodes: Vec<Node> =
         whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
     let mut all = numbers(&whole.graph, &nodes, &At { pose, laws: &whole.laws }).into_iter();

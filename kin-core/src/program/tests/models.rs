@@ -18,7 +18,7 @@ fn gallery() -> Vec<(String, System)> {
 }
 
 /// All that passes are tried on.
-pub(in crate::program) fn systems() -> impl Iterator<Item = (String, System)> {
+pub(crate) fn systems() -> impl Iterator<Item = (String, System)> {
     let own = [("four-bar", four_bar(1.0)), ("chain", chain(12))];
     gallery().into_iter().chain(own.map(|(name, system)| (name.to_string(), system)))
 }

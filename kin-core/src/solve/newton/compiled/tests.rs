@@ -1,7 +1,8 @@
 //! Faults of a generator are planted, and never come to a number.
 
 use super::*;
-use crate::program::tests::models::four_bar;
+use crate::program::plant::passes::{PASSES, Pass, WRONGS, Wrong, with_fault};
+use crate::program::tests::models::{four_bar, systems};
 use crate::program::{Pose, Program, plant, program, schedule};
 use crate::{Engine, linspace};
 
@@ -15,14 +16,21 @@ fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&m
 
 /// A run by the tape that is made of the program of a system.
 fn run_by(system: &System, times: &[f64], made_of: &System, tape: impl Fn(Program) -> Tape) -> Motion {
+    run_made(system, times, |pose| Some(tape(program(made_of, pose).expect("compiles"))))
+}
+
+/// A run by the tape that is made where the first position is; by plain steps where there is none.
+fn run_made(system: &System, times: &[f64], tape: impl Fn(Pose<'_>) -> Option<Tape>) -> Motion {
     let options = Options { engine: Engine::Compiled, ..Options::default() };
     let (mut run, mut motion) =
         (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
     run.reach(times[0], &mut motion).expect("reaches");
     let newton = &run.stepper().expect("plain steps").newton;
     let pose = Pose { t: times[0], q: &newton.q, sizes: &newton.sizes };
-    let tape = tape(program(made_of, pose).expect("compiles"));
-    replay(&mut run, times, &mut motion, &tape, Lanes::Best).expect("runs");
+    match tape(pose) {
+        Some(tape) => replay(&mut run, times, &mut motion, &tape, Lanes::Best).expect("runs"),
+        None => run.reach_all(&times[1..], &mut motion).expect("runs"),
+    }
     motion
 }
 
@@ -80,6 +88,61 @@ fn a_tape_with_one_wrong_step_never_comes_to_a_number() {
         steps > 300 && 2 * noticed > steps,
         "{noticed} of {steps} were noticed; the others changed nothing"
     );
+}
+
+/// Every node that a pass hands on, in each of four ways: of a loop, and of one with more rows than cofactors
+/// are taken of.
+#[test]
+fn a_fault_of_a_pass_never_comes_to_a_number() {
+    let platform = systems().find(|(name, _)| name == "13_stewart_platform").expect("the platform").1;
+    for (system, end, step, near) in [(four_bar(1.0), 0.2, 1, 1e-11), (platform, 0.1, 7, 1e-9)] {
+        let times = linspace(0.0, end, 41);
+        let mut plain = Motion::new(&system, times.len());
+        let options = Options::default();
+        Run::new(&system, &options, None).expect("runs").reach_all(&times, &mut plain).expect("runs");
+        for (pass, wrong) in PASSES.into_iter().flat_map(|pass| WRONGS.map(|wrong| (pass, wrong))) {
+            let (mut planted, mut noticed) = (0, 0);
+            for k in (0..).step_by(step) {
+                let there = std::cell::Cell::new(true);
+                let motion = run_made(&system, &times, |pose| {
+                    let made = with_fault(&system, pose, (pass, wrong), k);
+                    there.set(made.is_some());
+                    Some(schedule(made?.ok()?))
+                });
+                if !there.get() {
+                    break;
+                }
+                let off = difference(&plain, &motion);
+                assert!(off < near, "{pass:?} {wrong:?} {k}: {off:e} {:?}", motion.engine);
+                (planted, noticed) = (planted + 1, noticed + usize::from(motion.engine.compiled == 0));
+            }
+            println!("{pass:?} {wrong:?}: {noticed} of {planted} are noticed");
+            // A fault that changes no number, such as the sign of a zero, is none.
+            let few = if pass == Pass::Gather || wrong == Wrong::Slight { 5 } else { 3 };
+            // No row of the platform gives anything.
+            let are_there = planted > 0 || (pass == Pass::Substitute && step > 1);
+            assert!(are_there && few * noticed >= planted, "{pass:?} {wrong:?}: {noticed} of {planted}");
+        }
+    }
+}
+
+/// Every parameter of every constraint, folded as it was before it was set.
+#[test]
+fn a_stale_parameter_never_comes_to_a_number() {
+    let (system, times, mut noticed) = (four_bar(1.0), linspace(0.0, 0.2, 41), 0);
+    for (name, value) in system.parameters() {
+        let mut set = system.clone();
+        if set.set(&name, value + 0.01).is_err() {
+            continue;
+        }
+        let mut plain = Motion::new(&set, times.len());
+        let options = Options::default();
+        Run::new(&set, &options, None).expect("runs").reach_all(&times, &mut plain).expect("runs");
+        let motion = run_with(&set, &times, &system, |_| {});
+        assert!(difference(&plain, &motion) < 1e-11, "{name}: {:?}", motion.engine);
+        noticed += usize::from(motion.engine.compiled == 0);
+    }
+    assert!(noticed > 15, "{noticed}");
 }
 
 #[test]
