@@ -8,6 +8,7 @@ use kin_graph::{Graph, Input, Node, Op};
 
 use super::kind::{FOREIGN, Kind, SELF};
 use crate::model::constraint::Constraint;
+use crate::model::formula::{copied, nothing_outside};
 use crate::model::law::Law;
 use crate::model::layout::Place;
 use crate::numbers::real::Dual3_64;
@@ -173,7 +174,10 @@ impl Whole {
             Op::Law(number, x, order) => {
                 let law = (leaves.law)(number).ok_or(UNREAD)?;
                 match written(&law, order) {
-                    Some((own, f)) => put_in(to, &own, f, of(x)),
+                    Some((own, f)) => {
+                        let x = of(x);
+                        copied(&own, f, to, &nothing_outside, &mut |_, _| Some(x)).ok_or(UNREAD)?
+                    }
                     None => {
                         let number = self.law(law);
                         self.graph.law(number, of(x), order)
@@ -208,14 +212,4 @@ fn written(law: &Law, order: u8) -> Option<(Graph, Node)> {
         f = Partial::by_variable().of(&mut graph, f);
     }
     Some((graph, f))
-}
-
-/// A function of one variable with x put in.
-fn put_in(to: &mut Graph, from: &Graph, f: Node, x: Node) -> Node {
-    let mut places = vec![Node::default(); from.len()];
-    for node in from.reachable(&[f]) {
-        let of = |node: Node| places[node.index()];
-        places[node.index()] = to.rebuilt(from.op(node), of).unwrap_or(x);
-    }
-    places[f.index()]
 }

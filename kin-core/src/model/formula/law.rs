@@ -80,7 +80,7 @@ impl Table {
 }
 
 /// A node of one graph as a node of another, in which its inputs are what `input` says.
-fn copied(
+pub(crate) fn copied(
     from: &Graph,
     row: Node,
     to: &mut Graph,

@@ -6,6 +6,8 @@ pub(crate) mod jerk;
 mod law;
 pub(crate) mod time;
 
+pub(crate) use law::copied;
+
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
