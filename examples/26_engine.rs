@@ -133,7 +133,7 @@ pub fn by_hand([crank, rod, piston]: [Solid; 3], t: f64) -> (Vec2, f64, f64) {
     (force, moment, power / OMEGA)
 }
 
-/// What shakes the frame: all that joints put on it, and the gas on the head.
+/// The force and moment that shake the frame: all that joints put on it, and the gas on the head.
 pub fn shaking(forces: &Forces<'_>) -> kin::Result<(Vec<Vec2>, Vec<f64>)> {
     let frame = PlanarBody::from(Ground);
     let (joints, gas) = (forces.on_ground().on(frame)?, forces.load("gas")?.on(frame)?);

@@ -135,7 +135,7 @@ pub fn by_hand(motion: &Motion, bodies: [PlanarBody; 5], solids: [Solid; 5]) -> 
         let push = vec2(resistance(-45.0).at(t), resistance(20.0).at(t));
         let push = vec2(cos * push.x - sin * push.y, sin * push.x + cos * push.y);
         let weight = vec2(0.0, soil(9.0).at(t));
-        // What a body at turn rate ω about a point takes: (m (a − g)) · v + J α ω.
+        // A body that turns with ω takes the power (m (a − g)) · v + J α ω.
         let takes = |body: usize, v: &dyn Fn(Vec2) -> Vec2, rate: f64| {
             let (r, a, turning) = &centres[body];
             let solid = solids[body];

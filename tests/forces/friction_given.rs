@@ -42,11 +42,28 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
     assert_eq!(told, "there is no joint with friction `winch`; there are `incline`");
 }
 
+/// Pin joint by the name of the library's, whose first vector is another thing.
+#[constraint]
+fn revolute(i: Planar, j: Planar, u_j: Vec2, u_i: Vec2) -> Vec2 {
+    i.point(u_j) - j.point(u_i)
+}
+
+#[test]
+fn friction_of_a_joint_of_ones_own_is_refused_whatever_its_name() {
+    let mut m = Mechanism::new("drum");
+    let drum = m.planar("drum", pose(0.0, 0.0, 0.0)).expect("a body");
+    m.add("shaft", revolute(drum, m.ground(), vec2(0.1, 0.0), O)).expect("a joint");
+    let told = m.friction("shaft", Friction::pin(0.1, 0.02, 1.0)).unwrap_err().to_string();
+    let due = "`shaft` (friction): friction of a pin needs one of revolute, cylindrical, and this is `revolute` of \
+               your own";
+    assert_eq!(told, due);
+}
+
 #[test]
 fn friction_comes_back_from_a_file_and_stands_in_the_table() {
     let mut m = pushed(0.3, [0.2, 0.1], 0.3, [0.2, 0.5]);
     let arm = m.link("arm", 0.4).expect("a link");
-    m.add("O", revolute(arm, m.ground(), arm.start(), O)).expect("a joint");
+    m.add("O", kin::prelude::revolute(arm, m.ground(), arm.start(), O)).expect("a joint");
     m.friction("O", Friction::pin(0.2, 0.03, 0.5)).expect("friction");
     m.add("motor", drive_angle(arm, Law::ramp(1.0))).expect("a driver");
     m.mass(arm, 3.0, O, 0.1).expect("a mass");

@@ -1,4 +1,4 @@
-//! Loads as data: energies, forces along a length or an angle, forces on a body.
+//! Loads as data: energies, forces along a length or an angle, forces on a body, friction in joints.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -97,7 +97,7 @@ pub struct FrictionData {
     pub coefficient: f64,
     /// The rate of the slip at which it sets in: an angle or a length per time.
     pub rate: f64,
-    /// Where it acts.
+    /// The pin or slide that rubs.
     #[serde(flatten)]
     pub shape: FrictionShape,
 }

@@ -235,8 +235,12 @@ macro_rules! literals_of_parts {
 }
 
 literals_of_parts! {
-    (A, B): A B, format!("({}, {})", A::type_text(), B::type_text()), |x| "({}, {})" x.0 x.1;
-    (A, B, C): A B C, format!("({}, {}, {})", A::type_text(), B::type_text(), C::type_text()), |x| "({}, {}, {})" x.0 x.1 x.2;
+    (A, B): A B,
+        format!("({}, {})", A::type_text(), B::type_text()),
+        |x| "({}, {})" x.0 x.1;
+    (A, B, C): A B C,
+        format!("({}, {}, {})", A::type_text(), B::type_text(), C::type_text()),
+        |x| "({}, {}, {})" x.0 x.1 x.2;
     Vec2:, "Vec2".to_string(), |v| "Vec2 {{ x: {}, y: {} }}" v.x v.y;
     Vec3:, "Vec3".to_string(), |v| "Vec3 {{ x: {}, y: {}, z: {} }}" v.x v.y v.z;
 }

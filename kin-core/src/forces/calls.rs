@@ -63,7 +63,7 @@ impl System {
         let points: Vec<_> = points
             .map(|(name, point, mass)| (name.as_str(), Beside::new(self.layout(), point.as_ref()), *mass))
             .collect();
-        let frictions = Frictions::new(self);
+        let frictions = Frictions::new(self)?;
         let (mut solver, mut multipliers) = (Solver::new(self), Vec::with_capacity(motion.len()));
         let mut powers = Powers::new(motion.len());
         let mut sum = Sum { system: self, loads: &loads, points: &points, by_q: Vec::new(), own: Vec::new() };
@@ -71,10 +71,9 @@ impl System {
             let now = Now { t, q: motion.q(k), qd: motion.qd(k), qdd: motion.qdd(k) };
             let mut at = sum.at(now)?;
             let mut found = solver.solve(now, &sum.by_q)?;
-            if let Some(bad) = found.lambda.iter().position(|x| !x.is_finite()) {
-                return Err(not_finite(self, &self.equations().equation(bad), t, found.lambda[bad]));
-            }
+            self.are_finite(&found.lambda, t)?;
             frictions.add(&solver, now, &mut found)?;
+            self.are_finite(&found.lambda, t)?;
             at.drives = solver.power(&found.lambda);
             at.take_friction(&found.rubs);
             powers.push(at);
@@ -84,6 +83,14 @@ impl System {
         let mut forces = Forces { system: self, motion, multipliers, loads, frictions, energy, balance };
         forces.share(sharing)?;
         Ok(forces)
+    }
+
+    /// An error that names the first equation whose λ is no finite number.
+    fn are_finite(&self, lambda: &[f64], t: f64) -> Result<()> {
+        match lambda.iter().position(|x| !x.is_finite()) {
+            Some(bad) => Err(not_finite(self, &self.equations().equation(bad), t, lambda[bad])),
+            None => Ok(()),
+        }
     }
 }
 

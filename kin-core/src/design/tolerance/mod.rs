@@ -109,7 +109,7 @@ impl System {
         what: impl Measure,
         of: impl Into<Feature>,
     ) -> Result<Tolerance> {
-        self.told_of(motion, &what, of.into(), false)
+        self.stack_of(motion, &what, of.into(), false)
     }
 
     /// The same with a proof ([`Tolerance::proved`]): bounds, by interval arithmetic, that hold for every
@@ -126,10 +126,10 @@ impl System {
         what: impl Measure,
         of: impl Into<Feature>,
     ) -> Result<Tolerance> {
-        self.told_of(motion, &what, of.into(), true)
+        self.stack_of(motion, &what, of.into(), true)
     }
 
-    fn told_of(
+    fn stack_of(
         &self,
         motion: &Motion,
         what: &impl Measure,

@@ -13,6 +13,7 @@ use super::acting::Now;
 use super::multipliers::{LOOSE, Multipliers, Solver};
 use crate::model::error::{Error, Result};
 use crate::model::jammed::Jammed;
+use crate::model::loads::Friction;
 use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
 use crate::system::System;
@@ -29,13 +30,20 @@ pub(super) struct Frictions {
 }
 
 impl Frictions {
-    pub(super) fn new(system: &System) -> Frictions {
-        let blocks = &system.equations().blocks;
-        let one = |(name, friction): &(String, _)| {
-            let number = blocks.iter().position(|block| block.name == *name)?;
-            Rubbing::new(name, friction, number, blocks[number].constraint.as_ref())
+    /// Errors: a joint whose parameters have been set so that it is no pin or slide any more.
+    pub(super) fn new(system: &System) -> Result<Frictions> {
+        let blocks = system.equations().blocks.iter().enumerate();
+        let one = |(name, friction): &(String, Friction)| {
+            let (number, block) =
+                blocks.clone().find(|(_, block)| block.name == *name).ok_or_else(|| Error::UnknownName {
+                    what: "constraint",
+                    name: name.clone(),
+                    known: blocks.clone().map(|(_, block)| block.name.clone()).collect(),
+                })?;
+            Rubbing::new(name, friction, number, block.constraint.as_ref())
         };
-        Frictions { all: system.loads.frictions.iter().filter_map(one).collect() }
+        let all = system.loads.frictions.iter().map(one);
+        Ok(Frictions { all: all.collect::<Result<_>>()? })
     }
 
     /// Adds friction to λ without it, and tells what it is at each joint.

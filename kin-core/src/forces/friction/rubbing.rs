@@ -5,6 +5,7 @@ use super::super::body::generalised;
 use super::super::wrench::{Stand, Wrench};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
+use crate::model::error::Result;
 use crate::model::layout::Place;
 use crate::model::loads::{Friction, Seat, Shape};
 use crate::model::state::SpatialState;
@@ -47,9 +48,9 @@ impl Rubbing {
         friction: &Friction,
         block: usize,
         constraint: &dyn Constraint,
-    ) -> Option<Rubbing> {
-        let seat = friction.seat(constraint).ok()?;
-        Some(Rubbing { name: name.to_string(), block, friction: *friction, seat })
+    ) -> Result<Rubbing> {
+        let seat = friction.seat_in(name, constraint)?;
+        Ok(Rubbing { name: name.to_string(), block, friction: *friction, seat })
     }
 
     /// Bodies i and j.

@@ -2,6 +2,8 @@
 
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::coordinates::Target;
+use crate::model::describer::Describer;
+use crate::model::error::Error;
 use crate::numbers::algebra::{Vec3, vec3};
 
 /// Dry friction in a joint, from the forces that the joint holds: their sum of magnitudes times μ, against
@@ -83,9 +85,18 @@ impl Friction {
         at_least_zero("the coefficient", self.coefficient).or(shape).or_else(|| above_zero(rate, self.rate))
     }
 
-    /// Where it acts in a joint. Errors: numbers that make no sense, a joint that has no such friction, in
-    /// words.
-    pub(crate) fn seat(&self, joint: &dyn Constraint) -> Result<Seat, String> {
+    /// Where it acts in a joint of this name. Errors: numbers that make no sense, a joint that has no such
+    /// friction, by its name.
+    pub(crate) fn seat_in(&self, name: &str, joint: &dyn Constraint) -> crate::Result<Seat> {
+        let told = |reason| Error::InvalidParameters {
+            constraint: name.to_string(),
+            kind: "friction".to_string(),
+            reason,
+        };
+        self.seat(joint).map_err(told)
+    }
+
+    fn seat(&self, joint: &dyn Constraint) -> Result<Seat, String> {
         if let Some(reason) = self.refusal() {
             return Err(reason);
         }
@@ -96,9 +107,11 @@ impl Friction {
                 (&["prismatic", "cylindrical", "point_on_line", "pin_in_slot"][..], "slide")
             }
         };
-        let seat = kinds.contains(&kind.as_str()).then(|| Seat::of(joint, told == "pin")).flatten();
+        let whose = if is_of_library(joint) { "" } else { " of your own" };
+        let is_known = whose.is_empty() && kinds.contains(&kind.as_str());
+        let seat = is_known.then(|| Seat::of(joint, told == "pin")).flatten();
         let seat = seat.ok_or_else(|| {
-            format!("friction of a {told} needs one of {}, and this is `{kind}`", kinds.join(", "))
+            format!("friction of a {told} needs one of {}, and this is `{kind}`{whose}", kinds.join(", "))
         })?;
         match self.shape {
             Shape::Slide { width, .. } if seat.holds_turn && width == 0.0 => {
@@ -109,6 +122,14 @@ impl Friction {
             _ => Ok(seat),
         }
     }
+}
+
+/// True of a joint of the library: a function of the user's may have its name, and means something else by
+/// its parameters.
+fn is_of_library(joint: &dyn Constraint) -> bool {
+    let mut described = Describer::default();
+    joint.describe(&mut described);
+    described.refusal.is_none() && described.equation().is_none() && described.lacking().is_empty()
 }
 
 /// The place of friction in a joint of two bodies.

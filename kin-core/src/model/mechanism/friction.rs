@@ -38,10 +38,7 @@ impl Mechanism {
             name: joint.to_string(),
             known: self.constraints.iter().map(|(name, _)| name.clone()).collect(),
         })?;
-        if let Err(reason) = friction.seat(constraint.as_ref()) {
-            let (constraint, kind) = (joint.to_string(), "friction".to_string());
-            return Err(Error::InvalidParameters { constraint, kind, reason });
-        }
+        friction.seat_in(joint, constraint.as_ref())?;
         self.loads.frictions.retain(|(known, _)| known != joint);
         self.loads.frictions.push((joint.to_string(), friction));
         Ok(())
