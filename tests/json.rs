@@ -6,6 +6,9 @@ use kin::prelude::*;
 use kin::{Error, Registry, vec2};
 use serde::{Deserialize, Serialize};
 
+#[path = "data/own.rs"]
+mod own;
+
 /// How a slot is bent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 enum Bend {
@@ -159,7 +162,7 @@ fn a_mechanism_comes_back_and_moves_the_same_to_the_last_bit() -> kin::Result<()
 fn changed(from: &str, to: &str) -> String {
     let text = serde_json::to_string(&model().unwrap().data().unwrap()).unwrap();
     assert!(text.contains(from), "{from} is not in {text}");
-    match serde_json::from_str::<MechanismData>(&text.replacen(from, to, 1)) {
+    match MechanismData::read(&text.replacen(from, to, 1)) {
         Ok(data) => {
             Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string()).unwrap_or_default()
         }
@@ -199,7 +202,9 @@ fn mistakes_in_data_are_told_by_name() {
             r#"{"Down":2.0}"#,
             "constraint `slot`: its parameter `bend`: unknown variant `Down`",
         ),
-        (r#""format":1"#, r#""format":2"#, "format 2 is not known here, only 1"),
+        (r#""format":1"#, r#""format":2"#, "it is of format 2, which a newer Kin has written; Kin "),
+        (r#""format":1"#, r#""format":2,"colour":3"#, " reads format 1: update it"),
+        (r#""format":1"#, r#""format":0"#, "format 0 is none: format 1 can be read"),
         (
             r#""guess":[0.2,0.1,0.0]"#,
             r#""guess":[0.2,0.1]"#,
@@ -212,6 +217,38 @@ fn mistakes_in_data_are_told_by_name() {
     }
     let unknown = Mechanism::from_data(&model().unwrap().data().unwrap(), &Registry::new());
     assert!(matches!(unknown, Err(Error::Data { place, .. }) if place == "constraint `slot`"));
+}
+
+/// Files of the first days, without equations and dimensions, give the motion of those of today.
+#[test]
+fn the_first_files_are_still_read() -> kin::Result<()> {
+    let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>();
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder.join("first_files")).unwrap() {
+        let path = entry.unwrap().path();
+        let run = |path: &std::path::Path| -> kin::Result<kin::data::MotionData> {
+            Ok(Mechanism::read_json(path, &registry)?.build()?.run(linspace(0.0, 0.5, 26))?.data())
+        };
+        let today = folder.join("examples").join(path.file_name().unwrap());
+        assert_eq!(run(&path)?, run(&today)?, "{}", path.display());
+        count += 1;
+    }
+    assert_eq!(count, 5);
+    Ok(())
+}
+
+#[test]
+fn a_motion_of_a_newer_format_is_told() -> kin::Result<()> {
+    let text = serde_json::to_string(&model()?.build()?.run([0.0])?.data()).unwrap();
+    let read = |text: &str| MotionData::read(text).and_then(|data| kin::Motion::from_data(&data));
+    assert!(read(&text).is_ok());
+    let newer = text.replacen(r#""format":1"#, r#""format":7"#, 1);
+    for text in [newer.replacen(r#""times":"#, r#""instants":"#, 1), newer] {
+        let error = read(&text).unwrap_err().to_string();
+        assert!(error.contains("it is of format 7, which a newer Kin has written"), "{error}");
+    }
+    Ok(())
 }
 
 #[test]

@@ -35,8 +35,12 @@ pub fn named(file: &str) -> &str {
 
 /// The mechanism in a file, equations as text in it too.
 pub fn mechanism(file: &str) -> Result<Mechanism, Fault> {
-    let data: MechanismData = serde_json::from_str(&text(file)?)
-        .map_err(|error| Fault::File(format!("{} is no mechanism file: {error}", named(file))))?;
+    let data = MechanismData::read(&text(file)?).map_err(|error| match error {
+        Error::Data { reason, .. } => {
+            Fault::File(format!("{} cannot be read as a mechanism: {reason}", named(file)))
+        }
+        other => other.into(),
+    })?;
     Mechanism::from_data(&data, &kin_text::registry()).map_err(|error| match error {
         Error::Data { place, reason } => Fault::File(format!("{}: {place}: {reason}", named(file))),
         other => other.into(),

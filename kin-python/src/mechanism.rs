@@ -28,7 +28,7 @@ impl Mechanism {
 
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Mechanism> {
-        let data: MechanismData = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
+        let data = or_raise(py, MechanismData::read(text))?;
         let made = py.detach(|| kin::Mechanism::from_data(&data, &kin::text::registry()));
         or_raise(py, made).map(Mechanism)
     }

@@ -42,8 +42,7 @@ pub fn series<'py>(py: Python<'py>, series: &Series) -> PyResult<Orders<'py>> {
 impl Motion {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Motion> {
-        let data: MotionData = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
-        or_raise(py, kin::Motion::from_data(&data)).map(Motion::from)
+        or_raise(py, MotionData::read(text).and_then(|data| kin::Motion::from_data(&data))).map(Motion::from)
     }
 
     fn to_json(&self) -> PyResult<String> {

@@ -25,9 +25,9 @@ pub fn registry() -> Registry {
 fn with_text(registry: Registry, text: &str) -> Result<Registry, String> {
     let equation = Equation::read(text).map_err(|mistakes| mistakes.to_string())?;
     let (name, kinds) = (equation.name().to_owned(), equation.arguments());
-    Ok(registry.with_constraint(&name, &kinds, move |from| {
+    registry.with_equation((&name, &kinds), text, move |from| {
         Some(Box::new(made(&equation, from)) as Box<dyn Constraint>)
-    }))
+    })
 }
 
 /// The constraint that a file describes; the reader notes what is wrong.

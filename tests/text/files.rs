@@ -285,6 +285,74 @@ fn two_equations_of_one_name_do_not_go_into_one_file() {
     );
 }
 
+/// Everybody knows `revolute`: a file in which it means something else would be misread without a word.
+#[test]
+fn an_equation_does_not_take_the_place_of_the_librarys() {
+    let text =
+        "fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 { (i.point(u_i) - j.point(u_j)).x }";
+    let error_of = |data: &MechanismData, registry: &Registry| {
+        Mechanism::from_data(data, registry).err().map(|error| error.to_string()).unwrap_or_default()
+    };
+    let told = "the library has a `revolute` of the same arguments";
+    let mut data = mechanism(2.0).data().unwrap();
+    data.equations.push(text.to_string());
+    let error = error_of(&data, &registry());
+    assert!(error.contains(told) && error.contains("give the equation another name"), "{error}");
+    // Neither is one written, from a text or from a program, even where its text would be left out.
+    let mut m = Mechanism::new("shadows");
+    let arm = m.planar("arm", pose(0.2, 0.1, 0.0)).unwrap();
+    let equation = Equation::read(text).unwrap();
+    let own = equation.on(arm).on(m.ground()).with("u_i", [0.0, 0.0]).with("u_j", [0.0, 0.0]);
+    m.add("O", own.constraint().unwrap()).unwrap();
+    let error = m.data().err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("`O`") && error.contains(told), "{error}");
+    let mut m = Mechanism::new("shadows");
+    let arm = m.planar("arm", pose(0.2, 0.1, 0.0)).unwrap();
+    m.add("O", shadow::distance(arm, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), 1.0)).unwrap();
+    let error = m.data().err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("`O`: the library has a `distance` of the same arguments"), "{error}");
+    // With other arguments it is another constraint, as `revolute` of planar and of spatial bodies are.
+    data.equations[1] = text.replace("i: Planar, j: Planar", "a: Planar, i: Planar, j: Planar");
+    assert_eq!(error_of(&data, &registry()), "");
+}
+
+mod shadow {
+    use kin::prelude::*;
+
+    #[constraint(dual)]
+    pub fn distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: f64) -> f64 {
+        (i.point(u_i) - j.point(u_j)).norm() - length
+    }
+}
+
+#[test]
+fn of_two_equations_of_one_name_in_a_file_neither_is_taken() {
+    let mut data = mechanism(2.0).data().unwrap();
+    data.equations.push(data.equations[0].clone());
+    assert!(Mechanism::from_data(&data, &registry()).is_ok());
+    data.equations[1] = data.equations[1].replace("parabola(s.x, k)", "k * s.x");
+    let error = Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string());
+    let error = error.unwrap_or_default();
+    assert!(error.contains("there are two equations `parabolic_slot` of the same arguments"), "{error}");
+}
+
+/// The file says what it means: a program's own constraint of that name does not change it.
+#[test]
+fn the_equation_of_a_file_counts_before_the_programs() {
+    let mut data = mechanism(2.0).data().unwrap();
+    data.equations = vec![
+        "fn compiled_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 { i.point(u_i).y - j.r.y - k }"
+            .to_string(),
+    ];
+    data.constraints[0].kind = "compiled_slot".to_string();
+    let height = |registry: &Registry| {
+        let motion = Mechanism::from_data(&data, registry)?.build()?.run([0.0, 1.0])?;
+        kin::Result::Ok(motion.q(1)[1] + 0.1 * 0.2_f64.sin())
+    };
+    assert!((height(&registry().with::<compiled_slot>()).unwrap() - 2.0).abs() < 1e-14);
+    assert!((height(&Registry::new().with::<compiled_slot>()).unwrap() - 2.0).abs() > 0.1);
+}
+
 #[test]
 fn demands_and_measures_of_a_text_hold() {
     let mut m = Mechanism::new("flat");

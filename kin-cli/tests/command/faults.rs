@@ -74,13 +74,16 @@ fn what_is_not_proved_has_its_own_code() {
 fn files_that_are_missing_or_none_are_told() {
     let m = &example("04_four_bar");
     fails(&["check", "missing.json"], 5, "cannot read missing.json");
-    fails(&["check", &file("none.json", "{\"name\": 3}")], 5, "is no mechanism file");
+    fails(&["check", &file("none.json", "{\"name\": 3}")], 5, "none.json cannot be read as a mechanism: ");
     fails(&["check", &file("text.json", "hello")], 5, "line 1 column 1");
     let unknown = four_bar().to_string().replace("\"drive_angle\"", "\"drive_angel\"");
     fails(&["check", &file("unknown.json", &unknown)], 5, "unknown constraint `drive_angel`");
+    // Members that a later format has are no mistakes: the format is what is wrong.
     let mut data = four_bar();
-    data["format"] = json!(99);
-    fails(&["check", &file("later.json", &data.to_string())], 5, "format 99 is not known here");
+    (data["format"], data["bodies"][0]["colour"]) = (json!(99), json!("red"));
+    let told =
+        "later.json cannot be read as a mechanism: it is of format 99, which a newer Kin has written; Kin ";
+    fails(&["check", &file("later.json", &data.to_string())], 5, told);
     fails(
         &["run", m, "--times", "0:1:3", "--csv", "/dev/null/motion.csv"],
         5,
@@ -99,7 +102,11 @@ fn files_that_are_missing_or_none_are_told() {
 fn a_mistake_in_the_standard_input_is_told_as_such() {
     let output = fed(&["check", "-"], "{");
     assert_eq!(code(&output), 5);
-    assert!(words(&output).contains("the standard input is no mechanism file"), "{}", words(&output));
+    assert!(
+        words(&output).contains("the standard input cannot be read as a mechanism"),
+        "{}",
+        words(&output)
+    );
 }
 
 #[test]

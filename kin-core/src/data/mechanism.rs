@@ -7,7 +7,7 @@ use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, Mechanism
 use super::law::LawData;
 use super::loads::{Carried, carry};
 use super::names::plain;
-use super::{FORMAT, Registry};
+use super::{FORMAT, Registry, understood};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
@@ -127,7 +127,11 @@ impl Mechanism {
             .iter()
             .map(|argument| self.argument_data(&argument.target))
             .collect::<Option<_>>();
-        let arguments = arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
+        let arguments: Vec<ArgumentData> =
+            arguments.ok_or_else(|| fail("a body of another mechanism".to_string()))?;
+        if describer.is_own() {
+            Registry::is_free(constraint.facts().kind, &arguments).map_err(fail)?;
+        }
         let (equation, lacking) = (describer.equation(), describer.lacking().to_vec());
         let data = ConstraintData {
             name: name.to_string(),
@@ -164,19 +168,15 @@ impl Mechanism {
     /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and everything that
     /// [`Mechanism::add`] refuses.
     pub fn from_data(data: &MechanismData, registry: &Registry) -> Result<Mechanism> {
-        if data.format != FORMAT {
-            let reason = format!("format {} is not known here, only {FORMAT}", data.format);
-            return Err(Error::Data { place: format!("mechanism `{}`", data.name), reason });
-        }
+        let fail = |reason| Error::Data { place: format!("mechanism `{}`", data.name), reason };
+        understood(data.format, FORMAT).map_err(fail)?;
         let mut mechanism = Mechanism::new(plain("mechanism", &data.name)?);
         mechanism.layout.words = read_units(&data.units)?;
         mechanism.add_dimensions(&data.dimensions)?;
         for body in &data.bodies {
             mechanism.add_body(body)?;
         }
-        let own = registry.with_equations(&data.equations);
-        let registry =
-            &own.map_err(|reason| Error::Data { place: format!("mechanism `{}`", data.name), reason })?;
+        let registry = &registry.with_equations(&data.equations).map_err(fail)?;
         for constraint in &data.constraints {
             plain("constraint", &constraint.name)?;
             mechanism.add_data(constraint, registry)?;

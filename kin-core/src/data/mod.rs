@@ -19,8 +19,8 @@ mod value;
 
 use std::path::Path;
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
 pub use crate::model::describer::Describer;
 pub use dimensions::{DimensionData, NumberData};
@@ -46,12 +46,59 @@ use crate::model::mechanism::Mechanism;
 use crate::model::motion::Series;
 use crate::solve::motion::Motion;
 
-/// Version of the formats; it changes when an older reader would misunderstand.
+/// The newest version of the formats, which is the one that is written; it goes up by one when an older
+/// reader would misunderstand, and all from the first to this one are read.
 const FORMAT: u32 = 1;
 
 /// The version of data that do not say.
 fn is_first() -> u32 {
     1
+}
+
+/// Errors: data of a version that a reader of versions up to `newest` does not know.
+fn understood(version: u32, newest: u32) -> std::result::Result<(), String> {
+    let known = if newest == 1 { "format 1".to_string() } else { format!("formats 1 to {newest}") };
+    match version {
+        0 => Err(format!("format 0 is none: {known} can be read")),
+        _ if version <= newest => Ok(()),
+        _ => Err(format!(
+            "it is of format {version}, which a newer Kin has written; Kin {} reads {known}: update it",
+            env!("CARGO_PKG_VERSION")
+        )),
+    }
+}
+
+/// The data in a text. Whoever meets data of a newer version is told so, and not of the first member that
+/// they do not know.
+fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> {
+    #[derive(Deserialize)]
+    struct Version {
+        format: u32,
+    }
+    serde_json::from_str(text).map_err(|error| {
+        let newer =
+            serde_json::from_str(text).ok().and_then(|Version { format }| understood(format, FORMAT).err());
+        newer.unwrap_or_else(|| error.to_string())
+    })
+}
+
+impl MechanismData {
+    /// The data in the text of a mechanism file.
+    ///
+    /// Errors: a text that is no JSON, members that are missing, unknown or of another type, with line and
+    /// column; data of a newer version.
+    pub fn read(text: &str) -> Result<MechanismData> {
+        read_text(text).map_err(|reason| Error::Data { place: "mechanism".to_string(), reason })
+    }
+}
+
+impl MotionData {
+    /// The data in the text of a motion.
+    ///
+    /// Errors: those of [`MechanismData::read`].
+    pub fn read(text: &str) -> Result<MotionData> {
+        read_text(text).map_err(|reason| Error::Data { place: "motion".to_string(), reason })
+    }
 }
 
 impl Mechanism {
@@ -136,5 +183,22 @@ fn write(path: &Path, data: &impl Serialize) -> Result<()> {
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let fail = |reason: String| Error::Data { place: path.display().to_string(), reason };
     let text = std::fs::read_to_string(path).map_err(|error| fail(error.to_string()))?;
-    serde_json::from_str(&text).map_err(|error| fail(error.to_string()))
+    read_text(&text).map_err(fail)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_versions_up_to_the_newest_are_read() {
+        let told = |version, newest| understood(version, newest).err().unwrap_or_default();
+        assert_eq!([told(1, 1), told(1, 3), told(3, 3)], [const { String::new() }; 3]);
+        assert!(told(2, 1).starts_with("it is of format 2, which a newer Kin has written; Kin "));
+        assert!(
+            told(2, 1).contains(" reads format 1: update it")
+                && told(4, 3).contains(" reads formats 1 to 3: ")
+        );
+        assert_eq!(told(0, 2), "format 0 is none: formats 1 to 2 can be read");
+    }
 }

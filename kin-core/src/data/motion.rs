@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::format::BodyKind;
 use super::mechanism::read_units;
 use super::names::plain;
-use super::{FORMAT, is_first};
+use super::{FORMAT, is_first, understood};
 use crate::model::coordinates::MechanismId;
 use crate::model::error::{Error, Result};
 use crate::model::law::Break;
@@ -146,9 +146,7 @@ impl Motion {
     /// Errors: names that are empty or taken, lists of different lengths, numbers that are not finite.
     pub fn from_data(data: &MotionData) -> Result<Motion> {
         let fail = |reason: String| Error::Data { place: format!("motion of `{}`", data.name), reason };
-        if data.format != FORMAT {
-            return Err(fail(format!("format {} is not known here, only {FORMAT}", data.format)));
-        }
+        understood(data.format, FORMAT).map_err(fail)?;
         let mut layout = Layout::new(MechanismId::fresh());
         layout.words = read_units(&data.units)?;
         data.check_names()?;

@@ -28,18 +28,29 @@ pub trait Described: Constraint + Sized + 'static {
 }
 
 type Make = Arc<dyn Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync>;
+type Key = (String, Vec<ArgumentKind>);
 /// A constraint, and which of its parameters are expressions of dimensions.
 type Made = (Box<dyn Constraint>, Vec<(String, Dimension)>);
 type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
 type ReadLaw = fn(&LawReader<'_>) -> Result<Law, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
+/// Who has brought a constructor.
+#[derive(Clone, PartialEq, Eq)]
+enum Origin {
+    Library,
+    Program,
+    /// A file, by this text.
+    Text(String),
+}
+
 /// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments
-/// (`revolute` of planar and of spatial bodies) are told apart; a later one takes the place of an earlier one
-/// with the same name and arguments.
+/// (`revolute` of planar and of spatial bodies) are told apart; of a program's own with the same name and
+/// arguments the later one counts, and the equation that a file carries counts before both. In files the
+/// names of the library are the library's.
 #[derive(Clone)]
 pub struct Registry {
-    constraints: HashMap<(String, Vec<ArgumentKind>), Make>,
+    constraints: HashMap<Key, (Make, Origin)>,
     laws: HashMap<String, MakeLaw>,
     equations: Option<ReadEquation>,
     law_texts: Option<ReadLaw>,
@@ -63,29 +74,50 @@ impl Registry {
             law_texts: None,
             unread: false,
         };
-        super::joints::registered(shipped(empty))
+        let mut all = super::joints::registered(shipped(empty));
+        all.constraints.values_mut().for_each(|(_, origin)| *origin = Origin::Library);
+        all
     }
 
     /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under
     /// `#[constraint]`.
     pub fn with<C: Described>(self) -> Registry {
         let make = |from: &mut Reader<'_>| C::read(from).map(|made| Box::new(made) as Box<dyn Constraint>);
-        self.with_made(C::KIND, C::ARGUMENTS, Arc::new(make))
+        self.with_constraint(C::KIND, C::ARGUMENTS, make)
     }
 
     /// A constraint that is made at run time too, by its kind, its arguments and its constructor.
     pub fn with_constraint(
-        self,
+        mut self,
         kind: &str,
         arguments: &[ArgumentKind],
         make: impl Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync + 'static,
     ) -> Registry {
-        self.with_made(kind, arguments, Arc::new(make))
+        self.constraints.insert((kind.to_string(), arguments.to_vec()), (Arc::new(make), Origin::Program));
+        self
     }
 
-    fn with_made(mut self, kind: &str, arguments: &[ArgumentKind], make: Make) -> Registry {
-        self.constraints.insert((kind.to_string(), arguments.to_vec()), make);
-        self
+    /// The same of an equation that a file carries as this text, for [`Registry::reading_equations`].
+    ///
+    /// Errors: the library has a constraint of that name with these arguments, which would mean something
+    /// else in this file than in all others; another text of the file has.
+    pub fn with_equation(
+        mut self,
+        (kind, arguments): (&str, &[ArgumentKind]),
+        text: &str,
+        make: impl Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync + 'static,
+    ) -> Result<Registry, String> {
+        let (key, own) = ((kind.to_string(), arguments.to_vec()), Origin::Text(text.to_string()));
+        match self.constraints.get(&key) {
+            Some((_, Origin::Library)) => Err(names_of_the_library(kind)),
+            Some((_, known @ Origin::Text(_))) if *known != own => Err(format!(
+                "there are two equations `{kind}` of the same arguments: give one of them another name"
+            )),
+            _ => {
+                self.constraints.insert(key, (Arc::new(make), own));
+                Ok(self)
+            }
+        }
     }
 
     /// The same registry, able to read the equations that mechanism files carry as text: `read` adds the
@@ -161,7 +193,7 @@ impl Registry {
         mechanism: &Mechanism,
     ) -> Result<Made, String> {
         let kinds: Vec<ArgumentKind> = arguments.iter().map(ArgumentData::kind).collect();
-        let make = self
+        let (make, _) = self
             .constraints
             .get(&(kind.to_string(), kinds))
             .ok_or_else(|| self.unknown(kind, arguments.len()))?;
@@ -193,6 +225,12 @@ impl Registry {
         self.constraints.contains_key(&(kind.to_string(), kinds))
     }
 
+    /// Errors: a constraint of one's own with a name and arguments of the library, whose place in a file the
+    /// library's would take.
+    pub(super) fn is_free(kind: &str, arguments: &[ArgumentData]) -> Result<(), String> {
+        if Registry::new().knows(kind, arguments) { Err(names_of_the_library(kind)) } else { Ok(()) }
+    }
+
     fn unknown(&self, kind: &str, arguments: usize) -> String {
         match self.constraints.keys().any(|(known, _)| known == kind) {
             true => format!("no `{kind}` is known with these {arguments} arguments"),
@@ -209,6 +247,12 @@ impl Registry {
             false => format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`"),
         }
     }
+}
+
+fn names_of_the_library(kind: &str) -> String {
+    format!(
+        "the library has a `{kind}` of the same arguments, so that files cannot tell them apart: give the equation another name"
+    )
 }
 
 /// The data of one constraint as its constructor reads them.

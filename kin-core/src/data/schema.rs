@@ -21,7 +21,10 @@ pub fn schema(registry: &Registry) -> Value {
         "required": ["name", "bodies", "constraints"],
         "additionalProperties": false,
         "properties": {
-            "format": { "description": "Version of the format.", "const": FORMAT, "default": 1 },
+            "format": {
+                "description": "Version of the format.",
+                "type": "integer", "minimum": 1, "maximum": FORMAT, "default": 1,
+            },
             "name": text("Name of the mechanism."),
             "units": object("Names of its units.", &["length", "time"], &[
                 ("length", text("The word for the unit of length, such as mm.")),

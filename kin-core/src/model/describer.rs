@@ -56,6 +56,11 @@ impl Describer {
         Some(self.beside.iter().map(|part| format!("{part}\n")).collect::<String>() + text)
     }
 
+    /// True of an equation that is not the library's.
+    pub(crate) fn is_own(&self) -> bool {
+        self.text.is_some()
+    }
+
     /// Parts that the text of the equation speaks of and cannot take along; none where there is no text.
     pub fn lacking(&self) -> &[String] {
         if self.text.is_some() { &self.lacking } else { &[] }
