@@ -173,6 +173,9 @@ pub struct Measure {
     pub names: Vec<String>,
     #[command(flatten)]
     pub motion: Motion,
+    /// Adds the mechanical advantage of each measure over this drive: its force for one of the drive's
+    #[arg(long = "over", value_name = "DRIVE")]
+    pub over: Vec<String>,
     /// Where the table goes
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,

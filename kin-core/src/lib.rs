@@ -61,6 +61,7 @@ pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
     ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose,
 };
+pub use model::growth::{Growth, Unbounded};
 pub use model::jammed::Jammed;
 pub use model::loads::{ByLaws, Friction, IntoLoad, Load, Massive, Potential, Solid, Turning};
 pub use model::no_derivative::NoDerivative;

@@ -1,5 +1,6 @@
 //! Forces: reactions, efforts of drives, loads and powers, against references and closed forms.
 
+mod advantage;
 mod along;
 mod chrono;
 mod closed;
@@ -17,5 +18,6 @@ mod newton_euler;
 #[path = "../data/own.rs"]
 mod own;
 mod references;
+mod singular;
 mod unique;
 mod views;

@@ -82,6 +82,11 @@ pub fn measure(asked: &Measure, say: &Say) -> Result<(), Fault> {
             header.push(format!("{name}{mark} [{}]", series.unit()));
             columns.push(series.values().to_vec());
         }
+        for drive in &asked.over {
+            let advantage = system.mechanical_advantage(&motion, drive, name).map_err(Fault::asked)?;
+            header.push(format!("{} [{}]", advantage.name(), advantage.unit()));
+            columns.push(advantage.values().to_vec());
+        }
         let extremes = system.extremes(&motion, name)?;
         let (least, most, s) = (extremes.min(), extremes.max(), motion.unit_words().time().to_string());
         say.note(&format!(
@@ -220,6 +225,7 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
         }
     }
     say.note(&forces.balance().to_string());
+    forces.growth()?.iter().for_each(|growth| say.note(&growth.to_string()));
     put(&asked.csv, |to| forces.write_csv_to(to))?;
     if let Some(file) = &asked.json {
         put(file, |to| Ok(serde_json::to_writer(to, &forces.data())?))?;

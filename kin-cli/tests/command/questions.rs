@@ -125,6 +125,39 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
 }
 
+/// A slider-crank that is pulled by its slider to its dead centre, with a torque on its crank.
+#[test]
+fn forces_that_grow_without_bound_are_told_and_so_is_what_a_drive_gains() {
+    use kin::prelude::*;
+    let mut m = Mechanism::new("pump");
+    let (crank, rod) = (m.link("crank", 1.0).expect("a link"), m.link("rod", 2.5).expect("a link"));
+    let piston = m.planar("piston", pose(2.4, 0.0, 0.0)).expect("a body");
+    let zero = vec2(0.0, 0.0);
+    m.add("O", revolute(crank, Ground, crank.start(), zero)).expect("a pin");
+    m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("a pin");
+    m.add("B", revolute(rod, piston, rod.end(), zero)).expect("a pin");
+    m.add("guide", prismatic(piston, Ground, zero, zero, vec2(0.0, 1.0), 0.0)).expect("a guide");
+    m.add("push", drive(piston.x(), Law::linear(2.4, 0.4))).expect("a driver");
+    m.prefer(crank, deg(60.0));
+    m.load("brake", kin::Load::torque(crank, 3.0)).expect("a load");
+    let file = crate::file("pump.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let output = done(&["forces", &file, "--times", "0:5:51"]);
+    let told = words(&output);
+    let expected = "`push`: forces grow without bound towards t = 2.75 s, as |t − t*|^(−1/2)";
+    assert!(
+        code(&output) == 3 && told.contains(expected) && !told.contains("`guide`: forces grow"),
+        "{told}"
+    );
+    // The push for the torque 3 is 3 over the advantage of the crank's turn.
+    let forces = numbers(&String::from_utf8(output.stdout).expect("CSV"));
+    let table = done(&["measure", &file, "crank.theta", "--over", "push", "--times", "0:2.7:28"]);
+    let table = String::from_utf8(table.stdout).expect("CSV");
+    assert!(table.starts_with("t [s],crank.theta [rad],crank.theta' [rad/s],crank.theta'' [rad/s^2],push.advantage on crank.theta [m]"), "{table}");
+    for (row, forces) in numbers(&table).iter().zip(&forces) {
+        assert!((row[4] * forces[1] / -3.0 - 1.0).abs() < 1e-10, "{row:?} {}", forces[1]);
+    }
+}
+
 /// The reach of an arm is off by half of what its length is off: its frame is in the middle.
 #[test]
 fn tolerances_of_an_arm_are_those_of_its_length() {

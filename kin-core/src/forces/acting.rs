@@ -9,6 +9,7 @@ use crate::model::loads::{Acting, ForceAlong, Load, OnBody};
 use crate::model::state::SpatialState;
 use crate::model::terms::Local;
 use crate::numbers::algebra::Vec3;
+use crate::system::System;
 
 /// q, q̇ and q̈ of the whole mechanism at one time.
 #[derive(Clone, Copy)]
@@ -44,6 +45,13 @@ pub(super) struct Valued {
 }
 
 impl<'a> Beside<'a> {
+    /// The points with mass of a system, by their names.
+    pub(super) fn points(system: &'a System) -> Vec<(&'a str, Beside<'a>, f64)> {
+        let of = |point: &'a dyn Constraint| Beside::new(system.layout(), point);
+        let points = system.loads.points.iter();
+        points.map(|(name, point, mass)| (name.as_str(), of(point.as_ref()), *mass)).collect()
+    }
+
     pub(super) fn new(layout: &Layout, constraint: &'a dyn Constraint) -> Self {
         let arguments = constraint.arguments();
         let (mut columns, mut ground) = (Vec::new(), Vec::new());
@@ -114,6 +122,12 @@ pub(super) struct Laid<'a> {
 }
 
 impl<'a> Laid<'a> {
+    /// All loads of a system, by their names.
+    pub(super) fn all(system: &'a System) -> Vec<(&'a str, Laid<'a>)> {
+        let loads = system.loads.loads.iter();
+        loads.map(|(name, load)| (name.as_str(), Laid::new(system.layout(), load))).collect()
+    }
+
     pub(super) fn new(layout: &Layout, load: &'a Load) -> Self {
         let mut parts = Vec::new();
         load.parts(&mut |part| match part {

@@ -3,8 +3,9 @@
 use super::acting::{Beside, Laid, Now, scatter};
 use super::balance::{Balance, Energy, Powers};
 use super::body::{self, Moved};
-use super::drive::{self, Drive};
+use super::effort::{self, Drive};
 use super::friction::{Frictions, Rub};
+use super::growth;
 use super::multipliers::{Multipliers, Solver};
 use super::reaction::{Reaction, Source};
 use super::sharing::Sharing;
@@ -37,7 +38,7 @@ impl System {
     /// [`crate::Mechanism::gravity`], other loads by [`crate::Mechanism::load`].
     ///
     /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system; a singular
-    /// position, where forces are infinite; a load that is not finite, by name; a mechanism that is jammed by
+    /// position, where forces have no bound; a load that is not finite; a mechanism that is jammed by
     /// friction ([`crate::Jammed`]), friction on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
         self.forces_with(motion, &Sharing::NotGiven)
@@ -56,21 +57,18 @@ impl System {
                     .to_string(),
             });
         }
-        let loads = self.loads.loads.iter();
-        let loads: Vec<_> =
-            loads.map(|(name, load)| (name.as_str(), Laid::new(self.layout(), load))).collect();
-        let points = self.loads.points.iter();
-        let points: Vec<_> = points
-            .map(|(name, point, mass)| (name.as_str(), Beside::new(self.layout(), point.as_ref()), *mass))
-            .collect();
+        let (loads, points) = (Laid::all(self), Beside::points(self));
         let frictions = Frictions::new(self)?;
         let (mut solver, mut multipliers) = (Solver::new(self), Vec::with_capacity(motion.len()));
         let mut powers = Powers::new(motion.len());
-        let mut sum = Sum { system: self, loads: &loads, points: &points, by_q: Vec::new(), own: Vec::new() };
+        let mut sum = Sum::new(self, &loads, &points);
         for (k, &t) in motion.times().iter().enumerate() {
             let now = Now { t, q: motion.q(k), qd: motion.qd(k), qdd: motion.qdd(k) };
             let mut at = sum.at(now)?;
-            let mut found = solver.solve(now, &sum.by_q)?;
+            let found = solver.solve(now, &sum.by_q);
+            let mut found = found.map_err(|error| {
+                growth::explained(self, motion, t, error, &mut |now| sum.generalised(now))
+            })?;
             self.are_finite(&found.lambda, t)?;
             frictions.add(&solver, now, &mut found)?;
             self.are_finite(&found.lambda, t)?;
@@ -95,7 +93,7 @@ impl System {
 }
 
 /// Generalised forces of everything but constraints, and their powers.
-struct Sum<'a> {
+pub(super) struct Sum<'a> {
     system: &'a System,
     loads: &'a [(&'a str, Laid<'a>)],
     points: &'a [(&'a str, Beside<'a>, f64)],
@@ -133,7 +131,21 @@ impl At {
     }
 }
 
-impl Sum<'_> {
+impl<'a> Sum<'a> {
+    pub(super) fn new(
+        system: &'a System,
+        loads: &'a [(&'a str, Laid<'a>)],
+        points: &'a [(&'a str, Beside<'a>, f64)],
+    ) -> Self {
+        Sum { system, loads, points, by_q: Vec::new(), own: Vec::new() }
+    }
+
+    /// Q_e + Q_v − M q̈ at one time. Errors: a load that is not finite.
+    pub(super) fn generalised(&mut self, now: Now<'_>) -> Result<Vec<f64>> {
+        self.at(now)?;
+        Ok(self.by_q.clone())
+    }
+
     /// All of it at one time. Errors: a load that is not finite.
     fn at(&mut self, now: Now<'_>) -> Result<At> {
         let mut at = At::default();
@@ -319,7 +331,7 @@ impl<'a> Forces<'a> {
     ///
     /// Errors: a name that no constraint has, a constraint that drives nothing; an effort that is not unique.
     pub fn drive(&self, name: &str) -> Result<Drive> {
-        drive::drive(self, self.block(name)?)
+        effort::drive(self, self.block(name)?)
     }
 
     /// Names of the constraints that drive.

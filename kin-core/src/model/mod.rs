@@ -10,6 +10,7 @@ pub mod dimension;
 pub mod dual_route;
 pub mod error;
 pub(crate) mod formula;
+pub(crate) mod growth;
 pub(crate) mod jammed;
 pub mod law;
 pub(crate) mod layout;

@@ -265,14 +265,12 @@ pub enum Error {
         /// The name.
         name: String,
     },
-
     /// A name that is empty.
     #[error("a {what} needs a name")]
     EmptyName {
         /// The kind of thing that has no name, such as "body".
         what: &'static str,
     },
-
     /// A name that nothing has.
     #[error("there is no {what} `{name}`{}", text::known(.known))]
     UnknownName {
@@ -283,7 +281,6 @@ pub enum Error {
         /// The names there are.
         known: Vec<String>,
     },
-
     /// Times that no sweep can follow.
     #[error("times: {reason}")]
     InvalidTimes {
@@ -369,6 +366,9 @@ pub enum Error {
     /// A mechanism that friction holds fast ([`crate::Mechanism::friction`]).
     #[error(transparent)]
     Jammed(#[from] Box<crate::model::jammed::Jammed>),
+    /// Forces at a singular position, where they have no bound ([`crate::Forces`]).
+    #[error(transparent)]
+    Unbounded(#[from] Box<crate::model::growth::Unbounded>),
     /// A dimension that makes no sense ([`crate::Mechanism::dimension`]).
     #[error(transparent)]
     Dimension(#[from] Box<crate::model::dimension::DimensionError>),

@@ -129,7 +129,7 @@ impl<'a> Run<'a> {
 
     /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot
     /// being this.
-    pub(super) fn go_on(&mut self, motion: &Motion, pivot: f64) {
+    pub(crate) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         if let AnyStepper::Plain(stepper) = &mut self.stepper {
             stepper.go_on(motion, pivot);
         }

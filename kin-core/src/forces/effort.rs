@@ -1,5 +1,7 @@
 //! The force or torque of a driving constraint, and its power.
 
+mod advantage;
+
 use std::fmt;
 
 use super::calls::Forces;
@@ -9,6 +11,7 @@ use crate::model::error::{Error, Result};
 use crate::model::motion::Series;
 use crate::model::not_unique::NotUnique;
 use crate::model::units::{Unit, Units};
+use crate::system::System;
 use crate::system::evaluate::Block;
 
 /// Efforts and power of a driving constraint: for each of its rows x(q) − f(t) = 0 the generalised force −λ
@@ -98,7 +101,7 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     let units = motion.unit_words();
     let mut efforts = Vec::new();
     for (k, row) in block.rows().enumerate() {
-        let unit = unit_of_row(forces, block, k);
+        let unit = unit_of_row(system, block, k);
         for (time, at) in forces.multipliers.iter().enumerate() {
             let scale = if unit.as_deref() == Some("m") { at.length } else { 1.0 };
             if at.open.iter().any(|open| open[row].abs() * scale > LOOSE) {
@@ -125,11 +128,11 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
 }
 
 /// The unit of a row as its documentation says (`[m]`, `[rad, m]`), or of the coordinate that it drives.
-fn unit_of_row(forces: &Forces<'_>, block: &Block, k: usize) -> Option<String> {
+fn unit_of_row(system: &System, block: &Block, k: usize) -> Option<String> {
     if let [only] = block.constraint.arguments().as_slice()
         && let Target::Coord(..) = only.target
     {
-        let layout = forces.system.layout();
+        let layout = system.layout();
         let column = layout.columns(only).first().copied().flatten()?;
         return Some(match layout.units[column] {
             Unit::Metre => "m".to_string(),

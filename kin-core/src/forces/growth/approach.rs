@@ -1,0 +1,143 @@
+//! The way of a motion towards one of its singular positions, and the forces on it.
+
+use super::super::acting::Now;
+use super::super::multipliers::Solver;
+use super::Acting;
+use crate::model::error::Result;
+use crate::solve::follow::{SingularKind, SingularPosition};
+use crate::solve::motion::Motion;
+use crate::solve::newton::run::Run;
+use crate::solve::newton::{Options, Outcome};
+use crate::system::System;
+use crate::system::scaled::Measures;
+
+/// The last time of the motion before the way is at least this far from the singular position, if there is
+/// such a time, and the end of the way no further than that.   \[-\]
+const FIRST: f64 = 0.125;
+const LAST: f64 = 1.0 / 2048.0;
+
+/// Places on the way at most: each is half as far as the one before it.
+const PLACES: usize = 40;
+
+/// A part of the generalised forces below this share of all of them is rounding, and so is the size of the
+/// force of one constraint below the second share of the largest one.   \[-\]
+const ROUNDING: f64 = 1e-12;
+const NOTHING: f64 = 1e-9;
+
+/// The side from which a singular position is come to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Side {
+    Before,
+    After,
+}
+
+/// Places on the way, the furthest first.
+pub(super) struct Approach {
+    /// |t − t*|   \[s\]
+    pub times: Vec<f64>,
+    /// max |q_j − q_j*| by the sizes of coordinates.   \[-\]
+    pub ways: Vec<f64>,
+    /// For each part of the forces and each constraint the size of its multipliers at each place, in units
+    /// of order 1; none of a constraint on which that part puts nothing.
+    pub sizes: Vec<Vec<Option<Vec<f64>>>>,
+}
+
+/// Shares of q̇ and q̈ that forces are computed with, one part after the other: at a toggle rates have no
+/// bound, and forces of accelerations, of rates and those at rest grow with powers of their own.
+fn parts(kind: SingularKind) -> &'static [[f64; 2]] {
+    match kind {
+        SingularKind::TurningPoint => &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
+        SingularKind::Bifurcation => &[[1.0, 1.0]],
+    }
+}
+
+impl Approach {
+    /// From the time of the motion that is near on that side; `None` where there is no such time.
+    ///
+    /// Errors: those of a run and of forces on the way.
+    pub(super) fn new(
+        system: &System,
+        motion: &Motion,
+        (to, side): (&SingularPosition, Side),
+        acting: Acting<'_>,
+    ) -> Result<Option<Approach>> {
+        let measures = system.model().measure(&to.q, to.t);
+        let way = |q: &[f64]| {
+            let shares = q.iter().zip(&to.q).zip(&measures.sizes);
+            shares.fold(0.0_f64, |most, ((q, at), size)| most.max(((q - at) / size).abs()))
+        };
+        let Some(start) = start(motion, to.t, side, &way) else { return Ok(None) };
+        let options = Options::default();
+        let (mut run, mut near) = (Run::new(system, &options, None)?, Motion::new(system, PLACES));
+        let row = [motion.q(start), motion.qd(start), motion.qdd(start), &[]];
+        near.append(motion.times()[start], row, Outcome { iterations: 0, residual: 0.0 }, 0);
+        run.go_on(&near, f64::INFINITY);
+        // Half as far along the path is a quarter of the time at a toggle.
+        let nearer: f64 = if to.kind == SingularKind::TurningPoint { 0.25 } else { 0.5 };
+        let mut from = motion.times()[start] - to.t;
+        while near.len() < PLACES && way(near.q(near.len() - 1)) > LAST {
+            from *= nearer;
+            run.reach(to.t + from, &mut near)?;
+        }
+        let first = (0..near.len()).find(|k| way(near.q(*k)) <= 2.0 * FIRST).unwrap_or(near.len());
+        let places = first..near.len();
+        Ok(Some(Approach {
+            times: places.clone().map(|k| (near.times()[k] - to.t).abs()).collect(),
+            ways: places.clone().map(|k| way(near.q(k))).collect(),
+            sizes: sizes(system, (&near, places), &measures, parts(to.kind), acting)?,
+        }))
+    }
+}
+
+/// The time of a motion from which the way begins.
+fn start(motion: &Motion, at: f64, side: Side, way: &dyn Fn(&[f64]) -> f64) -> Option<usize> {
+    let times = motion.times();
+    let forwards = times.last() >= times.first();
+    let is_there = |t: f64| if forwards == (side == Side::Before) { t < at } else { t > at };
+    let mut there: Vec<usize> = (0..times.len()).filter(|k| is_there(times[*k])).collect();
+    there.sort_by(|a, b| (times[*a] - at).abs().total_cmp(&(times[*b] - at).abs()));
+    let far = there.iter().find(|k| way(motion.q(**k)) >= FIRST);
+    far.or(there.last()).copied()
+}
+
+/// Sizes of multipliers at the places of a motion: for each part, constraint and place.
+fn sizes(
+    system: &System,
+    (near, places): (&Motion, std::ops::Range<usize>),
+    measures: &Measures,
+    parts: &[[f64; 2]],
+    acting: Acting<'_>,
+) -> Result<Vec<Vec<Option<Vec<f64>>>>> {
+    let mut solver = Solver::new(system);
+    let blocks = &system.equations().blocks;
+    let mut all = vec![vec![Some(Vec::new()); blocks.len()]; parts.len()];
+    for k in places {
+        let (mut before, mut largest) = (vec![0.0; system.n_coordinates()], 0.0_f64);
+        for (part, [rate, second]) in parts.iter().enumerate() {
+            let [qd, qdd] = [(near.qd(k), rate), (near.qdd(k), second)]
+                .map(|(of, share)| of.iter().map(|x| share * x).collect::<Vec<f64>>());
+            let now = Now { t: near.times()[k], q: near.q(k), qd: &qd, qdd: &qdd };
+            let whole = acting(now)?;
+            let own: Vec<f64> = whole.iter().zip(&before).map(|(all, less)| all - less).collect();
+            before = whole;
+            let size = |of: &[f64]| {
+                of.iter().zip(&measures.sizes).fold(0.0_f64, |most, (q, size)| most.max((q * size).abs()))
+            };
+            largest = largest.max(size(&before));
+            let acts = size(&own) > ROUNDING * largest;
+            let lambda = if part == 0 { solver.solve(now, &own)?.lambda } else { solver.transposed(&own) };
+            let of_block = |rows: std::ops::Range<usize>| {
+                rows.map(|row| (lambda[row] * measures.norms[row]).powi(2)).sum::<f64>().sqrt()
+            };
+            let found: Vec<f64> = blocks.iter().map(|block| of_block(block.rows())).collect();
+            let most = found.iter().fold(0.0_f64, |most, size| most.max(*size));
+            for (known, size) in all[part].iter_mut().zip(found) {
+                match known {
+                    Some(known) if acts && size > NOTHING * most => known.push(size),
+                    _ => *known = None,
+                }
+            }
+        }
+    }
+    Ok(all)
+}

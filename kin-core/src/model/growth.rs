@@ -1,0 +1,112 @@
+//! Forces that grow without bound towards a singular position.
+
+use std::fmt;
+
+use crate::model::units::Units;
+use crate::model::words;
+
+/// How the force or torque of one constraint grows towards a singular position of a motion: as |t − t*| to a
+/// power below zero ([`crate::Forces::growth`]).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Growth {
+    /// The constraint; a driver gives an effort without bound.
+    pub constraint: String,
+    /// The time t* of the singular position.   \[s\]
+    pub t: f64,
+    /// The power of |t − t*|, such as −½.   \[-\]
+    pub power: f64,
+    /// Names of the units of length and time.
+    pub units: Units,
+}
+
+/// Forces that were asked for at a singular position, where they have no bound.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "t = {}: a singular position, towards which forces grow without bound: {}. Leave this time out: at any \
+     other forces are finite; to drive another body keeps them bounded",
+    words::at(*.t, .units), listed(.growth)
+)]
+#[non_exhaustive]
+pub struct Unbounded {
+    /// The time t* of the singular position.   \[s\]
+    pub t: f64,
+    /// The constraints whose forces grow, and how.
+    pub growth: Vec<Growth>,
+    /// Names of the units of length and time.
+    pub units: Units,
+}
+
+/// Denominators of the powers that are told as fractions.
+const DENOMINATORS: [i32; 5] = [1, 2, 3, 4, 6];
+
+impl Growth {
+    /// The power as people write it: `−1/2`.
+    fn fraction(&self) -> String {
+        let size = self.power.abs();
+        let parts = |below: &i32| (f64::from(*below) * size, *below);
+        let whole = DENOMINATORS.iter().map(parts).find(|(above, _)| (above - above.round()).abs() < 1e-9);
+        let sign = if self.power < 0.0 { "−" } else { "" };
+        match whole {
+            Some((above, 1)) => format!("{sign}{above:.0}"),
+            Some((above, below)) => format!("{sign}{above:.0}/{below}"),
+            None => format!("{sign}{size:.2}"),
+        }
+    }
+}
+
+impl fmt::Display for Growth {
+    /// "`A`: forces grow without bound towards t = 0.5 s, as |t − t*|^(−1/2)"
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (constraint, at) = (&self.constraint, words::at(self.t, &self.units));
+        write!(
+            f,
+            "`{constraint}`: forces grow without bound towards t = {at}, as |t − t*|^({})",
+            self.fraction()
+        )
+    }
+}
+
+/// The constraints by the powers that they share, the steepest first.
+fn listed(growth: &[Growth]) -> String {
+    let mut powers: Vec<&Growth> = Vec::new();
+    for one in growth {
+        if powers.iter().all(|known| known.power != one.power) {
+            powers.push(one);
+        }
+    }
+    powers.sort_by(|a, b| a.power.total_cmp(&b.power));
+    let names = |power: f64| -> Vec<String> {
+        growth.iter().filter(|one| one.power == power).map(|one| one.constraint.clone()).collect()
+    };
+    let told = |one: &&Growth| format!("{} as |t − t*|^({})", words::list(&names(one.power)), one.fraction());
+    powers.iter().map(told).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn growth(constraint: &str, power: f64) -> Growth {
+        Growth { constraint: constraint.to_string(), t: 0.25, power, units: Units::default() }
+    }
+
+    #[test]
+    fn powers_are_told_as_fractions() {
+        let told = |power: f64| growth("A", power).fraction();
+        assert_eq!(
+            [-2.0, -0.5, -1.5, -1.0 / 3.0, -0.3177].map(told),
+            ["−2", "−1/2", "−3/2", "−1/3", "−0.32"]
+        );
+    }
+
+    #[test]
+    fn constraints_with_one_power_are_told_together() {
+        let all = [growth("A", -0.5), growth("motor", -2.0), growth("B", -0.5)];
+        assert_eq!(listed(&all), "`motor` as |t − t*|^(−2), `A`, `B` as |t − t*|^(−1/2)");
+        assert_eq!(
+            all[0].to_string(),
+            "`A`: forces grow without bound towards t = 0.25 s, as |t − t*|^(−1/2)"
+        );
+    }
+}

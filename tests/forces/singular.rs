@@ -1,0 +1,171 @@
+//! Forces that grow without bound towards toggles and change points: their powers against closed forms.
+
+use kin::prelude::*;
+use kin::{Error, Growth, Load, Mechanism, SingularKind};
+
+/// A slider-crank that its slider drives, its crank of length 1 at the angle `start`, with a torque on it.
+struct Pump {
+    rod: f64,
+    start: f64,
+    law: Law,
+    torque: Law,
+    mass: f64,
+}
+
+impl Pump {
+    fn system(self) -> System {
+        let Pump { rod, start, law, torque, mass } = self;
+        let mut m = Mechanism::new("pump");
+        let (a, b) = (m.link("crank", 1.0).expect("a link"), m.link("rod", rod).expect("a link"));
+        let zero = vec2(0.0, 0.0);
+        let (x, y) = (start.cos(), start.sin());
+        let phi = (-y / rod).asin();
+        let slider = m.planar("slider", pose(x + rod * phi.cos(), 0.0, 0.0)).expect("a body");
+        m.add("O", revolute(Ground, a, zero, a.start())).expect("a pin");
+        m.add("A", revolute(a, b, a.end(), b.start())).expect("a pin");
+        m.add("B", revolute(b, slider, b.end(), zero)).expect("a pin");
+        m.add("guide", prismatic(slider, Ground, zero, zero, vec2(0.0, 1.0), 0.0)).expect("a guide");
+        m.add("push", drive(slider.x(), law)).expect("a driver");
+        let (u, v) = (0.5 * rod * phi.cos(), 0.5 * rod * phi.sin());
+        m.set_initial(&[0.5 * x, 0.5 * y, start, x + u, y + v, phi, x + 2.0 * u, 0.0, 0.0]).expect("a guess");
+        m.load("torque", Load::torque(a, torque)).expect("a load");
+        if mass > 0.0 {
+            m.mass(a, mass, zero, 0.1 * mass).expect("a mass");
+            m.mass(b, 0.5 * mass, zero, 0.2 * mass).expect("a mass");
+        }
+        m.build().expect("a system")
+    }
+}
+
+/// Powers by name.
+fn powers(growth: &[Growth]) -> Vec<(&str, f64)> {
+    growth.iter().map(|one| (one.constraint.as_str(), one.power)).collect()
+}
+
+/// The motion before the toggle that ends a run.
+fn stopped(system: &System, times: &[f64]) -> (Motion, f64) {
+    match system.run(times).expect_err("a toggle") {
+        Error::Toggle { t, motion: Some(motion), .. } => (*motion, t),
+        other => panic!("{other}"),
+    }
+}
+
+/// Driven at its slider with the speed v to the dead centre at r + l, with the torque T on its crank: there
+/// x = r + l − ½ k φ², k = r + r²/l, so that the force is T / |dx/dφ| = T / √(2 v k |t − t*|). The rod's side
+/// force is bounded. With masses φ̈ goes as the power −3/2, and forces along the rod as −2.
+#[test]
+fn a_dead_centre_that_is_driven_to() {
+    let (rod, speed, torque) = (2.5, 0.4, 3.0);
+    let pump = |mass: f64| {
+        let law = Law::linear(2.4, speed);
+        Pump { rod, start: 1.2, law, torque: Law::constant(torque), mass }.system()
+    };
+    let (k, dead) = (1.0 + 1.0 / rod, (1.0 + rod - 2.4) / speed);
+    for points in [12, 101] {
+        let system = pump(0.0);
+        let (motion, t) = stopped(&system, &linspace(0.0, 5.0, points));
+        assert!((t - dead).abs() < 1e-10, "{t}");
+        let growth = system.forces(&motion).expect("forces").growth().expect("growth");
+        assert_eq!(powers(&growth), [("O", -0.5), ("A", -0.5), ("B", -0.5), ("push", -0.5)], "{points}");
+        assert!(growth.iter().all(|one| one.t == t));
+        assert_eq!(
+            growth[3].to_string(),
+            "`push`: forces grow without bound towards t = 2.75 s, as |t − t*|^(−1/2)"
+        );
+    }
+    // The same by forces at times that come near.
+    let system = pump(0.0);
+    for left in [1e-4_f64, 1e-6] {
+        let motion = system.run([0.0, dead - left]).expect("a motion");
+        let push = system.forces(&motion).expect("forces").drive("push").expect("a driver");
+        let share = push.effort().values()[1].abs() * (2.0 * speed * k * left).sqrt() / torque;
+        assert!((share - 1.0).abs() < 2.0 * left.sqrt(), "{left}: {share}");
+    }
+    let system = pump(0.7);
+    let (motion, _) = stopped(&system, &linspace(0.0, 5.0, 51));
+    let growth = system.forces(&motion).expect("forces").growth().expect("growth");
+    let expected = [("O", -2.0), ("A", -2.0), ("B", -2.0), ("guide", -1.5), ("push", -2.0)];
+    assert_eq!(powers(&growth), expected);
+}
+
+/// A four-bar that cannot turn round, with a torque on its rocker: the coupler's force has no bound where
+/// coupler and rocker are in line. Its power by the slope of logarithms of forces that come near.
+#[test]
+fn a_four_bar_at_its_dead_centre() {
+    let mut m = Mechanism::new("four-bar");
+    let [a, b, c] = [("crank", 2.0), ("coupler", 1.5), ("rocker", 2.2)]
+        .map(|(name, length)| m.link(name, length).expect("a link"));
+    m.add("O", revolute(Ground, a, vec2(0.0, 0.0), a.start())).expect("a pin");
+    m.add("A", revolute(a, b, a.end(), b.start())).expect("a pin");
+    m.add("B", revolute(b, c, b.end(), c.end())).expect("a pin");
+    m.add("C", revolute(c, Ground, c.start(), vec2(3.5, 0.0))).expect("a pin");
+    m.add("motor", drive_angle(a, Law::linear(0.5, 0.8))).expect("a driver");
+    m.load("brake", Load::torque(c, 4.0)).expect("a load");
+    let system = m.build().expect("a system");
+    let (motion, t) = stopped(&system, &linspace(0.0, 4.0, 41));
+    // Coupler and rocker in line: 2² + 3.5² − 2 · 2 · 3.5 cos θ = (1.5 + 2.2)².
+    let theta = ((4.0 + 12.25 - 3.7 * 3.7) / 14.0_f64).acos();
+    assert!((t - (theta - 0.5) / 0.8).abs() < 1e-10, "{t}");
+    let growth = system.forces(&motion).expect("forces").growth().expect("growth");
+    let expected = [("O", -0.5), ("A", -0.5), ("B", -0.5), ("C", -0.5), ("motor", -0.5)];
+    assert_eq!(powers(&growth), expected);
+    let near = system.run([0.0, t - 4e-6, t - 1e-6]).expect("a motion");
+    let forces = system.forces(&near).expect("forces");
+    let coupler = forces.reaction("A").expect("a pin").on(b).expect("on it").magnitude().expect("unique");
+    let slope = (coupler.values()[2] / coupler.values()[1]).ln() / 0.25_f64.ln();
+    assert!((slope + 0.5).abs() < 2e-3, "{slope}");
+}
+
+/// Crank and rod of length 1, the slider led as the crank's even turning leads it, x = 2 cos t: a change
+/// point at t = 0, and the force T / (2 sin t). A torque that vanishes there leaves it bounded.
+#[test]
+fn a_dead_centre_that_is_passed() {
+    let pump = |torque: Law| {
+        let law = Law::sine(2.0, 1.0, 0.5 * PI);
+        Pump { rod: 1.0, start: -0.5, law, torque, mass: 0.0 }.system()
+    };
+    let system = pump(Law::constant(3.0));
+    for points in [4, 20, 100] {
+        let motion = system.run(linspace(-0.5, 0.61, points)).expect("a motion");
+        let [found] = motion.singular_positions() else { panic!("{:?}", motion.singular_positions()) };
+        assert_eq!(found.kind, SingularKind::Bifurcation);
+        let forces = system.forces(&motion).expect("forces");
+        let growth = forces.growth().expect("growth");
+        assert_eq!(powers(&growth), [("O", -1.0), ("A", -1.0), ("B", -1.0), ("push", -1.0)]);
+        assert!(growth.iter().all(|one| one.t.abs() < 1e-9), "{growth:?}");
+        for (t, push) in motion.times().iter().zip(forces.drive("push").expect("a driver").effort().values())
+        {
+            assert!((push * 2.0 * t.sin() / 3.0 - 1.0).abs() < 1e-8, "{t}: {push}");
+        }
+    }
+    let system = pump(Law::linear(0.0, 3.0));
+    let motion = system.run(linspace(-0.5, 0.61, 20)).expect("a motion");
+    assert_eq!(motion.singular_positions().len(), 1);
+    assert_eq!(system.forces(&motion).expect("forces").growth().expect("growth"), []);
+}
+
+/// At the singular position itself there is no number, but an error that says who grows.
+#[test]
+fn forces_at_a_change_point_are_an_error_by_name() {
+    let law = Law::sine(2.0, 1.0, 0.5 * PI);
+    let system = Pump { rod: 1.0, start: -0.5, law, torque: Law::constant(3.0), mass: 0.0 }.system();
+    let motion = system.run(linspace(-0.5, 0.5, 11)).expect("a motion");
+    assert_eq!(motion.times()[5], 0.0);
+    match system.forces(&motion).map(|_| ()) {
+        Err(error @ Error::Unbounded(_)) => {
+            let told = error.to_string();
+            assert!(told.starts_with("t = 0 s: a singular position"), "{told}");
+            assert!(told.contains("`O`, `A`, `B`, `push` as |t − t*|^(−1)"), "{told}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A motion that keeps away from singular positions has nothing to tell.
+#[test]
+fn a_regular_motion_has_no_growth() {
+    let law = Law::linear(2.4, 0.4);
+    let system = Pump { rod: 2.5, start: 1.2, law, torque: Law::constant(3.0), mass: 1.0 }.system();
+    let motion = system.run(linspace(0.0, 2.0, 21)).expect("a motion");
+    assert_eq!(system.forces(&motion).expect("forces").growth().expect("growth"), []);
+}
