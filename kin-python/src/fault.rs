@@ -1,6 +1,6 @@
 //! Kin's errors as Python's exceptions: the same words, the fields by name, the motion before.
 
-use kin::{DimensionError, Error};
+use kin::{DimensionError, Error, Jammed};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -111,7 +111,7 @@ fn of_dimension(error: &DimensionError) -> Value {
     }
 }
 
-/// The same of errors that end a run.
+/// The same of errors that end a run, or that a motion leads to.
 fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
     Some(match error {
         Error::CannotBeDriven { .. } => ("CannotBeDriven", json!({})),
@@ -136,6 +136,10 @@ fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
         }
         Error::NotFinite { t, constraint, row, quantity, .. } => {
             ("NotFinite", json!({ "t": t, "constraint": constraint, "row": row, "quantity": quantity }))
+        }
+        Error::Jammed(found) => {
+            let Jammed { constraint, t, share, drives, .. } = found.as_ref();
+            ("Jammed", json!({ "constraint": constraint, "t": t, "share": share, "drives": drives }))
         }
         Error::Stopped { done, .. } => ("Stopped", json!({ "done": done })),
         _ => return None,

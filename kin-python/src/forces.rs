@@ -1,33 +1,31 @@
-//! Forces of a motion. They are made where they are asked for: Rust's borrow the system and the motion, which
-//! Python's may outlive.
-
-use std::sync::Arc;
+//! Forces of a motion.
 
 use kin::{
     Acted, EulerParameters, Ground, Massive, Mat3, PlanarBody, Series, Sharing, Solid, SpatialBody, Turning,
 };
 use kin::{Vec2, Vec3};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::fault::{or_raise, value, wrong_type};
+use crate::held::HeldForces;
 use crate::motion::{Motion, Orders, series};
-use crate::numbers::{vec2, vec3};
+use crate::numbers::{self, vec2, vec3};
 use crate::system::System;
 
 /// The forces of a motion of a system.
 #[pyclass(frozen, module = "kin._native")]
-pub struct Forces {
-    system: Arc<kin::System>,
-    motion: Arc<kin::Motion>,
-    sharing: Sharing,
-}
+pub struct Forces(HeldForces);
 
 /// A way to another point or other axes: `at`, `about` or `in_body`, with a point for the first two.
 type Way = (String, Vec<f64>);
 
 /// Sources of forces on bodies: `constraints` by their names, of which none are all that act on the ground,
-/// or a `load`.
+/// a `load`, or the `friction` of a joint.
 type Sources = (String, Vec<String>);
+
+/// A body: true in the plane; its name, none of the ground.
+type OnBody = (bool, Option<String>);
 
 /// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
 type Driven<'py> = (String, Vec<Orders<'py>>, Orders<'py>, (f64, f64, String), String);
@@ -42,8 +40,7 @@ impl Forces {
         py: Python<'_>,
         ask: impl FnOnce(&kin::Forces<'_>) -> kin::Result<T> + Send,
     ) -> PyResult<T> {
-        let found = py.detach(|| ask(&self.system.forces_with(&self.motion, &self.sharing)?));
-        or_raise(py, found)
+        or_raise(py, py.detach(|| ask(self.0.borrow_dependent())))
     }
 }
 
@@ -51,13 +48,26 @@ impl Forces {
 impl Forces {
     #[new]
     #[pyo3(signature = (system, motion, least_norm, left_out = None))]
-    fn new(system: &System, motion: &Motion, least_norm: bool, left_out: Option<Vec<String>>) -> Forces {
+    fn new(
+        py: Python<'_>,
+        system: &System,
+        motion: &Motion,
+        least_norm: bool,
+        left_out: Option<Vec<String>>,
+    ) -> PyResult<Forces> {
         let sharing = match left_out {
             Some(names) => Sharing::LeftOut(names),
             None if least_norm => Sharing::LeastNorm,
             None => Sharing::NotGiven,
         };
-        Forces { system: system.now(), motion: motion.0.clone(), sharing }
+        let run = (system.now(), motion.0.clone());
+        let found = py.detach(|| HeldForces::try_new(run, |run| run.0.forces_with(&run.1, &sharing)));
+        or_raise(py, found).map(Forces)
+    }
+
+    /// Raises an error by name unless these are there.
+    fn check(&self, py: Python<'_>, sources: Sources) -> PyResult<()> {
+        self.with(py, |forces| reaction(forces, &sources).map(drop))
     }
 
     fn balance<'py>(&self, py: Python<'py>) -> PyResult<Balanced<'py>> {
@@ -93,34 +103,42 @@ impl Forces {
         &self,
         py: Python<'py>,
         sources: Sources,
-        body: (bool, Option<String>),
+        body: OnBody,
         ways: Vec<Way>,
         asked: &str,
     ) -> PyResult<Vec<Orders<'py>>> {
-        let (in_plane, name) = body;
-        let find =
-            |name: &str| wrong_type(format!("there is no body `{name}` of that kind in this mechanism"));
-        let found = match (in_plane, &name) {
-            (true, name) => {
-                let body = match name {
-                    Some(name) => self.motion.planar_named(name).ok_or_else(|| find(name))?,
-                    None => PlanarBody::from(Ground),
-                };
-                let ways =
-                    ways.into_iter().map(|(way, u)| Ok((way, of_two(u)?))).collect::<PyResult<Vec<_>>>()?;
-                self.with(py, |forces| on(forces, &sources, body, ways, asked))?
+        let found = match self.body(body, ways)? {
+            Moved::InPlane(body, ways) => {
+                self.with(py, |forces| ask(&on(forces, &sources, body, ways)?, asked))?
             }
-            (false, name) => {
-                let body = match name {
-                    Some(name) => self.motion.spatial_named(name).ok_or_else(|| find(name))?,
-                    None => SpatialBody::from(Ground),
-                };
-                let ways =
-                    ways.into_iter().map(|(way, u)| Ok((way, of_three(u)?))).collect::<PyResult<Vec<_>>>()?;
-                self.with(py, |forces| on(forces, &sources, body, ways, asked))?
+            Moved::InSpace(body, ways) => {
+                self.with(py, |forces| ask(&on(forces, &sources, body, ways)?, asked))?
             }
         };
         found.iter().map(|one| series(py, one)).collect()
+    }
+
+    /// The points about which that torque is, row by row, and the components that are not unique.
+    fn points<'py>(
+        &self,
+        py: Python<'py>,
+        sources: Sources,
+        body: OnBody,
+        ways: Vec<Way>,
+    ) -> PyResult<(Bound<'py, PyBytes>, Vec<&'static str>)> {
+        let (points, components) = match self.body(body, ways)? {
+            Moved::InPlane(body, ways) => self.with(py, |forces| {
+                let acted = on(forces, &sources, body, ways)?;
+                let points = acted.points().iter().flat_map(|v| v.to_array()).collect::<Vec<f64>>();
+                Ok((points, acted.not_unique()))
+            }),
+            Moved::InSpace(body, ways) => self.with(py, |forces| {
+                let acted = on(forces, &sources, body, ways)?;
+                let points = acted.points().iter().flat_map(|v| v.to_array()).collect::<Vec<f64>>();
+                Ok((points, acted.not_unique()))
+            }),
+        }?;
+        Ok((numbers::list(py, &points)?, components))
     }
 
     /// All that is unique, as columns.
@@ -134,34 +152,62 @@ impl Forces {
     }
 }
 
+/// A body of the plane or of space, and the ways to another point or other axes.
+enum Moved {
+    InPlane(PlanarBody, Vec<(String, Option<Vec2>)>),
+    InSpace(SpatialBody, Vec<(String, Option<Vec3>)>),
+}
+
+impl Forces {
+    /// The body of this name, the ground where there is none. Errors: another one, points of another size.
+    fn body(&self, (in_plane, name): OnBody, ways: Vec<Way>) -> PyResult<Moved> {
+        let find =
+            |name: &str| wrong_type(format!("there is no body `{name}` of that kind in this mechanism"));
+        let motion = &self.0.borrow_owner().1;
+        if in_plane {
+            let body = name.map_or(Ok(PlanarBody::from(Ground)), |name| {
+                motion.planar_named(&name).ok_or_else(|| find(&name))
+            });
+            let ways = ways.into_iter().map(|(way, u)| Ok((way, of_two(u)?)));
+            return Ok(Moved::InPlane(body?, ways.collect::<PyResult<_>>()?));
+        }
+        let body = name.map_or(Ok(SpatialBody::from(Ground)), |name| {
+            motion.spatial_named(&name).ok_or_else(|| find(&name))
+        });
+        let ways = ways.into_iter().map(|(way, u)| Ok((way, of_three(u)?)));
+        Ok(Moved::InSpace(body?, ways.collect::<PyResult<_>>()?))
+    }
+}
+
 fn reaction<'f>(forces: &'f kin::Forces<'f>, (kind, names): &Sources) -> kin::Result<kin::Reaction<'f>> {
     match (kind.as_str(), &names[..]) {
         ("load", [name]) => forces.load(name),
+        ("friction", [name]) => forces.friction(name),
         (_, []) => Ok(forces.on_ground()),
         (_, [name]) => forces.reaction(name),
         (_, names) => forces.sum(names),
     }
 }
 
-fn on<B: Massive>(
-    forces: &kin::Forces<'_>,
+fn on<'f, B: Massive>(
+    forces: &'f kin::Forces<'f>,
     sources: &Sources,
     body: B,
     ways: Vec<(String, Option<B::Vector>)>,
-    asked: &str,
-) -> kin::Result<Vec<Series>>
+) -> kin::Result<Acted<'f, B::Vector>>
 where
     B::Vector: Turning,
 {
-    let mut acted = reaction(forces, sources)?.on(body)?;
-    for (way, point) in ways {
-        acted = match (way.as_str(), point) {
-            ("at", Some(u)) => acted.at(u),
-            ("about", Some(point)) => acted.about(point),
-            _ => acted.in_body(),
-        };
-    }
-    ask(&acted, asked)
+    let acted = reaction(forces, sources)?.on(body)?;
+    let moved = |acted: Acted<'f, B::Vector>, (way, point): (String, Option<B::Vector>)| match (
+        way.as_str(),
+        point,
+    ) {
+        ("at", Some(u)) => acted.at(u),
+        ("about", Some(point)) => acted.about(point),
+        _ => acted.in_body(),
+    };
+    Ok(ways.into_iter().fold(acted, moved))
 }
 
 fn ask<V: Turning>(acted: &Acted<'_, V>, asked: &str) -> kin::Result<Vec<Series>> {

@@ -4,9 +4,11 @@
 //! Numbers pass as bytes, descriptions as the JSON of Kin's files, bodies by their names; all that takes long
 //! gives up Python's lock.
 
+mod design;
 mod equation;
 mod fault;
 mod forces;
+mod held;
 mod law;
 mod mechanism;
 mod motion;
@@ -18,6 +20,8 @@ mod watch;
 
 #[pyo3::pymodule]
 mod _native {
+    #[pymodule_export]
+    use crate::design::{Derivatives, gradient, samples, toggle_by, tolerance};
     #[pymodule_export]
     use crate::equation::Equation;
     #[pymodule_export]

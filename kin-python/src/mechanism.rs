@@ -3,9 +3,10 @@
 
 use kin::data::{ConstraintData, LoadData, MechanismData};
 use kin::text::{Making, On, Parameter};
-use kin::{Dimension, Ground, Pose, SpatialPose};
+use kin::{Dimension, Friction, Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
 
+use crate::design::distribution_of;
 use crate::equation::{Equation, Given, Number, Terms, terms};
 use crate::fault::{or_raise, unreadable, wrong_type};
 use crate::forces::{Mass, solid};
@@ -62,6 +63,38 @@ impl Mechanism {
         or_raise(py, done)
     }
 
+    /// Gives a point, which an equation says, its mass.
+    fn point_mass(
+        &mut self,
+        py: Python<'_>,
+        name: &str,
+        equation: &Bound<'_, Equation>,
+        on: Vec<Place>,
+        parameters: Vec<(String, Given)>,
+        mass: f64,
+    ) -> PyResult<()> {
+        let point = or_raise(py, self.making(py, equation, on, parameters)?.constraint())?;
+        or_raise(py, self.0.point_mass(name, point, mass))
+    }
+
+    /// Gives a joint friction: of a pin with its radius and the length of its bearing, or of a slide with
+    /// length and width of its guide.
+    fn friction(
+        &mut self,
+        py: Python<'_>,
+        joint: &str,
+        pin: bool,
+        coefficient: f64,
+        sizes: [f64; 2],
+        rate: f64,
+    ) -> PyResult<()> {
+        let friction = match pin {
+            true => Friction::pin(coefficient, sizes[0], rate).length(sizes[1]),
+            false => Friction::slide(coefficient, sizes, rate),
+        };
+        or_raise(py, self.0.friction(joint, friction))
+    }
+
     fn gravity(&mut self, g: [f64; 3]) {
         self.0.gravity(vec3(g));
     }
@@ -74,6 +107,7 @@ impl Mechanism {
     }
 
     /// A dimension, or a name for an expression of others; gives its value.
+    #[expect(clippy::too_many_arguments, reason = "the arguments of the Python method around it")]
     fn dimension(
         &mut self,
         py: Python<'_>,
@@ -82,7 +116,9 @@ impl Mechanism {
         unit: &str,
         within: Option<[f64; 2]>,
         tolerance: Option<f64>,
+        distribution: Option<&str>,
     ) -> PyResult<f64> {
+        let distribution = distribution.map(distribution_of).transpose()?;
         let value = self.number(py, value)?;
         let mut made = or_raise(py, self.0.dimension(name, value))?;
         if let Some([from, to]) = within {
@@ -91,10 +127,18 @@ impl Mechanism {
         if let Some(tolerance) = tolerance {
             made = made.tolerance(tolerance);
         }
+        if let Some(distribution) = distribution {
+            made = made.distributed(distribution);
+        }
         if !unit.is_empty() {
             made = made.unit(unit);
         }
         Ok(made.value())
+    }
+
+    /// The clearance of a joint: the dimensions `NAME.x` and `NAME.y`.
+    fn clearance(&mut self, py: Python<'_>, name: &str, radius: f64) -> PyResult<()> {
+        or_raise(py, self.0.clearance(name, radius)).map(drop)
     }
 
     /// The value of an expression of dimensions.

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use kin::data::MotionData;
-use kin::{Quantity, Series};
+use kin::{Ground, PlanarBody, Quantity, Series, SpatialBody};
 use kin_view::{Figure, Panel};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::fault::{or_raise, unreadable, wrong_type};
 use crate::numbers;
+use crate::system::System;
 
 /// A motion.
 #[pyclass(frozen, module = "kin._native")]
@@ -18,6 +19,38 @@ pub struct Motion(pub Arc<kin::Motion>);
 impl From<kin::Motion> for Motion {
     fn from(motion: kin::Motion) -> Self {
         Motion(Arc::new(motion))
+    }
+}
+
+/// A list of a motion's numbers that NumPy reads where it lies: nothing is copied, and the array keeps the
+/// motion.
+#[pyclass(frozen, module = "kin._native")]
+pub struct Rows {
+    motion: Arc<kin::Motion>,
+    which: usize,
+}
+
+#[pymethods]
+impl Rows {
+    /// NumPy's array interface, version 3: where the numbers begin, how many there are, that nobody may
+    /// write there. The
+    /// motion behind the `Arc` never changes, and NumPy keeps this object as long as the array.
+    #[getter]
+    fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let motion = &self.motion;
+        let (numbers, columns) = match self.which {
+            0 => (motion.q_rows(), motion.names().len()),
+            1 => (motion.qd_rows(), motion.names().len()),
+            2 => (motion.qdd_rows(), motion.names().len()),
+            3 => (motion.qddd_rows(), motion.names().len()),
+            _ => (motion.times(), 1),
+        };
+        let interface = PyDict::new(py);
+        interface.set_item("version", 3)?;
+        interface.set_item("typestr", if cfg!(target_endian = "big") { ">f8" } else { "<f8" })?;
+        interface.set_item("shape", (numbers.len() / columns.max(1), columns))?;
+        interface.set_item("data", (numbers.as_ptr().addr(), true))?;
+        Ok(interface)
     }
 }
 
@@ -43,6 +76,19 @@ impl Motion {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Motion> {
         or_raise(py, MotionData::read(text).and_then(|data| kin::Motion::from_data(&data))).map(Motion::from)
+    }
+
+    /// A motion that was measured, or comes from elsewhere: q, q̇ and q̈ row by row.
+    #[staticmethod]
+    fn from_states(py: Python<'_>, system: &System, times: &[u8], states: [Vec<u8>; 3]) -> PyResult<Motion> {
+        let (system, times) = (system.now(), numbers::read(times)?);
+        let n = system.n_coordinates().max(1);
+        let rows = |bytes: &Vec<u8>| {
+            Ok::<_, PyErr>(numbers::read(bytes)?.chunks(n).map(<[f64]>::to_vec).collect::<Vec<_>>())
+        };
+        let [q, qd, qdd] = &states;
+        let (q, qd, qdd) = (rows(q)?, rows(qd)?, rows(qdd)?);
+        or_raise(py, kin::Motion::from_states(&system, &times, &q, &qd, &qdd)).map(Motion::from)
     }
 
     fn to_json(&self) -> PyResult<String> {
@@ -78,21 +124,9 @@ impl Motion {
         self.0.len()
     }
 
-    fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        numbers::list(py, self.0.times())
-    }
-
-    /// q (0), q̇ (1), q̈ (2) or q⃛ (3) of all times, row by row.
-    fn rows<'py>(&self, py: Python<'py>, order: usize) -> PyResult<Bound<'py, PyBytes>> {
-        let motion = &self.0;
-        let row = |k| match order {
-            0 => motion.q(k),
-            1 => motion.qd(k),
-            2 => motion.qdd(k),
-            _ => motion.qddd(k),
-        };
-        let count = (0..motion.len()).map(|k| row(k).len()).sum();
-        numbers::written(py, count, (0..motion.len()).map(row))
+    /// The times (4), and q (0), q̇ (1), q̈ (2) or q⃛ (3) of all of them row by row, where they lie.
+    fn rows(&self, which: usize) -> Rows {
+        Rows { motion: self.0.clone(), which }
     }
 
     fn has_jerk(&self) -> bool {
@@ -114,6 +148,28 @@ impl Motion {
     /// How many times a program has computed, and how often it has handed back.
     fn engine(&self) -> (usize, usize) {
         (self.0.engine().compiled, self.0.engine().handed_back)
+    }
+
+    /// Why there was no program; name of the equation with the largest residual; the misfit of redundant
+    /// equations.
+    fn facts(&self) -> (Option<String>, Option<String>, f64) {
+        let own = |text: Option<&str>| text.map(str::to_owned);
+        (own(self.0.why_plain()), own(self.0.worst()), self.0.misfit())
+    }
+
+    /// How far each body is at the first time from its guess: name, way, turn, hint.
+    fn displaced(&self) -> Vec<Displaced> {
+        self.0.displaced().into_iter().map(|one| (one.name, one.moved, one.turned, one.hint)).collect()
+    }
+
+    /// Breaks of laws that were crossed: times before and after, constraint, law; where in the law it is,
+    /// which
+    /// derivative jumps.
+    fn breaks(&self) -> Vec<Crossed> {
+        let crossed = |one: &kin::CrossedBreak| {
+            (one.between, one.constraint.clone(), one.law.clone(), one.found.x, one.found.order)
+        };
+        self.0.breaks().iter().map(crossed).collect()
     }
 
     /// Each event: time, kind, name, sentence.
@@ -180,16 +236,69 @@ impl Motion {
     }
 
     /// θ of one planar body less that of another, with its rates.
-    fn relative_angle<'py>(&self, py: Python<'py>, a: &str, b: &str) -> PyResult<Orders<'py>> {
-        let body = |name: &str| self.0.planar_named(name).ok_or_else(|| unknown(name));
-        quantity(py, &or_raise(py, self.0.relative_angle(body(a)?, body(b)?))?)
+    fn relative_angle<'py>(&self, py: Python<'py>, a: Planar, b: Planar) -> PyResult<Orders<'py>> {
+        quantity(py, &or_raise(py, self.0.relative_angle(self.planar(a)?, self.planar(b)?))?)
     }
 
-    fn transmission_angle<'py>(&self, py: Python<'py>, coupler: &str, driven: &str) -> PyResult<Orders<'py>> {
-        let line = |name: &str| self.0.planar_named(name).ok_or_else(|| unknown(name));
-        let along = kin::Vec2::x();
-        let found = self.0.transmission_angle((line(coupler)?, along), (line(driven)?, along));
+    /// The angle between two directions in planar bodies.
+    fn transmission_angle<'py>(&self, py: Python<'py>, coupler: Line, driven: Line) -> PyResult<Orders<'py>> {
+        let line = |(name, h): Line| Ok::<_, PyErr>((self.planar(name)?, numbers::vec2(h)));
+        let found = self.0.transmission_angle(line(coupler)?, line(driven)?);
         quantity(py, &or_raise(py, found)?)
+    }
+
+    /// The instant centre of two planar bodies at each time, `None` where they do not turn against each
+    /// other.
+    fn instant_centre(&self, py: Python<'_>, a: Planar, b: Planar) -> PyResult<Vec<Option<[f64; 2]>>> {
+        let found = or_raise(py, self.0.instant_centre(self.planar(a)?, self.planar(b)?))?;
+        Ok(found.into_iter().map(|point| point.map(|v| v.to_array())).collect())
+    }
+
+    /// The distance of two points of bodies, of the plane or of space.
+    fn distance<'py>(
+        &self,
+        py: Python<'py>,
+        in_plane: bool,
+        a: (Option<String>, Vec<f64>),
+        b: (Option<String>, Vec<f64>),
+    ) -> PyResult<Orders<'py>> {
+        let (a, u, b, v) = (a.0, a.1, b.0, b.1);
+        let found = match (in_plane, &u[..], &v[..]) {
+            (true, &[ux, uy], &[vx, vy]) => {
+                let (u, v) = (numbers::vec2([ux, uy]), numbers::vec2([vx, vy]));
+                self.0.distance(self.planar(a)?, u, self.planar(b)?, v)
+            }
+            (false, &[ux, uy, uz], &[vx, vy, vz]) => {
+                let (u, v) = (numbers::vec3([ux, uy, uz]), numbers::vec3([vx, vy, vz]));
+                self.0.distance(self.spatial(a)?, u, self.spatial(b)?, v)
+            }
+            _ => return Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
+        };
+        quantity(py, &or_raise(py, found)?)
+    }
+}
+
+/// A body: its name, how far it was moved and turned, a hint.
+type Displaced = (String, Option<f64>, Option<f64>, Option<String>);
+
+/// A break of a law: the times around it, its constraint, the law, the argument, the derivative that jumps.
+type Crossed = ((f64, f64), String, String, f64, usize);
+
+/// Name of a planar body, none of the ground.
+type Planar = Option<String>;
+
+/// A planar body, and a direction in it.
+type Line = (Planar, [f64; 2]);
+
+impl Motion {
+    fn planar(&self, name: Option<String>) -> PyResult<PlanarBody> {
+        let find = |name: String| self.0.planar_named(&name).ok_or_else(|| unknown(&name));
+        name.map_or(Ok(PlanarBody::from(Ground)), find)
+    }
+
+    fn spatial(&self, name: Option<String>) -> PyResult<SpatialBody> {
+        let find = |name: String| self.0.spatial_named(&name).ok_or_else(|| unknown(&name));
+        name.map_or(Ok(SpatialBody::from(Ground)), find)
     }
 }
 

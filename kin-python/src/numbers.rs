@@ -19,24 +19,14 @@ pub fn read(bytes: &[u8]) -> PyResult<Vec<f64>> {
     Ok(chunks.map(|chunk| f64::from_ne_bytes(chunk.try_into().unwrap_or_default())).collect())
 }
 
-/// `count` numbers as bytes, from lists one after the other.
-pub fn written<'py, 'a>(
-    py: Python<'py>,
-    count: usize,
-    lists: impl IntoIterator<Item = &'a [f64]>,
-) -> PyResult<Bound<'py, PyBytes>> {
-    PyBytes::new_with(py, count * SIZE, |bytes| {
-        let mut places = bytes.chunks_exact_mut(SIZE);
-        for (number, place) in lists.into_iter().flatten().zip(&mut places) {
+/// A list as bytes.
+pub fn list<'py>(py: Python<'py>, numbers: &[f64]) -> PyResult<Bound<'py, PyBytes>> {
+    PyBytes::new_with(py, numbers.len() * SIZE, |bytes| {
+        for (place, number) in bytes.chunks_exact_mut(SIZE).zip(numbers) {
             place.copy_from_slice(&number.to_ne_bytes());
         }
         Ok(())
     })
-}
-
-/// One list as bytes.
-pub fn list<'py>(py: Python<'py>, numbers: &[f64]) -> PyResult<Bound<'py, PyBytes>> {
-    written(py, numbers.len(), [numbers])
 }
 
 pub fn vec2([x, y]: [f64; 2]) -> Vec2 {

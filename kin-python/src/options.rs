@@ -1,6 +1,8 @@
 //! Options of a run from Python's keywords.
 
-use kin::{Engine, Follow, Options, Stop};
+use std::time::Duration;
+
+use kin::{AssemblyOptions, Engine, Follow, Options, Stop};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -13,6 +15,27 @@ pub fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<Options> {
     let mut options = Options::default();
     for (name, value) in given.into_iter().flatten() {
         put(&mut options, &name.extract::<String>()?, &value)?;
+    }
+    Ok(options)
+}
+
+/// How assemblies are looked for, from keywords as well.
+pub fn assembly_options(given: &Bound<'_, PyDict>) -> PyResult<AssemblyOptions> {
+    let mut options = AssemblyOptions::default();
+    for (name, given) in given {
+        let seconds =
+            |given: f64| Duration::try_from_secs_f64(given).map_err(|_| value("time_limit: seconds"));
+        match name.extract::<String>()?.as_str() {
+            "starts" => options.starts = given.extract()?,
+            "patience" => options.patience = given.extract()?,
+            "steps" => options.steps = given.extract()?,
+            "seed" => options.seed = given.extract()?,
+            "time_limit" => options.time_limit = Some(seconds(given.extract()?)?),
+            name => {
+                let known = "starts, patience, steps, seed, time_limit";
+                return Err(wrong_type(format!("there is no option `{name}`; there are {known}")));
+            }
+        }
     }
     Ok(options)
 }

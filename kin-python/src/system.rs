@@ -12,7 +12,7 @@ use pyo3::types::{PyBytes, PyDict};
 use crate::fault::{or_raise, unreadable};
 use crate::motion::{Motion, Orders, quantity, series};
 use crate::numbers;
-use crate::options::options;
+use crate::options::{assembly_options, options};
 use crate::watch::Watch;
 
 /// A system.
@@ -28,19 +28,18 @@ impl From<kin::System> for System {
 /// Time, q, q̇, q̈, Newton steps, residual, the equation that has it.
 type Solved<'py> = (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, usize, f64, String);
 
+/// A proof in words, whether it is complete; of each step its times, the tube (how near the solution is, how
+/// far the
+/// next one at least) or the doubt (its time, in words); laws that are trusted; bounds of each position's
+/// error.
+type Proved = (String, bool, Vec<Step>, Vec<String>, Vec<Option<Vec<f64>>>);
+type Step = (f64, f64, Option<(Vec<f64>, Vec<f64>)>, Option<(f64, String)>);
+
+/// A program: in words, coordinates that are given and left, blocks, steps.
+type Program = (String, Vec<String>, Vec<String>, Vec<usize>, usize);
+
 /// Name, unit; time, value and kind of each extreme; stroke; time ratio.
 type Turns = (String, String, Vec<(f64, f64, bool)>, f64, Option<f64>, (f64, f64), (f64, f64));
-
-/// A tolerance: in words; name and unit; time, nominal value, worst case, RSS, how far the stack misleads;
-/// the corners; for each dimension name and unit, tolerance, slope, how far it puts the measure off, its
-/// shares.
-type Off = (
-    String,
-    (String, String),
-    (f64, f64, f64, f64, Option<f64>),
-    [Option<f64>; 2],
-    Vec<((String, String), [f64; 5])>,
-);
 
 /// A diagnosis as text, and as JSON.
 pub fn diagnosis(found: &Diagnosis) -> PyResult<(String, String)> {
@@ -113,6 +112,14 @@ impl System {
 
     fn parameter(&self, py: Python<'_>, name: &str) -> PyResult<f64> {
         or_raise(py, self.now().parameter(name))
+    }
+
+    /// Names of constraints, of loads, of bodies and bare coordinates.
+    fn parts(&self) -> [Vec<String>; 3] {
+        let system = self.now();
+        let list = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect();
+        let bodies = system.bodies().into_iter().map(|(name, _)| name.to_owned()).collect();
+        [list(system.constraint_names()), list(system.load_names()), bodies]
     }
 
     fn measures(&self) -> Vec<String> {
@@ -205,6 +212,22 @@ impl System {
         numbers::list(py, &or_raise(py, found)?)
     }
 
+    /// The right side of C_q q⃛ (0) or q⃛ (1) at q, q̇, q̈ and t.
+    fn at_acceleration<'py>(
+        &self,
+        py: Python<'py>,
+        which: usize,
+        state: [Vec<f64>; 3],
+        t: f64,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let (system, [q, qd, qdd]) = (self.now(), state);
+        let found = match which {
+            0 => system.jerk_rhs(&q, &qd, &qdd, t),
+            _ => system.jerk(&q, &qd, &qdd, t),
+        };
+        numbers::list(py, &or_raise(py, found)?)
+    }
+
     #[pyo3(signature = (t, q = None))]
     fn diagnose(&self, py: Python<'_>, t: f64, q: Option<&[u8]>) -> PyResult<(String, String)> {
         let (system, q) = (self.now(), q.map(numbers::read).transpose()?);
@@ -216,10 +239,29 @@ impl System {
     }
 
     /// Each assembly: its label, its pose.
-    fn assemblies<'py>(&self, py: Python<'py>, t: f64) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
-        let system = self.now();
-        let found = or_raise(py, py.detach(|| system.assemblies(t)))?;
+    fn assemblies<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        keywords: &Bound<'py, PyDict>,
+    ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
+        let (system, options) = (self.now(), assembly_options(keywords)?);
+        let found = or_raise(py, py.detach(|| system.assemblies_with(t, &options)))?;
         found.iter().map(|one| Ok((one.label.to_string(), numbers::list(py, &one.q)?))).collect()
+    }
+
+    /// The pose of the assembly of a label.
+    fn assembly<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        label: &str,
+        keywords: &Bound<'py, PyDict>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let (system, options) = (self.now(), assembly_options(keywords)?);
+        let label: kin::Label = or_raise(py, label.parse())?;
+        let found = or_raise(py, py.detach(|| system.assembly_with(t, &label, &options)))?;
+        numbers::list(py, &found.q)
     }
 
     /// The assembly with a measure nearest to a value: its label, its pose.
@@ -269,17 +311,35 @@ impl System {
         series(py, &or_raise(py, py.detach(|| system.smallest_singular_value(motion)))?)
     }
 
-    /// The proof as text, whether it is complete, how many steps are proved, of how many.
-    fn prove(&self, py: Python<'_>, motion: &Motion) -> PyResult<(String, bool, usize, usize)> {
+    fn condition<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Orders<'py>> {
         let (system, motion) = (self.now(), &motion.0);
-        let proof = or_raise(py, py.detach(|| system.prove(motion)))?;
-        Ok((proof.to_string(), proof.is_complete(), proof.proved(), proof.steps().len()))
+        series(py, &or_raise(py, py.detach(|| system.condition(motion)))?)
     }
 
-    /// The rows of its program, as text.
-    fn compile(&self, py: Python<'_>) -> PyResult<String> {
+    fn prove(&self, py: Python<'_>, motion: &Motion) -> PyResult<Proved> {
+        let (system, motion) = (self.now(), &motion.0);
+        let proof = or_raise(py, py.detach(|| system.prove(motion)))?;
+        let tubes = proof.steps().iter().map(|step| {
+            let tube = step.tube.as_ref().map(|tube| (tube.radius.clone(), tube.alone.clone()));
+            (
+                step.from,
+                step.to,
+                tube.as_ref().ok().cloned(),
+                tube.err().map(|doubt| (doubt.t, doubt.to_string())),
+            )
+        });
+        let errors = (0..motion.len()).map(|k| proof.error(k).map(<[f64]>::to_vec)).collect();
+        Ok((proof.to_string(), proof.is_complete(), tubes.collect(), proof.trusted().to_vec(), errors))
+    }
+
+    /// Its program in words; the coordinates that rows give, those that are left, the blocks in which they
+    /// are
+    /// solved, and how many steps it has.
+    fn compile(&self, py: Python<'_>) -> PyResult<Program> {
         let system = self.now();
-        or_raise(py, py.detach(|| system.compile())).map(|compiled| compiled.to_string())
+        let found = or_raise(py, py.detach(|| system.compile()))?;
+        let (given, left) = (found.substituted().to_vec(), found.unknowns().to_vec());
+        Ok((found.to_string(), given, left, found.blocks().to_vec(), found.steps()))
     }
 
     /// A page on which the mechanism moves, as HTML.
@@ -297,58 +357,5 @@ impl System {
             None => Scene::new(&system).sequence(motion, poses),
         });
         or_raise(py, drawn).map(|picture| picture.svg().to_owned())
-    }
-
-    /// The derivatives of a measure by parameters: for each its name, and those of the value and the rates.
-    fn sensitivities<'py>(
-        &self,
-        py: Python<'py>,
-        motion: &Motion,
-        names: Vec<String>,
-        what: &str,
-    ) -> PyResult<Vec<(String, Vec<Bound<'py, PyBytes>>)>> {
-        let (system, motion) = (self.now(), &motion.0);
-        let found = py.detach(|| system.sensitivities(motion, names.iter().map(String::as_str))?.of(what));
-        let told = or_raise(py, found)?.into_iter().map(|one| {
-            let lists = [&one.value, &one.rate, &one.second_rate].map(|list| numbers::list(py, list));
-            Ok((one.name, lists.into_iter().collect::<PyResult<_>>()?))
-        });
-        told.collect()
-    }
-
-    /// How far a measure may be off by the tolerances of dimensions, at the time at which that is worst, or
-    /// of its largest (true) or least extreme.
-    #[pyo3(signature = (motion, what, largest = None))]
-    fn tolerance(&self, py: Python<'_>, motion: &Motion, what: &str, largest: Option<bool>) -> PyResult<Off> {
-        let (system, motion) = (self.now(), &motion.0);
-        let found = py.detach(|| match largest {
-            None => system.tolerance(motion, what),
-            Some(largest) => {
-                let extremes = system.extremes(motion, what)?;
-                system.tolerance_of(motion, what, if largest { extremes.max() } else { extremes.min() })
-            }
-        });
-        let found = or_raise(py, found)?;
-        let shares = found.contributions.iter().map(|one| {
-            let text = (one.name.clone(), one.unit.clone());
-            (text, [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)])
-        });
-        let numbers = (found.t, found.nominal, found.worst_case(), found.rss(), found.misled());
-        let shares = shares.collect();
-        Ok((found.to_string(), (found.name, found.unit), numbers, found.corners, shares))
-    }
-
-    /// The derivatives of one number by parameters; `weights` are its derivatives by a measure and its rates.
-    fn gradient(
-        &self,
-        py: Python<'_>,
-        motion: &Motion,
-        names: Vec<String>,
-        what: &str,
-        weights: &[u8],
-    ) -> PyResult<Vec<f64>> {
-        let (system, motion, weights) = (self.now(), &motion.0, numbers::read(weights)?);
-        let at = |k: usize| std::array::from_fn(|order| weights.get(3 * k + order).copied().unwrap_or(0.0));
-        or_raise(py, py.detach(|| system.gradient(motion, names.iter(), what, at)))
     }
 }

@@ -103,7 +103,7 @@ def test_sweeps_sensitivities_and_objectives_name_dimensions():
         ends = [objective(at + sign * step * np.eye(3)[k])[0] for sign in (1, -1)]
         assert abs((ends[0] - ends[1]) / (2 * step) - gradient[k]) < 1e-6 * max(1.0, abs(gradient[k]))
     motion = system.run(TIMES)
-    slopes = system.sensitivities(motion, ["crank"], "rocker.theta")["crank"].value
+    slopes = system.sensitivities(motion, ["crank"]).of("rocker.theta")["crank"].value
     moved = copy.copy(system)
     ends = []
     for crank in (0.09 + 1e-6, 0.09 - 1e-6):

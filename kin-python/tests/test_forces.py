@@ -160,7 +160,7 @@ def test_tolerances_are_those_on_paper():
     assert outer.nominal == pytest.approx(0.4) and outer.corners[1] == pytest.approx(0.4003)
     assert outer.unit == "m" and "67 %" in str(outer) and "RSS" in str(outer)
     worst = system.tolerance(motion, "slider.x")
-    slopes = system.sensitivities(motion, ["crank", "rod"], "slider.x")
+    slopes = system.sensitivities(motion, ["crank", "rod"]).of("slider.x")
     stack = np.abs(slopes["crank"].value) * 1e-4 + np.abs(slopes["rod"].value) * 2e-4
     assert worst.worst_case == pytest.approx(stack.max()) and worst.t == motion.times[np.argmax(stack)]
     with pytest.raises(kin.DimensionError, match="none of them has a tolerance"):

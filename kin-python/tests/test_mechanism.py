@@ -213,7 +213,7 @@ def test_what_is_asked_of_a_motion():
     compiled = system.run(np.linspace(0, 1, 2001), engine="compiled")
     assert compiled.engine[0] > 1000
     np.testing.assert_allclose(compiled.q, system.run(np.linspace(0, 1, 2001)).q, atol=1e-11)
-    by = system.sensitivities(motion, ["B.u_i.x"], "rocker.theta")["B.u_i.x"]
+    by = system.sensitivities(motion, ["B.u_i.x"]).of("rocker.theta")["B.u_i.x"]
     h = 1e-6
     moved = []
     for step in (h, -h):

@@ -189,7 +189,12 @@ fn a_point_with_mass_is_a_body_without_inertia() {
     m.add("motor", drive_angle(arm, swing())).expect("a driver");
     m.mass(arm, 2.5, vec2(0.4, 0.0), 0.0).expect("a mass");
     m.gravity(vec2(0.0, -9.81));
-    let efforts = [bare, m].map(|m| {
+    // Its file carries the point.
+    let data = bare.data().expect("data");
+    assert_eq!((data.point_masses.len(), data.equations.len()), (1, 1));
+    let read = Mechanism::from_data(&data, &kin_text::registry()).expect("the same mechanism");
+    assert_eq!(read.data().expect("data"), data);
+    let efforts = [bare, m, read].map(|m| {
         let system = m.build().expect("a system");
         let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
@@ -197,8 +202,8 @@ fn a_point_with_mass_is_a_body_without_inertia() {
         let kinetic = forces.energy().kinetic.values().to_vec();
         (forces.drive("motor").expect("a driver").effort().values().to_vec(), kinetic)
     });
-    let [(a, t), (b, u)] = efforts;
-    for (x, y) in a.iter().zip(&b).chain(t.iter().zip(&u)) {
+    let [(a, t), others @ ..] = efforts;
+    for (x, y) in others.iter().flat_map(|(b, u)| a.iter().zip(b).chain(t.iter().zip(u))) {
         assert!((x - y).abs() < 1e-12 * (1.0 + y.abs()), "{x} {y}");
     }
 }

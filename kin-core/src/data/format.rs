@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::dimensions::{DimensionData, NumberData};
 use super::is_first;
-use super::loads::{FrictionData, LoadData};
+use super::loads::{FrictionData, LoadData, PointMassData};
 use super::masses::MassData;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::layout::Kind;
@@ -43,6 +43,9 @@ pub struct MechanismData {
     /// Masses of bodies, by their names.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub masses: Vec<MassData>,
+    /// Points with mass in their order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub point_masses: Vec<PointMassData>,
     /// The acceleration of gravity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[f64; 3]>,

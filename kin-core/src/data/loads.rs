@@ -1,4 +1,5 @@
-//! Loads as data: energies, forces along a length or an angle, forces on a body, friction in joints.
+//! Loads as data: energies, forces along a length or an angle, forces on a body, friction in joints, points
+//! with mass.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -74,6 +75,19 @@ pub struct ScalarData {
     pub parameters: Map<String, Value>,
 }
 
+/// A mass at a point that moves with coordinates.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct PointMassData {
+    /// Its name.
+    pub name: String,
+    /// The point: a constraint of two or three rows, whose values are its global coordinates.
+    pub point: ScalarData,
+    /// Its mass.
+    pub mass: f64,
+}
+
 /// A function of a length or an angle, its rate and time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -133,13 +147,32 @@ pub(super) type Carried = Vec<(String, String)>;
 
 impl Mechanism {
     /// Loads as data; equations of one's own are added to those that the file carries. Errors: a load that
-    /// only the program knows, a point with mass.
+    /// only the program knows.
     pub(super) fn load_data(&self, carried: &mut Carried) -> Result<Vec<LoadData>> {
-        if let Some((name, ..)) = self.loads.points.first() {
-            let reason = "points with mass cannot be written as data; masses of bodies and loads can";
-            return Err(Error::Data { place: format!("load `{name}`"), reason: reason.to_string() });
-        }
         self.loads.loads.iter().map(|(name, load)| self.one_load(name, load, carried)).collect()
+    }
+
+    /// Points with mass as data; equations of one's own are added to those that the file carries. Errors: a
+    /// point that only the program knows.
+    pub(super) fn point_mass_data(&self, carried: &mut Carried) -> Result<Vec<PointMassData>> {
+        let data = |(name, point, mass): &(String, Box<dyn Constraint>, f64)| {
+            let (data, equation) = self.constraint_data(name, point.as_ref())?;
+            carry(&format!("point mass `{name}`"), &data.kind, equation, carried)?;
+            Ok(PointMassData { name: name.clone(), point: data.into(), mass: *mass })
+        };
+        self.loads.points.iter().map(data).collect()
+    }
+
+    /// Takes points with mass from data. Errors: those of [`Mechanism::point_mass`].
+    pub(super) fn take_point_masses(&mut self, points: &[PointMassData], registry: &Registry) -> Result<()> {
+        for PointMassData { name, point, mass } in points {
+            plain("point mass", name)?;
+            let made = self.plain_scalar(point, registry);
+            let place = || format!("point mass `{name}`");
+            let point = made.map_err(|reason| Error::Data { place: place(), reason })?;
+            self.point_mass(name, point, *mass)?;
+        }
+        Ok(())
     }
 
     /// Friction in joints as data.
@@ -240,14 +273,13 @@ impl Mechanism {
     }
 
     fn acting(&self, data: &ActingData, registry: &Registry) -> std::result::Result<Acting, String> {
-        let scalar =
-            |data: &ScalarData| self.plain_scalar(&data.kind, &data.arguments, &data.parameters, registry);
+        let scalar = |data: &ScalarData| self.plain_scalar(data, registry);
         match data {
             ActingData::Energy(energy) => Ok(Acting::Potential(scalar(energy)?)),
             ActingData::Along { x, force } => {
                 // Its x and its rate stand for no coordinate of the mechanism.
                 let given = |n: usize| vec![ArgumentData::GroundCoord(0); n];
-                let made = |n: usize| self.plain_scalar(&force.kind, &given(n), &force.parameters, registry);
+                let made = |n: usize| self.plain_scalar(&force.of(given(n)), registry);
                 let takes = if registry.knows(&force.kind, &given(2)) { 2 } else { 1 };
                 Ok(Acting::Along(scalar(x)?, ForceAlong::Written(made(takes)?)))
             }
@@ -267,18 +299,18 @@ impl Mechanism {
         }
     }
 
-    /// The constraint that a registry makes of a kind, without dimensions.
-    fn plain_scalar(
+    /// The constraint that a registry makes of such data, without dimensions.
+    pub(super) fn plain_scalar(
         &self,
-        kind: &str,
-        arguments: &[ArgumentData],
-        parameters: &Map<String, Value>,
+        ScalarData { kind, arguments, parameters }: &ScalarData,
         registry: &Registry,
     ) -> std::result::Result<Box<dyn Constraint>, String> {
         let (made, hung) = registry.constraint(kind, arguments, parameters, self)?;
         match hung.first() {
             None => Ok(made),
-            Some((name, _)) => Err(format!("its `{name}` hangs on a dimension: numbers of loads do not")),
+            Some((name, _)) => {
+                Err(format!("its `{name}` hangs on a dimension: numbers of loads and masses do not"))
+            }
         }
     }
 }
@@ -296,6 +328,13 @@ pub(super) fn carry(place: &str, kind: &str, equation: Option<String>, carried: 
             carried.push((kind.to_string(), text));
             Ok(())
         }
+    }
+}
+
+impl FormulaData {
+    /// The function of these coordinates.
+    fn of(&self, arguments: Vec<ArgumentData>) -> ScalarData {
+        ScalarData { kind: self.kind.clone(), arguments, parameters: self.parameters.clone() }
     }
 }
 

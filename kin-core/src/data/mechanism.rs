@@ -60,10 +60,12 @@ impl Mechanism {
         let units = self.layout.words.clone();
         let preferred = self.preferred_data();
         let (masses, gravity) = self.mass_data();
+        let point_masses = self.point_mass_data(&mut equations)?;
         let loads = self.load_data(&mut equations)?;
         Ok(MechanismData {
             format: FORMAT,
             masses,
+            point_masses,
             gravity,
             loads,
             frictions: self.friction_data(),
@@ -188,6 +190,7 @@ impl Mechanism {
             mechanism.prefer(measure, *value);
         }
         mechanism.take_masses(&data.masses, data.gravity)?;
+        mechanism.take_point_masses(&data.point_masses, registry)?;
         mechanism.take_loads(&data.loads, registry)?;
         mechanism.take_frictions(&data.frictions)?;
         Ok(mechanism)

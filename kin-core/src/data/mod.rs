@@ -29,7 +29,7 @@ pub use format::{
     PreferredData,
 };
 pub use law::{LawData, LawReader};
-pub use loads::{ActingData, FormulaData, FrictionData, FrictionShape, LoadData, ScalarData};
+pub use loads::{ActingData, FormulaData, FrictionData, FrictionShape, LoadData, PointMassData, ScalarData};
 pub use masses::MassData;
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};

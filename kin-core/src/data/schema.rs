@@ -41,6 +41,7 @@ pub fn schema(registry: &Registry) -> Value {
             "limits": list("limit", "Ranges that measures should keep to."),
             "preferred": list("preferred", "Measures by whose values an assembly is preferred."),
             "masses": list("mass", "Masses of bodies."),
+            "point_masses": list("point_mass", "Points with mass, of mechanisms in bare coordinates."),
             "gravity": vector("The acceleration of gravity; z is 0 in a plane."),
             "loads": list("load", "What acts on the mechanism."),
             "frictions": list("friction", "Dry friction in joints."),
@@ -49,6 +50,7 @@ pub fn schema(registry: &Registry) -> Value {
             "body": body(),
             "dimension": dimension(),
             "mass": mass(),
+            "point_mass": point_mass(),
             "load": load(),
             "friction": friction(),
             "scalar": scalar(),
@@ -137,6 +139,18 @@ fn mass() -> Value {
     )
 }
 
+fn point_mass() -> Value {
+    object(
+        "A mass at a point: a function of two or three rows, its global coordinates.",
+        &["name", "point", "mass"],
+        &[
+            ("name", text("Its name.")),
+            ("point", named("scalar")),
+            ("mass", json!({ "type": "number", "exclusiveMinimum": 0 })),
+        ],
+    )
+}
+
 fn load() -> Value {
     let acting = json!({ "oneOf": [
         object("", &["energy"], &[("energy", named("scalar"))]),
@@ -205,7 +219,7 @@ fn on_body() -> Value {
 /// An energy, a length or an angle.
 fn scalar() -> Value {
     object(
-        "An energy, or a length or an angle to act along.",
+        "An energy, a length or an angle to act along, or a point with mass.",
         &["kind", "arguments"],
         &[
             ("kind", text("Name of its function, in the library or under `equations`.")),

@@ -15,7 +15,20 @@ from ._diagnosis import Diagnosis
 from ._dimension import Dimension, NumberLike
 from ._errors import *  # noqa: F403
 from ._errors import ALL as _ERRORS
-from ._forces import Acted, Balance, Contribution, Drive, Energy, Forces, Peak, Reaction, Tolerance
+from ._design import (
+    Contribution,
+    Extreme,
+    Extremes,
+    ExtremeSensitivity,
+    Proved,
+    Samples,
+    SecondOrder,
+    Sensitivities,
+    Sensitivity,
+    Tolerance,
+)
+from ._forces import Acted, Balance, Drive, Energy, Forces, Peak, Reaction
+from ._friction import Friction
 from ._functions import (
     acos,
     acosh,
@@ -60,13 +73,14 @@ from ._joint import Joint
 from ._law import Law
 from ._load import Force, Load, Potential, force, potential
 from ._mechanism import Mechanism, Terms
-from ._motion import Event, Motion, Point, Quantity, Rotation
+from ._motion import Break, Displaced, Event, Motion, Point, Quantity, Rotation
 from ._scalars import Scalar
 from ._solid import Solid
 from ._states import Coord, Planar, Rate, Spatial, Time
 from ._sweeps import Batch, Rows, sweep
 from ._pictures import Page, Picture
-from ._system import Assembly, Extreme, Extremes, Proof, Solution, System
+from ._results import Assembly, Compiled, Proof, Solution, StepProof
+from ._system import System
 from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3
 from .library import *  # noqa: F403
 from .library import __all__ as _LIBRARY
@@ -81,21 +95,26 @@ __all__ = [
     "Axis",
     "Balance",
     "Batch",
+    "Break",
+    "Compiled",
     "Constraint",
     "Contribution",
     "Coord",
     "Coordinate",
     "Diagnosis",
     "Dimension",
+    "Displaced",
     "Drive",
     "Energy",
     "Equation",
     "EulerParameters",
     "Event",
     "Extreme",
+    "ExtremeSensitivity",
     "Extremes",
     "Force",
     "Forces",
+    "Friction",
     "Ground",
     "Joint",
     "Law",
@@ -107,24 +126,30 @@ __all__ = [
     "Motion",
     "NumberLike",
     "Page",
-    "Picture",
     "Peak",
+    "Picture",
     "Planar",
     "PlanarBody",
     "Point",
     "Potential",
     "Proof",
+    "Proved",
     "Quantity",
     "Rate",
     "Reaction",
     "Rotation",
     "Rows",
+    "Samples",
     "Scalar",
+    "SecondOrder",
+    "Sensitivities",
+    "Sensitivity",
     "Solid",
     "Solution",
     "Spatial",
     "SpatialBody",
     "SpatialLink",
+    "StepProof",
     "System",
     "Terms",
     "Time",

@@ -149,6 +149,11 @@ class NotUnique(Error):
     """A force that redundant constraints share, so that no balance decides it."""
 
 
+class Jammed(Error):
+    """A mechanism that friction holds fast: no finite forces of its drives move it. `constraint` is the joint that holds, `t` the
+    first such time, `share` how much of the friction is enough, `drives` what works against it."""
+
+
 class OutputNotFinite(Error):
     """An output with a value that is infinite or not a number."""
 

@@ -11,7 +11,7 @@ import numpy as np
 from . import _native
 from ._handles import Ground, PlanarBody, SpatialBody
 from ._joint import foreign
-from ._motion import Motion, Quantity
+from ._motion import Motion, Quantity, array
 from ._values import flat
 from ._vectors import VectorLike
 
@@ -79,7 +79,7 @@ class Forces:
         if isinstance(sharing, str) and sharing != "least norm":
             raise ValueError(f'`sharing` is "least norm", or the names of equations that hold nothing, not "{sharing}"')
         self._native = _native.Forces(system, motion._native, sharing == "least norm", names)
-        self._token, self._mechanism = token, mechanism
+        self._system, self._token, self._mechanism = system, token, mechanism
         #: The motion that they belong to.
         self.motion = motion
         energies, powers, largest, worst, text = self._native.balance()
@@ -89,6 +89,11 @@ class Forces:
 
     def _quantity(self, told: Any) -> Quantity:
         return Quantity._of(told, self.motion.times)
+
+    @property
+    def loads(self) -> list[str]:
+        """Names of the loads."""
+        return self._system.parts()[1]
 
     @property
     def drives(self) -> list[str]:
@@ -103,23 +108,34 @@ class Forces:
 
     def reaction(self, constraint: str) -> "Reaction":
         """Force and torque of a constraint on its bodies; of a driver too."""
-        return Reaction(self, ("constraints", (constraint,)))
+        return self._from("constraints", constraint)
 
     def load(self, name: str) -> "Reaction":
         """Force and torque of a load on its bodies."""
-        return Reaction(self, ("load", (name,)))
+        return self._from("load", name)
+
+    def friction(self, joint: str) -> "Reaction":
+        """Force and torque of the friction in a joint on its bodies; they are a part of those of `reaction`.
+
+        Raises an error by name: a joint that has none.
+        """
+        return self._from("friction", joint)
 
     def sum(self, constraints: Iterable[str]) -> "Reaction":
         """Force and torque of several constraints together: of redundant ones the sum can be unique where none of them is."""
         names = tuple(constraints)
         if not names:
             raise ValueError("`sum` needs the name of a constraint at least")
-        return Reaction(self, ("constraints", names))
+        return self._from("constraints", *names)
 
     def on_ground(self) -> "Reaction":
         """Force and torque of all constraints on the ground, `forces.on_ground().on(m.ground)`: the shaking force, and the
         shaking moment about the origin."""
-        return Reaction(self, ("constraints", ()))
+        return self._from("constraints")
+
+    def _from(self, kind: str, *names: str) -> "Reaction":
+        self._native.check((kind, names))
+        return Reaction(self, (kind, names))
 
     def columns(self) -> dict[str, Any]:
         """Everything that is unique by the headers of the CSV file, such as `A on crank.F_x [N]`."""
@@ -151,7 +167,7 @@ class Forces:
 
 @dataclass(frozen=True)
 class Reaction:
-    """Forces and torques of a constraint, of several together, or of a load, on bodies."""
+    """Forces and torques of a constraint, of several together, of a load, or of friction in a joint, on bodies."""
 
     forces: Forces
     _sources: tuple[str, tuple[str, ...]]
@@ -240,50 +256,16 @@ class Acted:
         """The components that are unique at all times."""
         return self._asked("components")
 
+    def _points(self) -> tuple[bytes, list[str]]:
+        forces = self._reaction.forces
+        return forces._native.points(self._reaction._sources, self._body, list(self._ways))
 
-@dataclass(frozen=True)
-class Contribution:
-    """The share that one dimension has in a measure that is off: s the derivative, ± T the tolerance, `off` = s T; `share` of the
-    worst case, `share_of_variance` of RSS²."""
+    @property
+    def points(self) -> Any:
+        """The points about which the torque is, in the global frame, a row a time.   [m]"""
+        return array(self._points()[0], 2 if self._body[0] else 3)
 
-    name: str
-    unit: str
-    tolerance: float
-    slope: float
-    off: float
-    share: float
-    share_of_variance: float
-
-
-@dataclass(frozen=True)
-class Tolerance:
-    """How far a measure may be off at one time, and by which dimensions: `worst_case` Σ |s| T, `rss` √(Σ s² T²), the values that
-    the mechanism itself has at the two worst `corners` (`None` where it cannot be assembled), how far the stack is `misled`
-    (`None` where that cannot be said). `print` shows the table."""
-
-    name: str
-    unit: str
-    t: float
-    nominal: float
-    worst_case: float
-    rss: float
-    misled: Any
-    corners: tuple[Any, Any]
-    contributions: list[Contribution]
-    text: str
-
-    @staticmethod
-    def _of(found: Any) -> "Tolerance":
-        text, (name, unit), (t, nominal, worst_case, rss, misled), corners, shares = found
-        contributions = [Contribution(*names, *values) for names, values in shares]
-        ends = (corners[0], corners[1])
-        return Tolerance(name, unit, t, nominal, worst_case, rss, misled, ends, contributions, text)
-
-    def __str__(self) -> str:
-        return self.text
-
-    def to_pandas(self) -> Any:
-        """The contributions as a pandas DataFrame, which has to be installed."""
-        import pandas
-
-        return pandas.DataFrame([vars(one) for one in self.contributions])
+    @property
+    def not_unique(self) -> list[str]:
+        """Names of the components that are not unique at some time."""
+        return self._points()[1]

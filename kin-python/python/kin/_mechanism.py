@@ -26,6 +26,7 @@ from ._handles import (
 )
 from ._joint import AxisLike, EulerLike, Joint, Vec2Like, Vec3Like, foreign
 from ._load import Load
+from ._friction import Friction
 from ._solid import Solid, in_space, inertia_of
 from ._system import System
 from ._values import axis_of, euler_of, flat, law_of
@@ -70,18 +71,30 @@ class Mechanism:
         *,
         within: Optional[tuple[float, float]] = None,
         tolerance: Optional[float] = None,
+        distribution: Optional[str] = None,
     ) -> Dimension:
         """A named number that others hang on; given an expression of others, it is a name for that.
 
         `unit` is a word for tables and files, nothing is converted. `system.set` keeps to the range `within`, both ends
-        included; `tolerance` is how far the shop may be off, either way.
+        included; `tolerance` is how far the shop may be off, either way, `distribution` how often by how much: "normal" (σ a
+        third of the tolerance, which it is where nothing is said), "truncated normal" or "uniform".
 
         Raises an error by name: name empty or taken, a value that is not finite, a dimension of another mechanism; when the
         mechanism is built, a range without the value, a tolerance below zero, a dimension on which nothing hangs.
         """
         given, ends = self._number(name, value), None if within is None else (float(within[0]), float(within[1]))
-        made = self._native.dimension(name, given, unit, ends, tolerance)
+        made = self._native.dimension(name, given, unit, ends, tolerance, distribution)
         return Dimension(quoted(name), made, self._token)
+
+    def clearance(self, name: str, radius: float) -> Vec2:
+        """The clearance of a joint, whose hole is wider than its pin by `radius` on every side: a vector of two dimensions, `NAME.x`
+        and `NAME.y`, both zero, off uniformly in the disc of that radius. It is added to a point of the joint,
+        `kin.revolute(crank, rod, crank.end + gap, rod.start)`.   [m]
+
+        Raises an error by name: those of `dimension`; a radius below zero is told when the mechanism is built.
+        """
+        self._native.clearance(name, radius)
+        return Vec2(*(self._expression(quoted(f"{name}.{axis}")) for axis in "xy"))
 
     @property
     def dimensions(self) -> dict[str, Dimension]:
@@ -168,14 +181,17 @@ class Mechanism:
         if isinstance(constraint, Joint):
             self._native.add(constraint.described(name, self.name, self._token))
         elif isinstance(constraint, Constraint):
-            on = self._on(name, constraint)
-            parameters = parameters_of(constraint, self.name, self._token)
-            self._native.add_equation(name, constraint.equation._native, on, parameters)
+            self._native.add_equation(name, *self._making(name, constraint))
         else:
             raise TypeError(
                 f"`{name}`: {constraint!r} is no constraint: call a joint such as kin.revolute(…), or a function under "
                 "@kin.constraint, with bodies and parameters"
             )
+
+    def _making(self, name: str, constraint: Constraint) -> Any:
+        """The equation, its bodies and coordinates, its parameters."""
+        parameters = parameters_of(constraint, self.name, self._token)
+        return constraint.equation._native, self._on(name, constraint), parameters
 
     def _on(self, name: str, constraint: Constraint) -> list[tuple[str, Optional[str]]]:
         wanted = [
@@ -195,11 +211,8 @@ class Mechanism:
     def terms(self, constraint: Constraint, q: Any, qd: Any, t: float = 0.0) -> "Terms":
         """Every term of a constraint of an equation, where its own coordinates, one body after the other, are q, their
         rates qd, and the time t."""
-        on = self._on(constraint.equation.name, constraint)
-        native = constraint.equation._native
-        parameters = parameters_of(constraint, self.name, self._token)
-        found = self._native.terms(native, on, parameters, _bytes(q), _bytes(qd), t)
-        return Terms(*found)
+        equation, on, parameters = self._making(constraint.equation.name, constraint)
+        return Terms(*self._native.terms(equation, on, parameters, _bytes(q), _bytes(qd), t))
 
     # Guesses and preferences.
 
@@ -284,6 +297,29 @@ class Mechanism:
     def solid(self, body: Body, solid: Solid) -> None:
         """The same by a shape and a density: `m.solid(crank, kin.Solid.bar(0.1, 0.02, 0.01, kin.Solid.STEEL))`."""
         self._native.solid(self._massive("solid", body)[0], solid._tuple())
+
+    def point_mass(self, name: str, point: Constraint, mass: float) -> None:
+        """A mass at a point that moves with coordinates, for mechanisms that have no bodies: the point is a function of your own
+        of two or three rows, its global coordinates, `m.point_mass("bob", tip(theta, 0.4), 2.0)`.   [m, kg]
+
+        Raises an error by name: more or fewer rows, a mass not above zero, a name that is taken.
+        """
+        if not isinstance(point, Constraint):
+            text = f"`{name}`: {point!r} is no point: call a function under @kin.constraint of two or three rows"
+            raise TypeError(text)
+        equation, on, parameters = self._making(name, point)
+        self._native.point_mass(name, equation, on, parameters, mass)
+
+    def friction(self, joint: str, friction: Friction) -> None:
+        """Dry friction in a joint that is there: `m.friction("shaft", kin.Friction.pin(0.1, 0.02, 1e-3))`. Reactions, efforts
+        of drives and the balance of powers then have it; given again it takes the place of what was given.
+
+        Raises an error by name: a name that no constraint has, a joint that is no pin or no slide, numbers that make no
+        sense. `system.forces` raises `kin.Jammed` where it holds the mechanism fast.
+        """
+        if not isinstance(friction, Friction):
+            raise TypeError(f"`{joint}`: {friction!r} is no friction: call kin.Friction.pin(…) or kin.Friction.slide(…)")
+        self._native.friction(joint, *friction._told())
 
     def load(self, name: str, load: Load) -> None:
         """Lets something act on the mechanism, under a name: `kin.loads.spring(…)` and the others of that library,

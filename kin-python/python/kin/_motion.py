@@ -7,14 +7,17 @@ import json
 import os
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 
 from . import _native
 from ._pictures import Picture
-from ._handles import Coordinate, Ground, PlanarBody, SpatialBody, SpatialLink
+from ._handles import Coordinate, Ground, Handle, PlanarBody, PlanarLike, SpatialBody, SpatialLink
 from ._values import flat
+
+if TYPE_CHECKING:
+    from ._system import System
 
 Array = "np.ndarray[Any, np.dtype[np.float64]]"
 
@@ -63,6 +66,16 @@ class Quantity:
         """The smallest of the values."""
         return float(np.min(self.value))
 
+    @property
+    def at_max(self) -> float:
+        """The first time at which it is largest.   [s]"""
+        return float(self.times[np.argmax(self.value)])
+
+    @property
+    def at_min(self) -> float:
+        """The first time at which it is smallest.   [s]"""
+        return float(self.times[np.argmin(self.value)])
+
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         return np.array(self.value, dtype=dtype)
 
@@ -79,11 +92,31 @@ class Point:
     v: Any
     a: Any
     jerk: Any = None
+    _unit: str = "m"
 
     @property
     def speed(self) -> Any:
         """|v|   [m/s]"""
         return np.linalg.norm(self.v, axis=1)
+
+    @property
+    def acceleration_magnitude(self) -> Any:
+        """|a|   [m/s²]"""
+        return np.linalg.norm(self.a, axis=1)
+
+    @property
+    def jerk_magnitude(self) -> Any:
+        """|jerk|, where the run was asked for it.   [m/s³]"""
+        if self.jerk is None:
+            raise AttributeError("the motion holds no jerk: run(times, jerk=True) asks for it")
+        return np.linalg.norm(self.jerk, axis=1)
+
+    def along(self, n: Any) -> Quantity:
+        """Its coordinate in a global direction n, with its rates: r · n / |n|.   [m]"""
+        direction = np.array(flat(n))
+        unit = direction / np.linalg.norm(direction)
+        r, v, a = (one @ unit for one in (self.r, self.v, self.a))
+        return Quantity("along", self._unit, self.times, r, v, a, None if self.jerk is None else self.jerk @ unit)
 
 
 @dataclass(frozen=True)
@@ -95,6 +128,39 @@ class Rotation:
     omega: Any
     alpha: Any
     alpha_rate: Any = None
+
+    @property
+    def speed(self) -> Any:
+        """|ω|   [rad/s]"""
+        return np.linalg.norm(self.omega, axis=1)
+
+    def about(self, h: Any) -> Any:
+        """ω · h / |h|, the angular velocity about a direction in the same components.   [rad/s]"""
+        direction = np.array(flat(h))
+        return self.omega @ (direction / np.linalg.norm(direction))
+
+
+@dataclass(frozen=True)
+class Break:
+    """A break of a law that a run has crossed: of the law `law` of a `constraint`, at the argument `x`, between two times; from
+    derivative `order` on it jumps (0 the value, 1 the slope)."""
+
+    between: tuple[float, float]
+    constraint: str
+    law: str
+    x: float
+    order: int
+
+
+@dataclass(frozen=True)
+class Displaced:
+    """How far the first position of a body or angle is from its guess; `None` where nobody has said where it is. `hint` is the
+    likely cause, where that is farther than assembly leads as a rule.   [m, rad]"""
+
+    name: str
+    moved: Optional[float]
+    turned: Optional[float]
+    hint: Optional[str]
 
 
 @dataclass(frozen=True)
@@ -135,29 +201,33 @@ class Motion:
     @cached_property
     def times(self) -> Any:
         """The times.   [s]"""
-        return array(self._native.times())
+        return self._rows(4).ravel()
 
     @cached_property
     def q(self) -> Any:
         """q, a row a time, a column a coordinate.   [m, rad]"""
-        return array(self._native.rows(0), len(self.names))
+        return self._rows(0)
 
     @cached_property
     def qd(self) -> Any:
         """q̇   [m/s, rad/s]"""
-        return array(self._native.rows(1), len(self.names))
+        return self._rows(1)
 
     @cached_property
     def qdd(self) -> Any:
         """q̈   [m/s², rad/s²]"""
-        return array(self._native.rows(2), len(self.names))
+        return self._rows(2)
 
     @cached_property
     def qddd(self) -> Any:
         """q⃛, where the run was asked for the jerk (`run(times, jerk=True)`).   [m/s³, rad/s³]"""
         if not self._native.has_jerk():
             raise AttributeError("the motion holds no jerk: run(times, jerk=True) asks for it")
-        return array(self._native.rows(3), len(self.names))
+        return self._rows(3)
+
+    def _rows(self, which: int) -> Any:
+        """The numbers where they lie, read-only: the array keeps the native motion."""
+        return np.asarray(self._native.rows(which))
 
     @cached_property
     def iterations(self) -> Any:
@@ -183,25 +253,69 @@ class Motion:
             raise TypeError(f"`point` takes a body, not {body!r}")
         kind, n = ("spatial", 3) if isinstance(body, SpatialBody) else ("planar", 2)
         found = self._native.point(kind, body.name, flat(local) if local is not None else [0.0] * n)
-        return Point(self.times, *(array(one, n) for one in found))
+        r, v, a, *jerk = (array(one, n) for one in found)
+        return Point(self.times, r, v, a, jerk[0] if jerk else None, self._native.unit_words()[0])
 
     def rotation(self, body: Union[SpatialBody, SpatialLink], *, in_body: bool = False) -> Rotation:
         """Angular velocity and acceleration of a spatial body, in global components or those of the body."""
         found = self._native.rotation(body.name, in_body)
         return Rotation(self.times, *(array(one, 3) for one in found))
 
-    def relative_angle(self, a: PlanarBody, b: PlanarBody) -> Quantity:
-        """θ_a − θ_b, any number of turns.   [rad]"""
-        return Quantity._of(self._native.relative_angle(a.name, b.name), self.times)
+    def distance(self, a: Handle, p: Any, b: Handle, q: Any) -> Quantity:
+        """|r_P − r_Q| with its rates, P at p in body a, Q at q in body b: the length of a cylinder, the clearance of two edges.   [m]
 
-    def transmission_angle(self, coupler: PlanarBody, driven: PlanarBody) -> Quantity:
-        """The angle between the x-axes of two bodies, such as coupler and rocker, between 0 and π/2.   [rad]"""
-        return Quantity._of(self._native.transmission_angle(coupler.name, driven.name), self.times)
+        Raises an error by name: bodies of another mechanism, points that meet, where a distance has no rate.
+        """
+        points = flat(p), flat(q)
+        in_plane = len(points[0]) == 2
+        names = [_name_of("distance", body, PlanarBody if in_plane else SpatialBody) for body in (a, b)]
+        return Quantity._of(self._native.distance(in_plane, (names[0], points[0]), (names[1], points[1])), self.times)
+
+    def relative_angle(self, a: PlanarLike, b: PlanarLike) -> Quantity:
+        """θ_a − θ_b, any number of turns.   [rad]"""
+        names = (_name_of("relative_angle", body, PlanarBody) for body in (a, b))
+        return Quantity._of(self._native.relative_angle(*names), self.times)
+
+    def transmission_angle(
+        self, coupler: Union[PlanarLike, tuple[PlanarLike, Any]], driven: Union[PlanarLike, tuple[PlanarLike, Any]]
+    ) -> Quantity:
+        """The angle between a coupler and what it drives, between 0 and π/2, with its rates: the nearer to π/2, the better it pushes.
+        A body is told by its x-axis, along which the pins of a link are, or as (body, direction): of a slider
+        `motion.transmission_angle(rod, (m.ground, (0, 1)))`.   [rad]"""
+        lines = (_line(one) for one in (coupler, driven))
+        return Quantity._of(self._native.transmission_angle(*lines), self.times)
+
+    def instant_centre(self, a: PlanarLike, b: PlanarLike) -> Any:
+        """The point that has the same velocity in both of two planar bodies, (−v_y, v_x)/ω of the one against the other, in the global
+        frame, a row a time; NaN where they do not turn against each other.   [m]"""
+        names = (_name_of("instant_centre", body, PlanarBody) for body in (a, b))
+        found = self._native.instant_centre(*names)
+        return np.array([(np.nan, np.nan) if one is None else one for one in found]).reshape(-1, 2)
 
     @property
     def summary(self) -> str:
         """Counts, Newton steps, the largest residual, and how far the first position is from the drawn one."""
         return self._native.summary()
+
+    @property
+    def worst(self) -> Optional[str]:
+        """Name of the equation with the largest residual of all, such as `A.x`."""
+        return self._native.facts()[1]
+
+    @property
+    def misfit(self) -> float:
+        """By how much of their norms redundant equations contradict one another, where that was allowed (`closure`).   [-]"""
+        return self._native.facts()[2]
+
+    @property
+    def displaced(self) -> list[Displaced]:
+        """How far each body and bare angle is at the first time from its guess, the worst first."""
+        return [Displaced(*one) for one in self._native.displaced()]
+
+    @property
+    def breaks(self) -> list[Break]:
+        """The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time."""
+        return [Break(*one) for one in self._native.breaks()]
 
     @property
     def events(self) -> list[Event]:
@@ -218,6 +332,11 @@ class Motion:
     def engine(self) -> tuple[int, int]:
         """How many times a program has computed (`run(times, engine="compiled")`), and how often it has handed back."""
         return self._native.engine()
+
+    @property
+    def why_plain(self) -> Optional[str]:
+        """Why all of it was computed by plain steps, where a program would have paid, by the name of the constraint in the way."""
+        return self._native.facts()[0]
 
     # Pictures.
 
@@ -264,6 +383,25 @@ class Motion:
         return self._native.to_json()
 
     @staticmethod
+    def from_states(system: "System", times: Any, q: Any, qd: Any, qdd: Any) -> "Motion":
+        """A motion that was measured, or comes from elsewhere: q, q̇ and q̈ a row a time, a column a coordinate of the system, whose
+        forces and measures it can then be asked for.   [m, rad, s]
+
+        Raises an error by name: arrays of other shapes, numbers that are not finite, times that do not only increase or only
+        decrease.
+        """
+        from ._system import as_bytes
+
+        n, instants = len(system.names), as_bytes(times)
+        states = []
+        for name, rows in (("q", q), ("qd", qd), ("qdd", qdd)):
+            if np.shape(rows) != (len(instants) // 8, n):
+                text = f"`{name}` has a row of {n} numbers for each of the {len(instants) // 8} times, not the shape {np.shape(rows)}"
+                raise ValueError(text)
+            states.append(as_bytes(rows))
+        return Motion(_native.Motion.from_states(system._native, instants, tuple(states)))
+
+    @staticmethod
     def from_json(text: str) -> "Motion":
         """The motion that such a text says."""
         return Motion(_native.Motion.from_json(text))
@@ -282,6 +420,22 @@ class Motion:
 
     def __repr__(self) -> str:
         return f"<motion of {self.name}, {len(self)} times>"
+
+
+def _name_of(place: str, body: Any, kind: Any) -> Optional[str]:
+    """Name of a body, `None` of the ground."""
+    if isinstance(body, Ground):
+        return None
+    if not isinstance(body, kind):
+        raise TypeError(f"`{place}` takes {'planar' if kind is PlanarBody else 'spatial'} bodies here, not {body!r}")
+    name: str = body.name
+    return name
+
+
+def _line(line: Any) -> tuple[Optional[str], list[float]]:
+    """A planar body and a direction in it, its x-axis where none is told."""
+    body, h = line if isinstance(line, tuple) else (line, (1.0, 0.0))
+    return _name_of("transmission_angle", body, PlanarBody), flat(h)
 
 
 _SHORT = {"x": "R_x", "y": "R_y", "z": "R_z"}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
 import numpy as np
@@ -11,69 +10,16 @@ import numpy as np
 from . import _native
 from ._diagnosis import Diagnosis
 from ._errors import Error
-from ._forces import Forces, Tolerance
+from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _of
+from ._forces import Forces
 from ._handles import Coordinate
 from ._pictures import Page, Picture
+from ._results import Assembly, Compiled, Proof, Solution
 from ._motion import Motion, Quantity, array, coordinate_name
+from ._values import flat
 
 Progress = Union[bool, Callable[[int, int], object], None]
 What = Union[str, Coordinate]
-
-
-@dataclass(frozen=True)
-class Solution:
-    """Position, velocity and acceleration at one time."""
-
-    t: float
-    q: Any
-    qd: Any
-    qdd: Any
-    iterations: int
-    residual: float
-    worst: str
-
-
-@dataclass(frozen=True)
-class Extreme:
-    """A place where a measure turns round."""
-
-    t: float
-    value: float
-    is_max: bool = True
-
-
-@dataclass(frozen=True)
-class Extremes:
-    """The extremes of a measure over a motion, with times as exact as poses can be solved."""
-
-    name: str
-    unit: str
-    all: list[Extreme]
-    stroke: float
-    time_ratio: Optional[float]
-    min: Extreme
-    max: Extreme
-
-
-@dataclass(frozen=True)
-class Assembly:
-    """One way to put a mechanism together: its label, and its pose."""
-
-    label: str
-    q: Any
-
-
-@dataclass(frozen=True)
-class Proof:
-    """What interval bounds show of a motion; `print` shows it in words."""
-
-    text: str
-    is_complete: bool
-    proved: int
-    steps: int
-
-    def __str__(self) -> str:
-        return self.text
 
 
 class System:
@@ -102,6 +48,21 @@ class System:
     def equations(self) -> list[str]:
         """Names of the equations in their order, such as `A.x`."""
         return self._native.equations()
+
+    @property
+    def constraints(self) -> list[str]:
+        """Names of the constraints in their order; those that hold Euler parameters to one come last."""
+        return self._native.parts()[0]
+
+    @property
+    def loads(self) -> list[str]:
+        """Names of the loads in their order."""
+        return self._native.parts()[1]
+
+    @property
+    def bodies(self) -> list[str]:
+        """Names of the bodies and bare coordinates in their order."""
+        return self._native.parts()[2]
 
     @property
     def initial(self) -> Any:
@@ -179,15 +140,31 @@ class System:
         """q̈ of C_q q̈ = Q_d"""
         return array(self._native.at_velocity(1, as_bytes(q), as_bytes(qd), t))
 
+    def jerk_rhs(self, q: Any, qd: Any, qdd: Any, t: float) -> Any:
+        """−g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), the right side of C_q q⃛"""
+        return array(self._native.at_acceleration(0, (flat(q), flat(qd), flat(qdd)), t))
+
+    def jerk(self, q: Any, qd: Any, qdd: Any, t: float) -> Any:
+        """q⃛ of C_q q⃛ = −g‴(0)"""
+        return array(self._native.at_acceleration(1, (flat(q), flat(qd), flat(qdd)), t))
+
     # What is asked of it.
 
     def diagnose(self, t: float, q: Any = None) -> Diagnosis:
         """Counts, rank, dependencies and freedoms by name."""
         return Diagnosis(*self._native.diagnose(t, None if q is None else as_bytes(q)))
 
-    def assemblies(self, t: float) -> list[Assembly]:
-        """All assemblies that are found at a time, in the order of their labels."""
-        return [Assembly(label, array(q)) for label, q in self._native.assemblies(t)]
+    def assemblies(self, t: float, **options: Any) -> list[Assembly]:
+        """All assemblies that are found at a time, in the order of their labels.
+
+        Options: `starts` (4000), `patience` (100: it ends after so many starts that lead to nothing new, and twenty more for each
+        assembly that is known), `steps` of Newton's method from one start (60), `seed` (0), `time_limit`.   [s]
+        """
+        return [Assembly(label, array(q)) for label, q in self._native.assemblies(t, options)]
+
+    def assembly(self, t: float, label: str, **options: Any) -> Assembly:
+        """The assembly of a label that `assemblies` gave out, with the same options. Raises `kin.UnknownName`."""
+        return Assembly(label, array(self._native.assembly(t, label, options)))
 
     def assembly_near(self, t: float, what: What, value: float) -> Assembly:
         """The assembly with a measure nearest to a value."""
@@ -218,13 +195,17 @@ class System:
         """One pose, at any time of the motion: a motion of one time."""
         return Motion(self._native.at(motion._native, t))
 
+    def condition(self, motion: Motion) -> Quantity:
+        """The condition number of C_q at each time, rows and columns in their sizes; infinite where it is singular.   [-]"""
+        return Quantity._of(self._native.condition(motion._native), motion.times)
+
     def smallest_singular_value(self, motion: Motion) -> Quantity:
         """How near the motion comes to a singular position."""
         return Quantity._of(self._native.smallest_singular_value(motion._native), motion.times)
 
     def prove(self, motion: Motion) -> Proof:
         """By interval bounds: that exactly one continuous motion leads through the computed positions."""
-        return Proof(*self._native.prove(motion._native))
+        return Proof._of(self._native.prove(motion._native))
 
     def page(self, motion: Motion) -> Page:
         """A page on which the mechanism moves: it shows itself in a notebook, and is saved as one file."""
@@ -234,26 +215,65 @@ class System:
         """The mechanism at a time of the motion, or some poses of it on one another, as SVG."""
         return Picture(self._native.picture(motion._native, t, poses))
 
-    def compile(self) -> str:
+    def compile(self) -> Compiled:
         """What its rows give and what is left to Newton's method, as one program; or an error that names why not."""
-        return self._native.compile()
+        return Compiled(*self._native.compile())
 
-    def sensitivities(self, motion: Motion, names: Iterable[str], what: What) -> dict[str, Quantity]:
-        """The derivatives of a measure and its rates by parameters, at each time."""
-        asked = self._what(what)
-        found = self._native.sensitivities(motion._native, list(names), asked)
-        return {name: Quantity._of((f"d {asked} / d {name}", "", lists), motion.times) for name, lists in found}
+    def sensitivities(self, motion: Motion, names: Iterable[str]) -> Sensitivities:
+        """The derivatives of a motion by parameters and dimensions, exact: `.of(what)` those of a measure and its rates at each time,
+        `.all()` those of all coordinates, `.extreme(what, …)` those of time and value of an extreme.
 
-    def tolerance(self, motion: Motion, what: What, extreme: Optional[str] = None) -> Tolerance:
-        """How far a measure of a motion may be off by the tolerances of dimensions, at the time at which that is worst; with
-        `extreme` "max" or "min" of its largest or least value, wherever in time that moves.
+        Raises an error by name: a name that is no parameter or on which nothing depends, a law whose derivative is not known, a
+        motion with a singular position, a motion of another system.
+        """
+        return Sensitivities(self._native, motion, list(names), self.names)
+
+    def toggle_by(self, toggle: dict[str, Any], names: Iterable[str]) -> dict[str, float]:
+        """How the time of a toggle changes with parameters and dimensions: dt*/dp = −λᵀ C_p / λᵀ C_t, where λᵀ C_q = 0. The toggle is
+        the last of `error.motion.singular_positions` of a run that has ended there.   [s a unit of p]
+
+        Raises an error by name: a change point, a redundant mechanism, several parts that are singular at once.
+        """
+        order = list(names)
+        return dict(zip(order, _native.toggle_by(self._native, json.dumps(toggle), order)))
+
+    def tolerance(self, motion: Motion, what: What, of: Optional[Of] = None) -> Tolerance:
+        """How far a measure of a motion may be off by the tolerances of dimensions: at the time at which that is worst, or of one
+        number that it has: its value at a time, an extreme of `system.extremes`, wherever in time that moves, "max", "min" or
+        "stroke".
 
         Raises `kin.DimensionError` where no dimension has a tolerance.
         """
-        if extreme not in (None, "max", "min"):
-            raise ValueError(f'`extreme` is "max" or "min", not {extreme!r}')
-        largest = None if extreme is None else extreme == "max"
-        return Tolerance._of(self._native.tolerance(motion._native, self._what(what), largest))
+        found = _native.tolerance(self._native, motion._native, self._what(what), _of(of), False)
+        return Tolerance._of(found)
+
+    def tolerance_proved(self, motion: Motion, what: What, of: Of) -> Tolerance:
+        """The same with bounds, by interval arithmetic, that hold for every mechanism within the tolerances (`.proved`).
+
+        Raises `kin.CannotBeProved` where some of these may not be assembled, and of what no bounds are known.
+        """
+        if of is None:
+            raise TypeError('`of` says what is proved: a time, an extreme, "max", "min" or "stroke"')
+        found = _native.tolerance(self._native, motion._native, self._what(what), _of(of), True)
+        return Tolerance._of(found)
+
+    def samples(
+        self,
+        motion: Motion,
+        what: What,
+        of: Of,
+        *,
+        count: int = 10_000,
+        seed: int = 1,
+        distribution: str = "normal",
+    ) -> Samples:
+        """The same number in many mechanisms whose dimensions are off at random, each by its own distribution, else by this one:
+        "normal", "truncated normal" or "uniform". The same seed gives the same samples, on every machine."""
+        found = _native.samples(
+            self._native, motion._native, self._what(what), _of(of), count, seed, distribution
+        )
+        text, name, unit, values = found
+        return Samples(name, unit, array(values), count, seed, text)
 
     def forces(self, motion: Motion, sharing: Union[str, Iterable[str], None] = None) -> Forces:
         """The forces of a motion of this system: masses are given by `m.mass` or `m.solid`, weight by `m.gravity`. Of redundant
@@ -270,7 +290,8 @@ class System:
         rows = np.zeros((len(motion), 3))
         given = np.asarray(weights, dtype=float)
         rows[:, : 1 if given.ndim == 1 else given.shape[1]] = given.reshape(len(motion), -1)
-        return np.array(self._native.gradient(motion._native, list(names), self._what(what), as_bytes(rows)))
+        found = _native.gradient(self._native, motion._native, list(names), self._what(what), as_bytes(rows))
+        return np.array(found)
 
     def objective(
         self,

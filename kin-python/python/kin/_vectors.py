@@ -8,7 +8,7 @@ from typing import Any, Iterator, Optional, Sequence, Union
 import numpy as np
 
 from . import _native
-from ._dimension import NumberLike
+from ._dimension import NumberLike, valued
 from ._number import Number
 from ._place import users_line
 from ._scalars import Expr, Scalar, Traced
@@ -101,6 +101,11 @@ class _Components:
 
 class _Vector(_Components):
     __slots__ = ()
+
+    @property
+    def value(self) -> Any:
+        """The same of plain numbers: each dimension's nominal value, such as of `link.start`."""
+        return type(self)(*(valued(one) for one in self))
 
     def _like(self, other: Any) -> Any:
         """The same kind of vector of anything with as many numbers; `None` of anything else."""

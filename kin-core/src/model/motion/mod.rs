@@ -162,6 +162,29 @@ impl Motion {
         self.row(&self.qddd, k)
     }
 
+    /// q of all times without a gap: a row a time, a column a coordinate, as an array of NumPy or ndarray
+    /// lies
+    /// in memory.   \[m, rad\]
+    pub fn q_rows(&self) -> &[f64] {
+        &self.q
+    }
+
+    /// q̇ of all times, as [`Motion::q_rows`].   \[m/s, rad/s\]
+    pub fn qd_rows(&self) -> &[f64] {
+        &self.qd
+    }
+
+    /// q̈ of all times, as [`Motion::q_rows`].   \[m/s², rad/s²\]
+    pub fn qdd_rows(&self) -> &[f64] {
+        &self.qdd
+    }
+
+    /// q⃛ of all times, as [`Motion::q_rows`]; empty where the run was not asked for the jerk.   \[m/s³,
+    /// rad/s³\]
+    pub fn qddd_rows(&self) -> &[f64] {
+        &self.qddd
+    }
+
     /// True if the motion holds the jerk.
     pub fn has_jerk(&self) -> bool {
         self.qddd.len() == self.q.len() && !self.is_empty()
