@@ -29,7 +29,7 @@ type Cells = BTreeMap<usize, Node>;
 
 /// All that is known of C_q, by rows of the whole and coordinates.
 pub(super) struct Elimination<'a> {
-    order: &'a Order,
+    pub(super) order: &'a Order,
     /// The cells of given rows beside their own.
     pub(super) given: Vec<Vec<(usize, Node)>>,
     /// The cells of the rows that are left, in torn coordinates, and how much of which given rows is taken
@@ -41,15 +41,15 @@ pub(super) struct Elimination<'a> {
 
 /// Rows that are solved together, by their numbers among those that are left; coordinates.
 pub(super) struct Block {
-    rows: Vec<usize>,
+    pub(super) rows: Vec<usize>,
     pub(super) pivots: Vec<Pivot>,
     pub(super) cofactors: Cofactors,
 }
 
 /// One pivot of a larger block.
 pub(super) struct Pivot {
-    row: usize,
-    column: usize,
+    pub(super) row: usize,
+    pub(super) column: usize,
     pub(super) inverse: Node,
     pub(super) guard: Node,
     pub(super) lower: Vec<(usize, Node)>,
@@ -198,13 +198,9 @@ impl<'a> Elimination<'a> {
     }
 
     fn solve_block(&self, graph: &mut Graph, block: &Block, rhs: &[Node], x: &mut [Node]) {
-        let own = |column: &usize| {
-            block.cofactors.columns.contains(column)
-                || block.pivots.iter().any(|pivot| pivot.column == *column)
-        };
         let mut known: BTreeMap<usize, Node> = BTreeMap::new();
         for &row in &block.rows {
-            let sum = self.cells[row].iter().filter(|(column, _)| !own(column)).fold(
+            let sum = self.cells[row].iter().filter(|(column, _)| !block.has(**column)).fold(
                 rhs[row],
                 |sum, (column, cell)| {
                     let product = graph.mul(*cell, x[*column]);
@@ -232,6 +228,13 @@ impl<'a> Elimination<'a> {
             });
             x[pivot.column] = graph.mul(sum, pivot.inverse);
         }
+    }
+}
+
+impl Block {
+    /// True if it solves for that coordinate.
+    pub(super) fn has(&self, column: usize) -> bool {
+        self.cofactors.columns.contains(&column) || self.pivots.iter().any(|pivot| pivot.column == column)
     }
 }
 

@@ -19,6 +19,8 @@ mod substitute;
 mod tape;
 #[cfg(test)]
 pub(crate) mod tests;
+#[cfg(test)]
+mod transposed;
 
 pub(crate) use gather::{Refusal, UNREAD};
 #[cfg(test)]

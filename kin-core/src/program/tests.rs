@@ -5,3 +5,4 @@ pub(crate) mod models;
 mod reduced;
 mod replay;
 mod terms;
+mod transposed;
