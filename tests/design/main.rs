@@ -28,12 +28,25 @@ const FILES: [&str; 8] = [
     "two_link_ellipse",
 ];
 
+/// The times of the references themselves, which are few: their equations are walked with dual numbers. And
+/// as many parts of each step: derivatives by a tape of the whole mechanism.
+const PARTS: [usize; 2] = [1, 12];
+
 /// Limits of q, q̇ and q̈ by a parameter, relative to 1 + the largest number.
 const LIMITS: [f64; 3] = [1e-12, 1e-11, 1e-10];
 
 fn run(model: &Model, times: &[f64]) -> Motion {
     let stop = Stop::Converged { tolerance: 1e-15 };
     model.system.run_with(times, &Options { stop, ..Options::default() }).expect("a motion")
+}
+
+/// The times with so many parts of each step.
+fn refined(times: &[f64], parts: usize) -> Vec<f64> {
+    let step = |pair: &[f64]| {
+        let (from, to) = (pair[0], pair[1]);
+        (0..parts).map(move |k| from + (to - from) * k as f64 / parts as f64)
+    };
+    times.windows(2).flat_map(step).chain(times.last().copied()).collect()
 }
 
 fn names(list: &Value) -> Vec<String> {
@@ -53,10 +66,15 @@ fn total(model: &Model, parameter: &str, of: impl Fn(&str) -> Vec<f64>) -> Vec<f
 
 #[test]
 fn coordinates_and_rates_by_each_parameter_of_the_references() {
-    for name in FILES {
+    for (name, parts) in FILES.into_iter().flat_map(|name| PARTS.map(|parts| (name, parts))) {
         let model = model(name);
-        let motion = run(&model, &numbers(&model.file, "time"));
+        let motion = run(&model, &refined(&numbers(&model.file, "time"), parts));
         let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+        let compiled = found.compiled();
+        assert!(
+            if parts == 1 { compiled == 0 } else { 10 * compiled > 9 * motion.len() },
+            "{name}: {compiled}"
+        );
         let mut worst = [0.0_f64; 3];
         for parameter in names(&model.file["sensitivity_parameters"]) {
             if model.behind(&parameter).is_empty() {
@@ -67,14 +85,17 @@ fn coordinates_and_rates_by_each_parameter_of_the_references() {
                 let of = |name: &str| {
                     let by = found.by(name).expect("a parameter");
                     let row = |k: usize| [by.q(k), by.qd(k), by.qdd(k)][order].to_vec();
-                    (0..motion.len()).flat_map(row).collect()
+                    (0..motion.len()).step_by(parts).flat_map(row).collect()
                 };
                 let off = error(&total(&model, &parameter, of), &exact);
                 assert!(off <= LIMITS[order], "{name}: {field} by {parameter} is off by {off:.1e}");
                 worst[order] = worst[order].max(off);
             }
         }
-        println!("{name}: q {:.1e}, qd {:.1e}, qdd {:.1e}", worst[0], worst[1], worst[2]);
+        println!(
+            "{name}, {compiled} compiled: q {:.1e}, qd {:.1e}, qdd {:.1e}",
+            worst[0], worst[1], worst[2]
+        );
     }
 }
 
@@ -190,22 +211,79 @@ fn extremes_by_each_parameter_of_the_references() {
     }
 }
 
+/// Strokes, swings and the times between dead centres: differences of two extremes.
+#[test]
+fn differences_of_extremes_by_each_parameter_of_the_references() {
+    let mut compared = 0;
+    for name in FILES {
+        let model = model(name);
+        let all = |field: &str| model.file[field].as_array().expect("a list").clone();
+        for combination in all("combinations") {
+            let definition = combination["definition"].as_str().expect("a definition");
+            let words: Vec<&str> = definition.split(' ').collect();
+            let &[of, "of", first, "minus", _, "of", second] = &words[..] else { panic!("{definition}") };
+            let event = |name: &str| {
+                let event = all("events").into_iter().find(|event| event["name"] == name);
+                event.expect("an event")
+            };
+            let events = [event(first), event(second)];
+            let output = events[0]["output"].as_str().expect("an output");
+            let Some(measure) = self::output(&model, output) else { continue };
+            let what = |m: &Motion| measure(m);
+            let start = numbers(&model.file, "time")[0];
+            let end = events.iter().map(|event| numbers(event, "between")[1]).fold(start, f64::max);
+            let motion = run(&model, &linspace(start.min(numbers(&events[0], "between")[0]), end, 201));
+            let extremes = model.system.extremes(&motion, what).expect("extremes");
+            let extreme = |event: &Value| {
+                let near = |extreme: &&Extreme| (extreme.t - data::number(event, "t")).abs() < 1e-6;
+                *extremes.all().iter().find(near).expect("the extreme")
+            };
+            let [first, second] = [extreme(&events[0]), extreme(&events[1])];
+            let value = if of == "t" { first.t - second.t } else { first.value - second.value };
+            assert!((value - data::number(&combination, "value")).abs() < 2e-12, "{name}: {definition}");
+            let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+            let by = found.between(what, &first, &second).expect("derivatives");
+            for parameter in combination["dp"].as_object().expect("derivatives").keys() {
+                if model.behind(parameter).is_empty() {
+                    continue;
+                }
+                let of = |name: &str| {
+                    let by = by.iter().find(|by| by.name == name).expect("a parameter");
+                    vec![if of == "t" { by.t } else { by.value }]
+                };
+                let exact = data::number(&combination["dp"], parameter);
+                let off = error(&total(&model, parameter, of), &[exact]);
+                assert!(off <= 1e-10, "{name}: {definition} by {parameter} is off by {off:.1e}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 40, "{compared}");
+}
+
 /// Σ (y − target)² + α ẏ² + β ÿ² by all parameters at once, against the references and the forward way.
 #[test]
 fn gradients_of_functionals_through_the_adjoint() {
-    for name in FILES {
+    for (name, parts) in FILES.into_iter().flat_map(|name| PARTS.map(|parts| (name, parts))) {
         let model = model(name);
         let file = &model.file["functional"];
-        let motion = run(&model, &numbers(&model.file, "time"));
+        let motion = run(&model, &refined(&numbers(&model.file, "time"), parts));
         let target = numbers(file, "target");
         let definition = file["definition"].as_str().expect("a definition");
         let output = definition.rsplit("y = ").next().expect("an output");
         let Some(of) = self::output(&model, output) else { continue };
         let y = of.of(&model.system, &motion).expect("the output");
         let weights = |k: usize| {
+            if k % parts != 0 {
+                return [0.0; 3];
+            }
             let values = [&y.value, &y.rate, &y.second_rate].map(|series| series.values()[k]);
             let factors = [1.0, data::number(file, "alpha"), data::number(file, "beta")];
-            [2.0 * (values[0] - target[k]), 2.0 * factors[1] * values[1], 2.0 * factors[2] * values[2]]
+            [
+                2.0 * (values[0] - target[k / parts]),
+                2.0 * factors[1] * values[1],
+                2.0 * factors[2] * values[2],
+            ]
         };
         let parameters = model.parameters();
         let found = model.system.sensitivities(&motion, &parameters).expect("sensitivities");

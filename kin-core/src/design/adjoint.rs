@@ -1,17 +1,18 @@
 //! The gradient of one number by all parameters at once, through the transposed factors of C_q.
 
 use super::along::{Along, Prepared};
-use super::measured::{along, refuse_own};
+use super::measured::refuse_own;
+use super::partials::partials;
 use super::sensitivities::{Sensitivity, Solver};
-use super::smooth;
+use super::{smooth, variation};
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
 use crate::model::no_derivative::NoDerivative;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// ∂F/∂q, ∂F/∂q̇ and ∂F/∂q̈ at one time.
-type Slopes = [Vec<f64>; 3];
+/// ∂F/∂q, ∂F/∂q̇ and ∂F/∂q̈, a row for each time.
+pub(super) type Weights = [Vec<f64>; 3];
 
 impl System {
     /// The derivatives of one number F by parameters, where F is a function of a measure y, ẏ and ÿ over a
@@ -37,17 +38,21 @@ impl System {
         self.own(motion)?;
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         names.iter().try_for_each(|name| refuse_own(self, &what, name))?;
-        let slopes = self.slopes(motion, &what, weights)?;
+        let weights = self.weights(motion, &what, weights)?;
         if self.is_redundant() {
-            return self.summed(motion, &names, slopes);
+            return self.summed(motion, &names, &weights);
         }
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
         let mut prepared = Prepared::new(self, &names)?;
-        let mut gradient = vec![0.0; names.len()];
-        for ((k, &t), slopes) in motion.times().iter().enumerate().zip(slopes) {
+        let (n, mut gradient) = (self.n_coordinates(), vec![0.0; names.len()]);
+        let left =
+            variation::pays(motion).then(|| variation::adjoint(&prepared, motion, &weights, &mut gradient));
+        for k in left.flatten().unwrap_or_else(|| (0..motion.len()).collect()) {
+            let t = motion.times()[k];
             let along = prepared.at(t, [motion.q(k), motion.qd(k), motion.qdd(k)]);
             let solver = Solver::at(self, t, motion.q(k))?;
-            let Some(adjoint) = adjoint(&solver, &along, slopes) else { continue };
+            let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
+            let Some(adjoint) = adjoint(&solver, &along, own) else { continue };
             for (sum, by_p) in gradient.iter_mut().zip(&along.by_p) {
                 for (row, jet) in by_p {
                     *sum -= adjoint.iter().zip(jet).map(|(adjoint, c_p)| adjoint[*row] * c_p).sum::<f64>();
@@ -62,41 +67,44 @@ impl System {
         }
     }
 
-    /// The slopes of F at each time: y_p = y_q q_p and its derivatives by time, coordinate by coordinate.
-    fn slopes(
+    /// Those of F at each time, by y_q and its derivatives by time.
+    fn weights(
         &self,
         motion: &Motion,
         what: &dyn Measure,
         weights: impl Fn(usize) -> [f64; 3],
-    ) -> Result<Vec<Slopes>> {
+    ) -> Result<Weights> {
         let n = self.n_coordinates();
-        let mut slopes: Vec<Slopes> = (0..motion.len()).map(|_| [(); 3].map(|()| vec![0.0; n])).collect();
-        for j in 0..n {
-            let y = along(self, motion, what, &Sensitivity::of_coordinate(j, n, motion.len()))?;
-            for (k, [by_q, by_qd, by_qdd]) in slopes.iter_mut().enumerate() {
-                let ([a, b, c], [y0, y1, y2]) = (weights(k), [y.value[k], y.rate[k], y.second_rate[k]]);
-                (by_q[j], by_qd[j], by_qdd[j]) = (a * y0 + b * y1 + c * y2, b * y0 + 2.0 * c * y1, c * y0);
+        let mut found = [(); 3].map(|()| vec![0.0; n * motion.len()]);
+        let [by_q, by_qd, by_qdd] = &mut found;
+        let partials = partials(self, motion, what)?;
+        for k in 0..motion.len() {
+            let [a, b, c] = weights(k);
+            for (j, [y_q, first, second]) in &partials {
+                let (place, [y0, y1, y2]) = (k * n + j, [y_q[k], first[k], second[k]]);
+                by_q[place] = a * y0 + b * y1 + c * y2;
+                by_qd[place] = b * y0 + 2.0 * c * y1;
+                by_qdd[place] = c * y0;
             }
         }
-        Ok(slopes)
+        Ok(found)
     }
 
     /// F_p from the derivatives by each parameter.
-    fn summed(&self, motion: &Motion, names: &[String], slopes: Vec<Slopes>) -> Result<Vec<f64>> {
+    fn summed(&self, motion: &Motion, names: &[String], weights: &Weights) -> Result<Vec<f64>> {
         let sensitivities = self.sensitivities(motion, names)?;
         let sum = |one: &Sensitivity| {
-            let at = |(k, slopes): (usize, &Slopes)| {
-                let orders = [one.q(k), one.qd(k), one.qdd(k)].concat();
-                slopes.iter().flatten().zip(orders).map(|(slope, by_p)| slope * by_p).sum::<f64>()
+            let dot = |(weights, by_p): (&Vec<f64>, &Vec<f64>)| -> f64 {
+                weights.iter().zip(by_p).map(|(weight, by_p)| weight * by_p).sum()
             };
-            slopes.iter().enumerate().map(at).sum()
+            weights.iter().zip(one.orders()).map(dot).sum()
         };
         Ok(sensitivities.all().iter().map(sum).collect())
     }
 }
 
 /// λ₀, λ₁ and λ₂.
-fn adjoint(solver: &Solver<'_>, along: &Along, [mut w0, mut w1, w2]: Slopes) -> Option<Slopes> {
+pub(super) fn adjoint(solver: &Solver<'_>, along: &Along, [mut w0, mut w1, w2]: Weights) -> Option<Weights> {
     let second = solver.transposed(&w2)?;
     for (row, column, jet) in &along.by_q {
         w1[*column] -= 2.0 * jet[1] * second[*row];

@@ -17,13 +17,13 @@ pub(super) type Jet = [f64; 3];
 
 /// All equations of a system, ready to be asked along its motions.
 pub(super) struct Prepared<'a> {
-    system: &'a System,
-    blocks: Vec<Equation>,
+    pub system: &'a System,
+    pub blocks: Vec<Equation>,
     /// The coordinate behind each column of each constraint.
     columns: Vec<Vec<Option<usize>>>,
-    asked: Vec<Asked>,
+    pub asked: Vec<Asked>,
     /// How many names were asked for.
-    names: usize,
+    pub names: usize,
     /// The memory of one walk, for the next.
     results: Results<Number>,
 }

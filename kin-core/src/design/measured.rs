@@ -1,16 +1,12 @@
 //! Derivatives of measures and of their extremes by parameters.
-//!
-//! A measure y is asked along the motions q + a s δ(s), δ(s) = q_p + s q̇_p + ½ s² q̈_p, that begin at the
-//! pose of each time: its derivatives by s up to the third are polynomials in a of that degree, and the
-//! linear coefficient of derivative k + 1 is (k + 1) times derivative k of y_p. Their values at two or four
-//! changes a give it exactly: nothing is approximated.
 
+use super::partials::{Partial, partials};
 use super::sensitivities::{Sensitivities, Sensitivity};
 use super::smooth;
 use crate::ask::measure::{Extreme, Measure};
 use crate::model::error::Result;
 use crate::model::no_derivative::NoDerivative;
-use crate::solve::motion::{Motion, Quantity};
+use crate::solve::motion::Motion;
 use crate::system::System;
 
 /// Derivatives of a measure by one parameter, one value a time.
@@ -99,12 +95,27 @@ impl Sensitivities<'_> {
     }
 
     pub(super) fn each(&self, what: &dyn Measure) -> Result<Vec<MeasureSensitivity>> {
-        let by = |by: &Sensitivity| {
-            refuse_own(self.system, what, by.name())?;
-            along(self.system, self.motion, what, by)
-        };
-        self.all().iter().map(by).collect()
+        self.all().iter().try_for_each(|by| refuse_own(self.system, what, by.name()))?;
+        let partials = partials(self.system, self.motion, what)?;
+        Ok(self.all().iter().map(|by| along(&partials, by, self.motion.len())).collect())
     }
+}
+
+/// y_p = y_q q_p and its derivatives by time.
+fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> MeasureSensitivity {
+    let none = || vec![0.0; times];
+    let name = by.name().to_string();
+    let mut sum = MeasureSensitivity { name, value: none(), rate: none(), second_rate: none() };
+    for (j, [y_q, first, second]) in partials {
+        for k in 0..times {
+            let ([a, b, c], [q, qd, qdd]) =
+                ([y_q[k], first[k], second[k]], [by.q(k)[*j], by.qd(k)[*j], by.qdd(k)[*j]]);
+            sum.value[k] += a * q;
+            sum.rate[k] += a * qd + b * q;
+            sum.second_rate[k] += a * qdd + 2.0 * b * qd + c * q;
+        }
+    }
+    sum
 }
 
 /// An error by name where a measure is one of the joint whose parameter that is.
@@ -118,51 +129,4 @@ pub(super) fn refuse_own(system: &System, what: &dyn Measure, by: &str) -> Resul
         return Err(NoDerivative::error(by, reason));
     }
     Ok(())
-}
-
-/// The derivatives of a measure along a change of a motion.
-pub(super) fn along(
-    system: &System,
-    motion: &Motion,
-    what: &dyn Measure,
-    by: &Sensitivity,
-) -> Result<MeasureSensitivity> {
-    let size = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let all = |of: &dyn Fn(usize) -> f64| (0..motion.len()).map(of).fold(0.0_f64, f64::max);
-    let rates = all(&|k| size(motion.qd(k)).max(size(motion.qdd(k)).sqrt()));
-    let slopes = all(&|k| size(by.q(k)).max(size(by.qd(k))).max(size(by.qdd(k))));
-    // Changes of the size of the rates lose the fewest digits.
-    let h = Some(rates.max(1.0) / slopes).filter(|h| h.is_finite()).unwrap_or(1.0);
-    let asked = |a: f64| what.of(system, &changed(motion, by, a));
-    let (near, far) = ([asked(h)?, asked(-h)?], [asked(2.0 * h)?, asked(-2.0 * h)?]);
-    let odd = |[plus, minus]: &[Quantity; 2], order: usize, k: usize| {
-        0.5 * (plus.orders()[order][k] - minus.orders()[order][k])
-    };
-    let linear = |order: usize, k: usize| match order {
-        1 | 2 => odd(&near, order, k) / h,
-        _ => (8.0 * odd(&near, order, k) - odd(&far, order, k)) / (6.0 * h),
-    };
-    let list = |order: usize| (0..motion.len()).map(|k| linear(order, k) / order as f64).collect();
-    Ok(MeasureSensitivity {
-        name: by.name().to_string(),
-        value: list(1),
-        rate: list(2),
-        second_rate: list(3),
-    })
-}
-
-/// The motion with the rates of q + a s δ(s).
-fn changed(motion: &Motion, by: &Sensitivity, a: f64) -> Motion {
-    let mut changed = motion.clone();
-    changed.qddd = vec![0.0; changed.q.len()];
-    let n = motion.names().len();
-    for k in 0..motion.len() {
-        for j in 0..n {
-            let place = k * n + j;
-            changed.qd[place] += a * by.q(k)[j];
-            changed.qdd[place] += 2.0 * a * by.qd(k)[j];
-            changed.qddd[place] = 3.0 * a * by.qdd(k)[j];
-        }
-    }
-    changed
 }

@@ -132,6 +132,10 @@ impl<M: Measure> Measure for Named<'_, M> {
     fn name(&self) -> Option<&str> {
         self.what.name()
     }
+
+    fn coordinate(&self, system: &System) -> Option<usize> {
+        self.what.coordinate(system)
+    }
 }
 
 #[cfg(feature = "argmin")]

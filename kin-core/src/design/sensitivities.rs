@@ -1,7 +1,7 @@
 //! Derivatives of q, q̇ and q̈ by parameters: one solve with the factors of C_q for each order.
 
 use super::along::{Along, Prepared};
-use super::smooth;
+use super::{smooth, variation};
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::linear::Linear;
 use crate::model::error::{Error, Result};
@@ -18,6 +18,7 @@ pub struct Sensitivities<'a> {
     pub(super) system: &'a System,
     pub(super) motion: &'a Motion,
     all: Vec<Sensitivity>,
+    compiled: usize,
 }
 
 /// Derivatives of q, q̇ and q̈ by one parameter, at each time of a motion.
@@ -68,17 +69,25 @@ impl System {
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
         let mut prepared = Prepared::new(self, &names)?;
         let n = self.n_coordinates();
-        let empty = |name: &String| Sensitivity { name: name.clone(), n, orders: Default::default() };
+        let list = || vec![0.0; n * motion.len()];
+        let empty = |name: &String| Sensitivity { name: name.clone(), n, orders: [list(), list(), list()] };
         let mut all: Vec<Sensitivity> = names.iter().map(empty).collect();
-        for (k, &t) in motion.times().iter().enumerate() {
+        let lists = all.iter_mut().flat_map(|one| one.orders.iter_mut().map(Vec::as_mut_slice)).collect();
+        let left = variation::pays(motion).then(|| variation::forward(&prepared, motion, lists));
+        let left = left.flatten().unwrap_or_else(|| (0..motion.len()).collect());
+        let compiled = motion.len() - left.len();
+        for k in left {
+            let t = motion.times()[k];
             let along = prepared.at(t, [motion.q(k), motion.qd(k), motion.qdd(k)]);
             let mut solver = Solver::at(self, t, motion.q(k))?;
             for (one, by_p) in all.iter_mut().zip(&along.by_p) {
                 let orders = solver.forward(&along, by_p, &one.name)?;
-                one.orders.iter_mut().zip(orders).for_each(|(all, own)| all.extend(own));
+                for (all, own) in one.orders.iter_mut().zip(orders) {
+                    all[k * n..][..n].copy_from_slice(&own);
+                }
             }
         }
-        Ok(Sensitivities { system: self, motion, all })
+        Ok(Sensitivities { system: self, motion, all, compiled })
     }
 }
 
@@ -86,6 +95,13 @@ impl Sensitivities<'_> {
     /// Those by each parameter, in the order in which they were asked for.
     pub fn all(&self) -> &[Sensitivity] {
         &self.all
+    }
+
+    /// At how many times they come from a tape of the whole mechanism over several times at once; at the
+    /// others from a walk over the equations, one time after the other: along motions of a few times, where
+    /// the mechanism is redundant or near a singular position, and on machines without lanes.
+    pub fn compiled(&self) -> usize {
+        self.compiled
     }
 
     /// That by one parameter. Errors: a name that was not asked for.
@@ -99,14 +115,6 @@ impl Sensitivities<'_> {
 }
 
 impl Sensitivity {
-    /// The change of coordinate j by 1 at each of so many times, the others and all rates as they are.
-    pub(super) fn of_coordinate(j: usize, n: usize, times: usize) -> Self {
-        let row = || (0..n).map(|k| if k == j { 1.0 } else { 0.0 });
-        let still = vec![0.0; n * times];
-        let changed = (0..times).flat_map(|_| row()).collect();
-        Sensitivity { name: String::new(), n, orders: [changed, still.clone(), still] }
-    }
-
     /// The parameter.
     pub fn name(&self) -> &str {
         &self.name
@@ -126,6 +134,11 @@ impl Sensitivity {
     /// ∂q̈/∂p at time k; empty beyond the last time.   \[unit of q̈ a unit of p\]
     pub fn qdd(&self, k: usize) -> &[f64] {
         self.row(2, k)
+    }
+
+    /// All of them, one list an order.
+    pub(super) fn orders(&self) -> &[Vec<f64>; 3] {
+        &self.orders
     }
 
     fn row(&self, order: usize, k: usize) -> &[f64] {
@@ -163,7 +176,12 @@ impl<'a> Solver<'a> {
     }
 
     /// q_p, q̇_p and q̈_p.
-    fn forward(&mut self, along: &Along, by_p: &[(usize, [f64; 3])], name: &str) -> Result<[Vec<f64>; 3]> {
+    pub(super) fn forward(
+        &mut self,
+        along: &Along,
+        by_p: &[(usize, [f64; 3])],
+        name: &str,
+    ) -> Result<[Vec<f64>; 3]> {
         let m = self.system.n_equations();
         let mut found: [Vec<f64>; 3] = Default::default();
         for order in 0..3 {

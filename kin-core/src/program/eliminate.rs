@@ -28,7 +28,7 @@ const FILL_FREE: usize = 4096;
 type Cells = BTreeMap<usize, Node>;
 
 /// All that is known of C_q, by rows of the whole and coordinates.
-pub(super) struct Elimination<'a> {
+pub(crate) struct Elimination<'a> {
     pub(super) order: &'a Order,
     /// The cells of given rows beside their own.
     pub(super) given: Vec<Vec<(usize, Node)>>,
@@ -63,7 +63,7 @@ pub(super) const TANGLED: &str = "too much of it is tied together";
 impl<'a> Elimination<'a> {
     /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes at the
     /// guess, in units of order 1 by coordinates.
-    pub(super) fn new(
+    pub(crate) fn new(
         graph: &mut Graph,
         order: &'a Order,
         slopes: &[Vec<(usize, Node)>],
@@ -160,7 +160,7 @@ impl<'a> Elimination<'a> {
 
     /// The values to be watched, block by block: pivots and determinants. Signs of their products are the
     /// orientations.
-    pub(super) fn guards(&self) -> Vec<Vec<Node>> {
+    pub(crate) fn guards(&self) -> Vec<Vec<Node>> {
         let of = |block: &Block| {
             block.pivots.iter().map(|pivot| pivot.guard).chain([block.cofactors.determinant]).collect()
         };
@@ -173,7 +173,7 @@ impl<'a> Elimination<'a> {
     }
 
     /// x of C_q x = b, by coordinates; b by rows of the whole.
-    pub(super) fn solve(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
+    pub(crate) fn solve(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let mut x = vec![graph.zero(); b.len()];
         let rhs: Vec<Node> = (0..self.cells.len()).map(|row| self.rest(graph, row, b)).collect();
         for block in &self.blocks {

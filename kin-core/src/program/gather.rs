@@ -8,7 +8,7 @@ use kin_graph::{Graph, Input, Node, Op};
 
 use super::kind::{FOREIGN, Kind, SELF};
 use crate::model::constraint::Constraint;
-use crate::model::formula::{copied, nothing_outside};
+use crate::model::formula::{Given, Outside, copied, nothing_outside};
 use crate::model::law::Law;
 use crate::model::layout::Place;
 use crate::numbers::real::Dual3_64;
@@ -43,12 +43,11 @@ pub(crate) struct Refusal {
 /// Why a constraint without a formula cannot be compiled.
 pub(crate) const UNREAD: &str =
     "its equation is not known as a formula: it takes the dual route, or is written by hand";
-const ABROAD: &str = "one of its bodies is of another mechanism";
+pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 
 /// Gathers the equations of a system; refuses by name what cannot be read.
 pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
-    let mut whole =
-        Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n: system.n_coordinates() };
+    let mut whole = Whole::new(system.n_coordinates());
     let mut kinds: HashMap<usize, Kind> = HashMap::new();
     for block in &system.equations().blocks {
         let constraint = block.constraint.as_ref();
@@ -62,20 +61,7 @@ pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
                     Kind::of(table.formula(), block.rows().len()).map(|kind| &*place.insert(kind))
                 }
             };
-            let law = |number| {
-                let mut given = Default::default();
-                outside(number, &[], &mut given);
-                given.law().cloned()
-            };
-            let foreign = |number, component, operands: &[f64]| {
-                let (operands, mut given): (Vec<Dual3_64>, _) =
-                    (operands.iter().map(|x| Dual3_64::from_re(*x)).collect(), Default::default());
-                outside(number, &operands, &mut given);
-                given.number(component).re
-            };
-            known.and_then(|kind| {
-                whole.append(kind, &Leaves { columns: &columns, parameters, law: &law, foreign: &foreign })
-            })
+            known.and_then(|kind| whole.append(kind, &Leaves { columns: &columns, parameters, outside }))
         });
         done.unwrap_or(Err(UNREAD)).map_err(refused)?;
     }
@@ -83,23 +69,34 @@ pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
 }
 
 /// The inputs of one constraint.
-struct Leaves<'a> {
-    columns: &'a [Column],
-    parameters: &'a [f64],
-    law: &'a dyn Fn(usize) -> Option<Law>,
-    foreign: &'a dyn Fn(usize, usize, &[f64]) -> f64,
+pub(crate) struct Leaves<'a> {
+    pub columns: &'a [Column],
+    pub parameters: &'a [f64],
+    /// The values and laws that only the user's program can compute.
+    pub outside: Outside<'a>,
+}
+
+impl Leaves<'_> {
+    fn law(&self, number: usize) -> Option<Law> {
+        Given::by(self.outside, number, &[]).law().cloned()
+    }
+
+    fn foreign(&self, number: usize, component: usize, operands: &[f64]) -> f64 {
+        let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(*x)).collect();
+        Given::by(self.outside, number, &operands).number(component).re
+    }
 }
 
 /// The coordinate behind a local column.
 #[derive(Clone, Copy)]
-enum Column {
+pub(crate) enum Column {
     Coordinate(usize),
-    /// On the ground.
+    /// A number: of the ground.
     Fixed(f64),
 }
 
 /// The local columns of a constraint.
-fn columns(system: &System, constraint: &dyn Constraint) -> Option<Vec<Column>> {
+pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Vec<Column>> {
     let mut columns = Vec::new();
     for argument in constraint.arguments() {
         let count = argument.target.columns();
@@ -118,12 +115,29 @@ fn columns(system: &System, constraint: &dyn Constraint) -> Option<Vec<Column>> 
 }
 
 impl Whole {
+    /// Of so many coordinates, without rows.
+    pub(crate) fn new(n: usize) -> Self {
+        Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n }
+    }
+
+    /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their numbers
+    /// there.
+    pub(crate) fn copy(
+        &mut self,
+        from: &Graph,
+        nodes: &[Node],
+        leaves: &Leaves<'_>,
+    ) -> Result<Vec<Node>, &'static str> {
+        let mut places = vec![Node::default(); from.len()];
+        for &node in nodes {
+            places[node.index()] = self.node(from, node, &places, leaves)?;
+        }
+        Ok(places)
+    }
+
     /// Appends the rows of a constraint.
     fn append(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<(), &'static str> {
-        let mut places = vec![Node::default(); kind.graph.len()];
-        for &node in &kind.nodes {
-            places[node.index()] = self.node(&kind.graph, node, &places, leaves)?;
-        }
+        let places = self.copy(&kind.graph, &kind.nodes, leaves)?;
         for row in &kind.rows {
             let of = |node: Node| places[node.index()];
             let mut slopes: Vec<(usize, Node)> = Vec::new();
@@ -172,26 +186,28 @@ impl Whole {
             Op::Input(Input::Time) => to.input(Input::Time),
             Op::Input(Input::TimeRate) => to.constant(1.0),
             Op::Law(number, x, order) => {
-                let law = (leaves.law)(number).ok_or(UNREAD)?;
-                match written(&law, order) {
-                    Some((own, f)) => {
-                        let x = of(x);
-                        copied(&own, f, to, &nothing_outside, &mut |_, _| Some(x)).ok_or(UNREAD)?
-                    }
-                    None => {
-                        let number = self.law(law);
-                        self.graph.law(number, of(x), order)
-                    }
-                }
+                let law = leaves.law(number).ok_or(UNREAD)?;
+                self.law_at(law, of(x), order).ok_or(UNREAD)?
             }
             Op::Opaque(number, component) => {
                 let operands: Option<Vec<f64>> =
                     from.opaques[number].iter().map(|operand| to.known_value(of(*operand))).collect();
-                let value = (leaves.foreign)(number, component, &operands.ok_or(FOREIGN)?);
+                let value = leaves.foreign(number, component, &operands.ok_or(FOREIGN)?);
                 to.constant(value)
             }
             op => to.rebuilt(op, of).ok_or(UNREAD)?,
         })
+    }
+
+    /// A derivative of a law at a node: by its formula, if it is known so.
+    pub(crate) fn law_at(&mut self, law: Law, x: Node, order: u8) -> Option<Node> {
+        match written(&law, order) {
+            Some((own, f)) => copied(&own, f, &mut self.graph, &nothing_outside, &mut |_, _| Some(x)),
+            None => {
+                let number = self.law(law);
+                Some(self.graph.law(number, x, order))
+            }
+        }
     }
 
     /// The number of a law: the same one for laws that are one.

@@ -8,7 +8,7 @@ use kin_graph::schedule::looked_up;
 use kin_graph::{Column, Depends, Formula, Graph, Input, Node, Op, Part};
 
 /// The part of a state that a coordinate is.
-pub(super) const SELF: Part = Part::R(0);
+pub(crate) const SELF: Part = Part::R(0);
 
 /// Rows with all that is asked of them.
 pub(super) struct Kind {

@@ -19,11 +19,15 @@ mod substitute;
 mod tape;
 #[cfg(test)]
 pub(crate) mod tests;
-#[cfg(test)]
 mod transposed;
 
-pub(crate) use gather::{Refusal, UNREAD};
+pub(crate) use eliminate::Elimination;
+pub(crate) use gather::{ABROAD, Column, Leaves, Refusal, UNREAD, Whole, columns};
+pub(crate) use kind::SELF;
+pub(crate) use reduce::Reduced;
 #[cfg(test)]
 pub(crate) use stages::Program;
-pub(crate) use stages::{Pose, REDUNDANT, program};
-pub(crate) use tape::{Tape, schedule, times};
+pub(crate) use stages::{At, Pose, REDUNDANT, numbers, program};
+pub(crate) use substitute::{Explicit, constants, ordered};
+pub(crate) use tape::{IntoRows, OverTimes, Rows, Straight, Summed, Tape, schedule, straight, times};
+pub(crate) use transposed::take;

@@ -7,17 +7,21 @@ use super::kind::SELF;
 use super::substitute::Order;
 
 /// A graph on the way from that of a whole: what each of its nodes has become.
-pub(super) struct Reduced<'a> {
+pub(crate) struct Reduced<'a> {
     from: &'a Graph,
     pub graph: Graph,
     places: Vec<Option<Node>>,
 }
 
 impl<'a> Reduced<'a> {
+    /// With nothing put in.
+    pub(crate) fn of_all(from: &'a Graph) -> Self {
+        Reduced { from, graph: Graph::default(), places: vec![None; from.len()] }
+    }
+
     /// With all coordinates put in: their nodes, by coordinates.
     pub(super) fn new(whole: &'a Whole, order: &Order) -> (Self, Vec<Node>) {
-        let mut reduced =
-            Reduced { from: &whole.graph, graph: Graph::default(), places: vec![None; whole.graph.len()] };
+        let mut reduced = Reduced::of_all(&whole.graph);
         let mut values = vec![Node::default(); whole.n];
         for &column in &order.torn {
             values[column] = reduced.graph.input(Input::State(column, SELF));
@@ -32,7 +36,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// An input is this node from now on.
-    pub(super) fn put(&mut self, input: Input, node: Node) {
+    pub(crate) fn put(&mut self, input: Input, node: Node) {
         if let Some(own) = self.from.existing(Op::Input(input)) {
             self.places[own.index()] = Some(node);
         }
@@ -40,7 +44,7 @@ impl<'a> Reduced<'a> {
 
     /// Forgets what the nodes that are computed from these inputs have become, sines and cosines of them but:
     /// those stay.
-    pub(super) fn rewrite(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
+    pub(crate) fn rewrite(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
         let mut kept = vec![None; self.from.len()];
         for (input, node) in inputs {
             let Some(own) = self.from.existing(Op::Input(input)) else { continue };
@@ -54,7 +58,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The node that stands for another one now.
-    pub(super) fn of(&mut self, node: Node) -> Node {
+    pub(crate) fn of(&mut self, node: Node) -> Node {
         let mut open = vec![node];
         while let Some(&next) = open.last() {
             if self.places[next.index()].is_some() {

@@ -142,13 +142,13 @@ pub(super) fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
 }
 
 /// The numbers of nodes.
-pub(super) fn numbers(graph: &Graph, nodes: &[Node], source: &impl Source<f64>) -> Vec<f64> {
+pub(crate) fn numbers(graph: &Graph, nodes: &[Node], source: &impl Source<f64>) -> Vec<f64> {
     let results = evaluate(graph, nodes, source);
     nodes.iter().map(|node| results.number(*node).unwrap_or(f64::NAN)).collect()
 }
 
 /// A pose as what a graph reads.
-pub(super) struct At<'a> {
+pub(crate) struct At<'a> {
     pub pose: Pose<'a>,
     pub laws: &'a [Law],
 }

@@ -36,44 +36,51 @@ pub(crate) struct Order {
 /// guess, `sizes` the sizes of coordinates.
 pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Order {
     let eligible = eligible(whole, slopes, sizes);
-    let mut search = Search::new(whole, eligible);
+    let cells: Vec<&[(usize, Node)]> = whole.rows.iter().map(|row| &row.slopes[..]).collect();
+    ordered(&cells, whole.n, eligible)
+}
+
+/// An order of rows with these cells, in so many coordinates, by the coordinates that each row could give.
+pub(crate) fn ordered(cells: &[&[(usize, Node)]], n: usize, eligible: Vec<Vec<Explicit>>) -> Order {
+    let mut search = Search::new(cells, n, eligible);
     while search.left > 0 {
         if let Some(row) = search.ready.pop() {
             search.give(row);
         } else {
-            search.tear(whole);
+            search.tear(cells);
         }
     }
     let Search { mut order, used, .. } = search;
-    order.rows = (0..whole.rows.len()).filter(|row| !used[*row]).collect();
+    order.rows = (0..cells.len()).filter(|row| !used[*row]).collect();
     order
+}
+
+/// The cells of a row that are constant and large in it, with their constants.
+pub(crate) fn constants(
+    graph: &Graph,
+    cells: &[(usize, Node)],
+    values: &[f64],
+    sizes: &[f64],
+) -> Vec<(usize, f64)> {
+    let measures = cells.iter().zip(values).map(|((column, _), value)| (value * sizes[*column]).abs());
+    let largest = measures.fold(0.0, f64::max);
+    let constant = |(column, cell): &(usize, Node)| {
+        let large = |factor: &f64| (factor * sizes[*column]).abs() >= SHARE * largest && factor.is_finite();
+        graph.constant_value(*cell).filter(large).map(|factor| (*column, factor))
+    };
+    cells.iter().filter_map(constant).filter(|(_, factor)| *factor != 0.0).collect()
 }
 
 /// Of each row the coordinates that it could give, with factors and rests.
 fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Explicit>> {
     let mut all = Vec::with_capacity(whole.rows.len());
     for (row, values) in slopes.iter().enumerate() {
-        let measures = whole.rows[row]
-            .slopes
-            .iter()
-            .zip(values)
-            .map(|((column, _), value)| (value * sizes[*column]).abs());
-        let largest = measures.fold(0.0, f64::max);
         let mut own = Vec::new();
-        for k in 0..whole.rows[row].slopes.len() {
-            let (column, slope) = whole.rows[row].slopes[k];
-            let large =
-                |factor: &f64| (factor * sizes[column]).abs() >= SHARE * largest && factor.is_finite();
-            let Some(factor) = whole.graph.constant_value(slope).filter(large) else { continue };
+        for (column, factor) in constants(&whole.graph, &whole.rows[row].slopes, values, sizes) {
             let residual = whole.rows[row].residual;
             let Some(input) = whole.graph.existing(Op::Input(Input::State(column, SELF))) else { continue };
-            let split = split(&mut whole.graph, residual, input);
-            own.extend(split.filter(|(own, _)| *own == factor && *own != 0.0).map(|(_, rest)| Explicit {
-                row,
-                column,
-                factor,
-                rest,
-            }));
+            let split = split(&mut whole.graph, residual, input).filter(|(own, _)| *own == factor);
+            own.extend(split.map(|(_, rest)| Explicit { row, column, factor, rest }));
         }
         all.push(own);
     }
@@ -145,16 +152,16 @@ struct Search {
 }
 
 impl Search {
-    fn new(whole: &Whole, eligible: Vec<Vec<Explicit>>) -> Self {
-        let mut readers = vec![Vec::new(); whole.n];
-        for (row, own) in whole.rows.iter().enumerate() {
-            own.slopes.iter().for_each(|(column, _)| readers[*column].push(row));
+    fn new(cells: &[&[(usize, Node)]], n: usize, eligible: Vec<Vec<Explicit>>) -> Self {
+        let mut readers = vec![Vec::new(); n];
+        for (row, own) in cells.iter().enumerate() {
+            own.iter().for_each(|(column, _)| readers[*column].push(row));
         }
-        let unknown: Vec<usize> = whole.rows.iter().map(|row| row.slopes.len()).collect();
+        let unknown: Vec<usize> = cells.iter().map(|row| row.len()).collect();
         let could: Vec<usize> = eligible.iter().map(Vec::len).collect();
         let open = (0..unknown.len()).filter(|row| could[*row] > 0).map(|row| (unknown[row], row)).collect();
         let ready = (0..unknown.len()).rev().filter(|row| unknown[*row] == 1 && could[*row] == 1).collect();
-        let (rows, n) = (whole.rows.len(), whole.n);
+        let rows = cells.len();
         let order = Order::default();
         Search {
             order,
@@ -184,15 +191,11 @@ impl Search {
 
     /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if there is
     /// any, and that most rows read.
-    fn tear(&mut self, whole: &Whole) {
+    fn tear(&mut self, cells: &[&[(usize, Node)]]) {
         let row = self.open.first().map(|(_, row)| *row);
         let column = match row {
             Some(row) => {
-                let own = whole.rows[row]
-                    .slopes
-                    .iter()
-                    .map(|(column, _)| *column)
-                    .filter(|column| !self.known[*column]);
+                let own = cells[row].iter().map(|(column, _)| *column).filter(|column| !self.known[*column]);
                 let gives = |column: usize| self.eligible[row].iter().any(|found| found.column == column);
                 own.max_by_key(|column| {
                     (!gives(*column), self.readers[*column].len(), std::cmp::Reverse(*column))

@@ -2,7 +2,7 @@
 
 mod at;
 pub(crate) mod models;
-mod reduced;
+pub(crate) mod reduced;
 mod replay;
 mod terms;
 mod transposed;

@@ -8,7 +8,7 @@ use super::reduce::over;
 
 impl Elimination<'_> {
     /// λ of C_qᵀ λ = b, by rows of the whole; b by coordinates.
-    pub(super) fn solve_transposed(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
+    pub(crate) fn solve_transposed(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let (mut b, mut lambda) = (b.to_vec(), vec![graph.zero(); b.len()]);
         // No row that is left has a coordinate that is given, once multiples of the given rows are taken out.
         for (own, cells) in self.order.explicit.iter().zip(&self.given).rev() {
@@ -72,7 +72,7 @@ impl Cofactors {
 }
 
 /// x −= a b
-fn take(graph: &mut Graph, x: &mut Node, a: Node, b: Node) {
+pub(crate) fn take(graph: &mut Graph, x: &mut Node, a: Node, b: Node) {
     let product = graph.mul(a, b);
     *x = graph.sub(*x, product);
 }

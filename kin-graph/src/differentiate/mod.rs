@@ -16,7 +16,7 @@ use crate::Node;
 
 use adjoint::{by_columns, promise_of_columns};
 pub use derivatives::{Derivatives, Promises};
-pub use jets::Jets;
+pub use jets::{Jet, Jets};
 pub use partial::Partial;
 
 /// The findings about each node, by its number.

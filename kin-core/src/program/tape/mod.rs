@@ -1,12 +1,15 @@
 //! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is
 //! found out once a run.
 
+mod places;
 pub(in crate::program) mod replay;
 mod rows;
 mod schedule;
+mod straight;
 pub(crate) mod times;
 
-pub(crate) use schedule::schedule;
+pub(crate) use schedule::{schedule, straight};
+pub(crate) use straight::{IntoRows, OverTimes, Rows, Straight, Summed};
 
 use kin_graph::{Comparison, Function, Function2};
 
@@ -117,6 +120,14 @@ impl Stage {
         match self.runs.last_mut() {
             Some(run) if run.kind == kind => run.steps += 1,
             _ => self.runs.push(Run { kind, steps: 1 }),
+        }
+    }
+
+    /// Appends the steps of another stage.
+    pub(in crate::program) fn append(&mut self, other: Stage) {
+        let mut steps = other.steps.into_iter();
+        for Run { kind, steps: count } in other.runs {
+            steps.by_ref().take(count as usize).for_each(|step| self.push(kind, step));
         }
     }
 

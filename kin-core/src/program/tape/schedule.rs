@@ -5,15 +5,18 @@ use std::collections::HashMap;
 
 use kin_graph::{Function, Graph, Input, Node, Op, schedule::fused};
 
-use super::{Kind, Stage, Step, Tape};
+use super::places::{ByNode, Places, is_given};
+use super::{Kind, Stage, Straight, Tape};
+use crate::model::law::Law;
+use crate::program::kind::SELF;
 use crate::program::stages::Program;
 
 /// A step with nodes instead of places: what it reads, and what it makes.
-struct Task {
-    kind: Kind,
-    reads: [Option<Node>; 3],
-    makes: [Option<Node>; 3],
-    stage: usize,
+pub(super) struct Task {
+    pub kind: Kind,
+    pub reads: [Option<Node>; 3],
+    pub makes: [Option<Node>; 3],
+    pub stage: usize,
 }
 
 /// The tape of a program.
@@ -26,32 +29,48 @@ pub(crate) fn schedule(program: Program) -> Tape {
     [0, 1].into_iter().for_each(|k| planner.require(own(k), 1));
     (2..outputs.parts.len()).for_each(|k| planner.require(own(k), 2));
     let order = planner.order();
-    let (mut tape, readers) = (Tape::default(), planner.readers(&order, &all));
-    let mut places = Places {
-        planner: &planner,
-        place: ByNode::new(&graph),
-        free: Vec::new(),
-        next: 0,
-        nothing: 0,
-        readers,
-    };
-    places.begin(&mut tape, &program.torn, &all);
-    places.write(&mut tape, &order);
-    let of = |nodes: &[Node]| {
-        nodes
-            .iter()
-            .map(|node| places.place.get(planner.behind(*node)).unwrap_or(places.nothing))
-            .collect::<Vec<u32>>()
-    };
-    let lists = [0, 1, 2, 3, 4, 5, 6].map(|k| of(own(k)));
-    tape.guards = (7..outputs.parts.len()).map(|k| of(own(k))).collect();
+    let mut places = Places::new(&planner, planner.readers(&order, &all));
+    let torn = program.torn.iter().map(|column| Input::State(*column, SELF));
+    let inputs: Vec<Input> = [Input::Time].into_iter().chain(torn).collect();
+    let inputs = places.begin(&inputs, &all);
+    places.write(&order);
+    let lists = [0, 1, 2, 3, 4, 5, 6].map(|k| places.of(own(k)));
+    let guards = (7..outputs.parts.len()).map(|k| places.of(own(k))).collect();
+    let mut tape = Tape { guards, t: inputs[0], torn: inputs[1..].to_vec(), ..Tape::default() };
+    tape.places = places.count();
+    [tape.time, tape.correct, tape.rest] = places.stages;
+    tape.constants = places.constants;
     [tape.correction, tape.left, tape.values, tape.corrections, tape.rates, tape.second_rates, tape.verify] =
         lists;
-    tape.places = places.next as usize;
     (tape.columns, tape.rows) = (program.torn, program.rows);
     (tape.laws, tape.blocks) = (program.laws, program.blocks);
     [&mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
     tape
+}
+
+/// The tape of nodes of a graph, without stages: from its inputs to these outputs.
+pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Straight {
+    let outputs = fused(&mut graph, outputs);
+    let mut planner = Planner::new(&graph, &[]);
+    planner.require(&outputs, 2);
+    let order = planner.order();
+    let mut places = Places::new(&planner, planner.readers(&order, &outputs));
+    let read = planner.tasks.iter().flat_map(|task| task.reads).flatten().chain(outputs.iter().copied());
+    let mut inputs: Vec<Input> = Vec::new();
+    for node in read {
+        match graph.op(node) {
+            Op::Input(input) if !inputs.contains(&input) => inputs.push(input),
+            _ => {}
+        }
+    }
+    let at = places.begin(&inputs, &outputs);
+    places.write(&order);
+    let (outputs, places_count) = (places.of(&outputs), places.count());
+    let [mut stage, _, rest] = places.stages;
+    stage.append(rest);
+    stage.shorten();
+    let inputs = inputs.into_iter().zip(at).collect();
+    Straight { stage, laws, places: places_count, constants: places.constants, inputs, outputs }
 }
 
 /// All nodes that are asked for, part by part: the correction and the rows that are left first.
@@ -85,11 +104,11 @@ impl Outputs {
 }
 
 /// Which steps there are, and in which order.
-struct Planner<'a> {
-    graph: &'a Graph,
+pub(super) struct Planner<'a> {
+    pub graph: &'a Graph,
     /// The nodes of all coordinates: what `verify` reads as inputs.
     values: &'a [Node],
-    tasks: Vec<Task>,
+    pub tasks: Vec<Task>,
     /// The task that makes a node.
     maker: ByNode,
     sines: HashMap<Node, usize>,
@@ -113,7 +132,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The node whose number is that of a node.
-    fn behind(&self, node: Node) -> Node {
+    pub(super) fn behind(&self, node: Node) -> Node {
         match self.graph.op(node) {
             Op::Input(Input::Column(column)) => self.values[column],
             _ => self.same.get(&node).copied().unwrap_or(node),
@@ -269,112 +288,5 @@ impl<'a> Planner<'a> {
         keep.extend(outputs.iter().map(|node| self.behind(*node)));
         keep.into_iter().for_each(|node| reads.insert(node, 0));
         reads
-    }
-}
-
-/// A number for some of the nodes.
-struct ByNode(Vec<u32>);
-
-impl ByNode {
-    const NONE: u32 = u32::MAX;
-
-    fn new(graph: &Graph) -> Self {
-        ByNode(vec![Self::NONE; graph.len()])
-    }
-
-    fn get(&self, node: Node) -> Option<u32> {
-        Some(self.0[node.index()]).filter(|number| *number != Self::NONE)
-    }
-
-    fn insert(&mut self, node: Node, number: u32) {
-        self.0[node.index()] = number;
-    }
-}
-
-/// True if a node stands in the memory from the beginning.
-fn is_given(graph: &Graph, node: Node) -> bool {
-    matches!(
-        graph.op(node),
-        Op::Input(_) | Op::Constant(_) | Op::Truth(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Leaf(_)
-    )
-}
-
-/// Where numbers stand.
-struct Places<'a> {
-    planner: &'a Planner<'a>,
-    place: ByNode,
-    free: Vec<u32>,
-    next: u32,
-    /// Of what has none.
-    nothing: u32,
-    /// How often each number is still read before its place is free.
-    readers: ByNode,
-}
-
-impl Places<'_> {
-    fn take(&mut self) -> u32 {
-        self.free.pop().unwrap_or_else(|| {
-            self.next += 1;
-            self.next - 1
-        })
-    }
-
-    /// The time, torn coordinates and constants, which stand first.
-    fn begin(&mut self, tape: &mut Tape, torn: &[usize], outputs: &[Node]) {
-        let graph = self.planner.graph;
-        tape.t = self.take();
-        if let Some(time) = graph.existing(Op::Input(Input::Time)) {
-            self.place.insert(time, tape.t);
-        }
-        for &column in torn {
-            let place = self.take();
-            tape.torn.push(place);
-            if let Some(node) = graph.existing(Op::Input(Input::State(column, crate::program::kind::SELF))) {
-                self.place.insert(node, place);
-            }
-        }
-        let read = self.planner.tasks.iter().flat_map(|task| task.reads).flatten();
-        for node in read.chain(outputs.iter().map(|node| self.planner.behind(*node))) {
-            let value =
-                graph.constant_value(node).or(graph.truth(node).map(|holds| f64::from(u8::from(holds))));
-            if let (Some(value), None) = (value, self.place.get(node)) {
-                let place = self.take();
-                self.place.insert(node, place);
-                tape.constants.push((place, value));
-            }
-        }
-    }
-
-    /// The steps, with the places of their numbers.
-    fn write(&mut self, tape: &mut Tape, order: &[usize]) {
-        // A place that nothing writes holds no number, so that a fault of this pass cannot pass for one.
-        let (idle, nothing) = (self.take(), self.take());
-        tape.constants.push((nothing, f64::NAN));
-        self.nothing = nothing;
-        for &k in order {
-            let Task { kind, reads, makes, stage } = &self.planner.tasks[k];
-            let [a, b, c] =
-                reads.map(|node| node.map_or(nothing, |node| self.place.get(node).unwrap_or(nothing)));
-            for node in reads.iter().flatten() {
-                let Some(left) = self.readers.get(*node).filter(|left| *left > 0) else { continue };
-                self.readers.insert(*node, left - 1);
-                if left == 1 {
-                    self.free.extend(self.place.get(*node));
-                }
-            }
-            let mut made = [idle; 3];
-            for (made, node) in made.iter_mut().zip(makes) {
-                let Some(node) = *node else { continue };
-                *made = self.take();
-                self.place.insert(node, *made);
-            }
-            let step = match kind {
-                Kind::SinCos => Step { out: made[0], a, b: idle, c: made[1] },
-                Kind::Law(..) => Step { out: made[0], a, b: made[1], c: made[2] },
-                _ => Step { out: made[0], a, b, c },
-            };
-            let stages: [&mut Stage; 3] = [&mut tape.time, &mut tape.correct, &mut tape.rest];
-            stages.into_iter().nth(*stage).into_iter().for_each(|stage| stage.push(*kind, step));
-        }
     }
 }

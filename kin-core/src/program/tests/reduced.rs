@@ -9,7 +9,7 @@ use crate::program::stages::{Pose, Program, program};
 use crate::system::scale;
 use crate::{System, linspace};
 
-pub(in crate::program) fn compiled(
+pub(crate) fn compiled(
     system: &System,
     t: f64,
     q: &[f64],
