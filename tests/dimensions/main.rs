@@ -5,6 +5,7 @@ mod engines;
 mod files;
 mod mistakes;
 mod names;
+mod poses;
 mod proved;
 mod samples;
 mod set;

@@ -29,7 +29,6 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
 use crate::model::units::Units;
-use crate::numbers::algebra::Vec2;
 
 /// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and
 /// second in headers).
@@ -179,16 +178,12 @@ impl Mechanism {
         self.link_at(name, length, pose(0.0, 0.0, 0.0))
     }
 
-    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame
-    /// at the middle, x-axis from `a` to `b`.   \[m\]
-    ///
-    /// Errors: points that coincide or are not finite, name empty or taken.
-    pub fn link_between(&mut self, name: &str, a: impl Into<Vec2>, b: impl Into<Vec2>) -> Result<Link> {
-        let (a, b) = (a.into(), b.into());
-        self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
-    }
-
-    fn link_at<L: IntoNumber>(&mut self, name: &str, length: L, pose: Pose) -> Result<Link<L>> {
+    fn link_at<L: IntoNumber, S: IntoNumber>(
+        &mut self,
+        name: &str,
+        length: L,
+        pose: Pose<S, S, S>,
+    ) -> Result<Link<L>> {
         let number = self.check_length(name, length.into_number())?;
         let body = self.planar(name, pose)?;
         self.note_length(name, body.index, number)?;
@@ -230,8 +225,12 @@ impl Mechanism {
     /// becomes an equation of its own, named `NAME.p`, when the mechanism is built.   \[m, –\]
     ///
     /// Errors: guess not finite or p = 0, name empty or taken.
-    pub fn spatial(&mut self, name: &str, pose: SpatialPose) -> Result<SpatialBody> {
-        let index = self.declare(name, Kind::Spatial, &pose.coordinates())?;
+    pub fn spatial<R: IntoNumber, P: IntoNumber>(
+        &mut self,
+        name: &str,
+        pose: SpatialPose<R, P>,
+    ) -> Result<SpatialBody> {
+        let index = self.declare_hung(name, Kind::Spatial, &pose.coordinates())?;
         Ok(SpatialBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
@@ -301,21 +300,30 @@ impl Mechanism {
     /// Gives another guess for one coordinate.   \[m or rad\]
     ///
     /// Errors: not finite, coordinate of another mechanism.
-    pub fn guess(&mut self, coordinate: Coordinate, value: f64) -> Result<()> {
-        self.set_all("guess", Target::Coord(coordinate, Trig::Unused), &[value])
+    pub fn guess(&mut self, coordinate: Coordinate, value: impl IntoNumber) -> Result<()> {
+        self.set_all("guess", Target::Coord(coordinate, Trig::Unused), &[value.into_number()])
     }
 
     /// Gives another guess for the pose of a planar body.   \[m, m, rad\]
     ///
     /// Errors: not finite, body of another mechanism.
-    pub fn set_pose(&mut self, body: impl Into<PlanarBody>, pose: Pose) -> Result<()> {
-        self.set_all("set_pose", Target::Planar(body.into()), &[pose.x, pose.y, pose.theta])
+    pub fn set_pose<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(
+        &mut self,
+        body: impl Into<PlanarBody>,
+        pose: Pose<X, Y, A>,
+    ) -> Result<()> {
+        let guess = [pose.x.into_number(), pose.y.into_number(), pose.theta.into_number()];
+        self.set_all("set_pose", Target::Planar(body.into()), &guess)
     }
 
     /// Gives another guess for the pose of a spatial body.   \[m, –\]
     ///
     /// Errors: not finite or p = 0, body of another mechanism.
-    pub fn set_spatial_pose(&mut self, body: impl Into<SpatialBody>, pose: SpatialPose) -> Result<()> {
+    pub fn set_spatial_pose<R: IntoNumber, P: IntoNumber>(
+        &mut self,
+        body: impl Into<SpatialBody>,
+        pose: SpatialPose<R, P>,
+    ) -> Result<()> {
         self.set_all("set_spatial_pose", Target::Spatial(body.into()), &pose.coordinates())
     }
 
@@ -339,18 +347,21 @@ impl Mechanism {
     }
 
     /// Writes a guess; for the ground it is nothing to do.
-    fn set_all(&mut self, place: &str, target: Target, values: &[f64]) -> Result<()> {
+    fn set_all(&mut self, place: &str, target: Target, numbers: &[Dimension]) -> Result<()> {
         let foreign = || Error::ForeignBody {
             mechanism: self.name.clone(),
             place: place.to_string(),
             argument: "body".to_string(),
         };
         let Place::Own { first, .. } = self.layout.place(&target).ok_or_else(foreign)? else { return Ok(()) };
-        if let Some(k) = values.iter().position(|x| !x.is_finite()) {
-            return Err(self.layout.not_finite(first + k, values[k]));
+        if let Some(k) = numbers.iter().position(|number| !number.value().is_finite()) {
+            return Err(self.layout.not_finite(first + k, numbers[k].value()));
         }
-        self.free_guesses(first..first + values.len());
-        self.initial.iter_mut().skip(first).zip(values).for_each(|(guess, value)| *guess = *value);
+        numbers.iter().try_for_each(|number| self.check_origin(place, *number))?;
+        self.free_guesses(first..first + numbers.len());
+        for (column, number) in (first..).zip(numbers) {
+            self.initial[column] = self.hang(place, Bound::Guess(column), *number)?;
+        }
         Ok(())
     }
 

@@ -1,12 +1,13 @@
 //! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are where people
 //! slip.
 
-use super::{Mechanism, SpatialPose};
+use super::{Mechanism, Pose, SpatialPose};
 use crate::model::body::Body;
-use crate::model::coordinates::SpatialLink;
+use crate::model::coordinates::{Link, SpatialLink};
+use crate::model::dimension::IntoNumber;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
-use crate::numbers::algebra::Vec3;
+use crate::numbers::algebra::{Components, Mix, Mixed, Scalar, Vec2, Vec3};
 
 /// A named point of a body and a direction there, both in the body's frame.
 ///
@@ -75,6 +76,26 @@ impl Mechanism {
             return Err(Error::EmptyName { what: "marker" });
         }
         Ok(Marker::new(name, body, self.local(body, point)?, self.local_direction(body, h)?))
+    }
+
+    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame
+    /// at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them length and guess hang on
+    /// it.   \[m\]
+    ///
+    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another mechanism.
+    pub fn link_between<S: Scalar + Mix<T>, T: Scalar>(
+        &mut self,
+        name: &str,
+        a: impl Components<2, Scalar = S>,
+        b: impl Components<2, Scalar = T>,
+    ) -> Result<Link<Mixed<S, T>>>
+    where
+        Mixed<S, T>: IntoNumber,
+    {
+        let a: [Mixed<S, T>; 2] = a.components().map(|x| <Mixed<S, T> as From<S>>::from(x));
+        let b: [Mixed<S, T>; 2] = b.components().map(|x| <Mixed<S, T> as From<T>>::from(x));
+        let (a, b) = (Vec2::from(a), Vec2::from(b));
+        self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
     }
 
     /// A spatial body between two joints at the global points `a` and `b`: their distance is its length,

@@ -1,7 +1,7 @@
 //! Poses of bodies, and small helpers for the numbers of a model.
 
-use crate::model::dimension::IntoNumber;
-use crate::numbers::algebra::{Axis, EulerParameters, Mat3, Vec2, Vec3};
+use crate::model::dimension::{Dimension, IntoNumber};
+use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat3, Scalar, Vec2, Vec3};
 
 /// Position and angle of a planar body: (R_x, R_y, θ). Each of them is a number, or a
 /// [`crate::Dimension`].   \[m, m, rad\]
@@ -20,62 +20,74 @@ pub fn pose<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(x: X, y: Y, theta: A) -
     Pose { x, y, theta }
 }
 
-impl Pose {
+impl<S: Scalar> Pose<S, S, S> {
     /// Frame at the middle between two global points, x-axis from `a` to `b`.
-    pub(crate) fn between(a: Vec2, b: Vec2) -> Pose {
-        pose(0.5 * (a.x + b.x), 0.5 * (a.y + b.y), (b.y - a.y).atan2(b.x - a.x))
+    pub(crate) fn between(a: Vec2<S>, b: Vec2<S>) -> Self {
+        Pose { x: (a.x + b.x) * 0.5, y: (a.y + b.y) * 0.5, theta: (b.y - a.y).atan2(b.x - a.x) }
     }
 }
 
-/// Position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first.   \[m, –\]
+/// Position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first. The numbers of either
+/// are plain ones, or [`crate::Dimension`]s.   \[m, –\]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpatialPose {
+pub struct SpatialPose<R = f64, P = f64> {
     /// R   \[m\]
-    pub r: Vec3,
+    pub r: Vec3<R>,
     /// Euler parameters; any length but zero, a mechanism normalises them.
-    pub p: EulerParameters,
+    pub p: EulerParameters<P>,
 }
 
 impl SpatialPose {
     /// The pose with position R and Euler parameters p.
-    pub fn new(r: impl Into<Vec3>, p: EulerParameters) -> Self {
-        SpatialPose { r: r.into(), p }
+    pub fn new<R: Scalar, P: Scalar>(
+        r: impl Components<3, Scalar = R>,
+        p: EulerParameters<P>,
+    ) -> SpatialPose<R, P> {
+        SpatialPose { r: Vec3::from(r.components()), p }
     }
 
     /// Position R, not turned: p = (1, 0, 0, 0).
-    pub fn at(r: impl Into<Vec3>) -> Self {
-        SpatialPose { r: r.into(), p: EulerParameters::new(1.0, 0.0, 0.0, 0.0) }
+    pub fn at<R: Scalar>(r: impl Components<3, Scalar = R>) -> SpatialPose<R> {
+        SpatialPose::new(r, EulerParameters::new(1.0, 0.0, 0.0, 0.0))
     }
 
     /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero
     /// axis turns nothing.   \[m, rad\]
-    pub fn turned(r: impl Into<Vec3>, axis: impl Into<Vec3>, angle: f64) -> Self {
-        let (r, axis) = (r.into(), axis.into());
+    pub fn turned<R: Scalar, P: Scalar>(
+        r: impl Components<3, Scalar = R>,
+        axis: impl Into<Vec3>,
+        angle: P,
+    ) -> SpatialPose<R, P> {
+        let axis = axis.into();
         let largest = axis.x.abs().max(axis.y.abs()).max(axis.z.abs());
         if largest == 0.0 {
-            return SpatialPose::at(r);
+            return SpatialPose::new(r, EulerParameters::new(1.0, 0.0, 0.0, 0.0).map(P::from));
         }
         let (x, y, z) = (axis.x / largest, axis.y / largest, axis.z / largest);
-        let (sin, cos) = (0.5 * angle).sin_cos();
+        let (sin, cos) = (angle * 0.5).sin_cos();
         let share = sin / (x * x + y * y + z * z).sqrt();
-        SpatialPose { r, p: EulerParameters::new(cos, share * x, share * y, share * z) }
+        SpatialPose::new(r, EulerParameters { e0: cos, e1: share * x, e2: share * y, e3: share * z })
     }
 
     /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r,
     /// vec3(1.0, 1.0, 0.0))`, or with both directions chosen `SpatialPose::facing(r, Axis::new(h,
     /// f))`.   \[m, –\]
-    pub fn facing(r: impl Into<Vec3>, x: impl Into<Axis>) -> Self {
+    pub fn facing<R: Scalar>(r: impl Components<3, Scalar = R>, x: impl Into<Axis>) -> SpatialPose<R> {
         let Axis { h, f, g } = x.into();
-        SpatialPose { r: r.into(), p: EulerParameters::from_rotation(Mat3::from_columns([h, f, g])) }
+        SpatialPose::new(r, EulerParameters::from_rotation(Mat3::from_columns([h, f, g])))
     }
+}
 
+impl<R: IntoNumber, P: IntoNumber> SpatialPose<R, P> {
     /// (R, p/|p|) as coordinates; not finite where p = 0.
-    pub(crate) fn coordinates(self) -> [f64; 7] {
+    pub(crate) fn coordinates(self) -> [Dimension; 7] {
         let p = [self.p.e0, self.p.e1, self.p.e2, self.p.e3];
-        let largest = p.iter().fold(0.0_f64, |m, e| m.max(e.abs()));
+        let largest = p.iter().fold(0.0_f64, |m, e| m.max(e.value().abs()));
         let p = p.map(|e| e / largest);
-        let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();
-        [self.r.x, self.r.y, self.r.z, p[0] / norm, p[1] / norm, p[2] / norm, p[3] / norm]
+        let norm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]).sqrt();
+        let ([x, y, z], [e0, e1, e2, e3]) = ([self.r.x, self.r.y, self.r.z], p.map(|e| e / norm));
+        let (r, p) = ([x, y, z].map(R::into_number), [e0, e1, e2, e3].map(P::into_number));
+        [r[0], r[1], r[2], p[0], p[1], p[2], p[3]]
     }
 }
 
@@ -107,7 +119,8 @@ mod tests {
     #[test]
     fn euler_parameters_are_normalised() {
         let q = SpatialPose::new(Vec3::new(1.0, 2.0, 3.0), EulerParameters::new(1e200, 0.0, 1e200, 0.0))
-            .coordinates();
+            .coordinates()
+            .map(Dimension::value);
         assert!((q[3] - 0.5_f64.sqrt()).abs() < 1e-15 && (q[5] - 0.5_f64.sqrt()).abs() < 1e-15);
         let turned = SpatialPose::turned(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), deg(90.0));
         assert!((turned.p.e0 - 0.5_f64.sqrt()).abs() < 1e-15 && (turned.p.e3 - 0.5_f64.sqrt()).abs() < 1e-15);

@@ -2,6 +2,7 @@
 
 use super::{Mechanism, Refused, SpatialPose};
 use crate::model::coordinates::{Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig};
+use crate::model::dimension::Dimension;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::{EulerParameters, Scalar};
@@ -111,7 +112,9 @@ impl Mechanism {
             Wish::Coordinate(coordinate, value) => {
                 self.prefer_all(Target::Coord(coordinate, Trig::Unused), &[value], 0)
             }
-            Wish::Pose(body, pose) => self.prefer_all(Target::Spatial(body), &pose.coordinates(), 0),
+            Wish::Pose(body, pose) => {
+                self.prefer_all(Target::Spatial(body), &pose.coordinates().map(Dimension::value), 0)
+            }
             Wish::Turn(body, p) => {
                 let target = Target::Spatial(body);
                 let first = self
@@ -121,7 +124,7 @@ impl Mechanism {
                 let at =
                     |k: usize| first.and_then(|first| self.initial.get(first + k)).copied().unwrap_or(0.0);
                 let pose = SpatialPose::new((at(0), at(1), at(2)), p);
-                self.prefer_all(target, &pose.coordinates(), 3)
+                self.prefer_all(target, &pose.coordinates().map(Dimension::value), 3)
             }
             Wish::Named(name, value) if value.is_finite() => {
                 self.asked.retain(|(known, _)| *known != name);
@@ -136,7 +139,8 @@ impl Mechanism {
 
     /// Guesses these values of a body or coordinate, and prefers them from one of them on.
     fn prefer_all(&mut self, target: Target, values: &[f64], from: usize) -> Result<()> {
-        self.set_all("prefer", target, values)?;
+        let numbers: Vec<Dimension> = values.iter().map(|x| Dimension::from(*x)).collect();
+        self.set_all("prefer", target, &numbers)?;
         if let Some(Place::Own { first, .. }) = self.layout.place(&target) {
             for (k, &value) in values.iter().enumerate().skip(from) {
                 self.preferred.retain(|(known, _)| *known != first + k);
