@@ -37,6 +37,7 @@ def test_a_driven_pendulum_is_the_closed_form():
     assert forces.drives == ["motor"] and drive.effort.unit == "N m" and drive.power.unit == "W"
     np.testing.assert_allclose(drive.effort.value, torque, atol=1e-12)
     np.testing.assert_allclose(drive.power.value, torque * omega, atol=1e-12)
+    assert drive.effort.rms == pytest.approx(np.sqrt(np.mean((torque[1:] ** 2 + torque[:-1] ** 2) / 2)))
     k = int(np.argmax(np.abs(torque)))
     assert drive.peak.value == pytest.approx(torque[k]) and drive.peak.t == T[k] and "N m at" in str(drive.peak)
     on = forces.reaction("O").on(arm_)

@@ -127,3 +127,89 @@ fn units_of_forces_are_told() {
     m.units("mm", "s").mass(" ");
     assert!(told(m.build()).contains("a unit of mass needs a name"));
 }
+
+/// Units that contradict one another are told at build, each by what contradicts what.
+#[test]
+fn contradictory_units() {
+    let with = |describe: &dyn Fn(&mut Mechanism)| {
+        let (mut m, arm) = arm();
+        m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
+        describe(&mut m);
+        told(m.build())
+    };
+    let twice = with(&|m| {
+        m.units("mm", "s").mass("t");
+        m.units("m", "s");
+    });
+    assert_eq!(
+        twice,
+        "`units` (words): they are declared as mm, s and t, and again as m, s and t: nothing is converted, so \
+         declare them once"
+    );
+    let masses = with(&|m| {
+        m.units("mm", "s").mass("t");
+        m.units("mm", "s").mass("kg");
+    });
+    assert!(masses.contains("declared as mm, s and t, and again as mm, s and kg"), "{masses}");
+    let same = with(&|m| {
+        m.units("mm", "s").mass("t");
+        m.units("mm", "s").mass("t");
+        m.gravity(vec2(0.0, -9810.0));
+    });
+    assert_eq!(same, "");
+    let swapped = with(&|m| m.units("s", "mm").mass("kg"));
+    assert!(swapped.contains("the unit of length is `s`, which is one of time"), "{swapped}");
+    let force = with(&|m| m.units("mm", "s").mass("N"));
+    assert!(force.contains("the unit of mass is `N`, which is one of force"), "{force}");
+}
+
+/// The number 9.81 is the earth's gravity in metres and seconds alone.
+#[test]
+fn gravity_in_other_units() {
+    let with = |length: &str, time: &str, g: f64| {
+        let (mut m, arm) = arm();
+        m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
+        m.units(length, time);
+        m.gravity(vec2(0.6 * g, -0.8 * g));
+        told(m.build())
+    };
+    assert_eq!(
+        with("mm", "s", 9.81),
+        "`gravity` (acceleration): 9.81 mm/s^2 is the earth's in other units: in mm/s^2 it is 9806.65. Give it in \
+         the units of the mechanism, or declare those by `m.units(length, time)`"
+    );
+    assert!(with("m", "s", 9810.0).contains("in m/s^2 it is 9.80665"));
+    assert!(with("mm", "ms", 9.81).contains("in mm/ms^2 it is 0.00980665"));
+    for (length, time, g) in [
+        ("mm", "s", 9810.0),
+        ("cm", "s", 981.0),
+        ("mm", "ms", 9.81e-3),
+        ("m", "s", 9.81),
+        // The moon's, a centrifuge, a drop tower, units that are not known.
+        ("m", "s", 1.62),
+        ("m", "s", 5000.0),
+        ("m", "s", 9.81e-6),
+        ("in", "s", 386.1),
+    ] {
+        assert_eq!(with(length, time, g), "", "{length} {time} {g}");
+    }
+}
+
+/// A dimension in another unit of length than the mechanism.
+#[test]
+fn dimensions_in_other_units() {
+    let with = |unit: &str| {
+        let mut m = Mechanism::new("arm");
+        m.units("mm", "s");
+        let length = m.dimension("reach", 0.5).expect("a dimension").unit(unit);
+        let arm = m.link("arm", length).expect("a link");
+        m.add("O", revolute(m.ground(), arm, vec2(0.0, 0.0), arm.start())).expect("a pin");
+        m.add("motor", drive_angle(arm, Law::ramp(2.0))).expect("a driver");
+        told(m.build())
+    };
+    assert_eq!(
+        with("m"),
+        "`reach` (dimension): it is in m, and lengths are in mm by `m.units`: nothing is converted; give it in mm"
+    );
+    assert_eq!((with("mm"), with("rad"), with("mm^2")), (String::new(), String::new(), String::new()));
+}

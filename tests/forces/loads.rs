@@ -266,7 +266,7 @@ fn masses_and_gravity_come_back_from_a_file_and_closures_are_refused() {
     m.add("O", revolute(arm, m.ground(), arm.start(), vec2(0.0, 0.0))).expect("a pin");
     m.add("motor", drive_angle(arm, Law::ramp(2.0))).expect("a driver");
     m.mass(arm, 1.2, vec2(0.1, 0.02), 0.03).expect("a mass");
-    m.gravity(vec2(0.0, -9.81));
+    m.gravity(vec2(0.0, -9810.0));
     let data = serde_json::to_string(&m.data().expect("data")).expect("writes");
     let data = serde_json::from_str(&data).expect("reads");
     let again = Mechanism::from_data(&data, &kin::Registry::new()).expect("the same");

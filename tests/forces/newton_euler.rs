@@ -271,7 +271,7 @@ fn every_body_of_every_example_is_in_balance() {
         if flat.is_empty() && solid.is_empty() {
             continue;
         }
-        let g = vec3(0.4, -9.81, 0.0) * size;
+        let g = vec3(0.4, -7.31, 0.0) * size;
         m.gravity(g);
         let system = m.build().expect("builds");
         let motion = system.run(linspace(0.05, 1.95, 41)).unwrap_or_else(|error| panic!("{name}: {error}"));

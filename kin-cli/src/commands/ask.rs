@@ -212,6 +212,11 @@ fn samples(asked: &Tolerance, system: &System, motion: &Motion, of: Feature, say
     table(to, &header, found.values().iter().map(|value| vec![digits(*value)]))
 }
 
+/// Five digits, as in words.
+fn short(x: f64) -> f64 {
+    format!("{x:.4e}").parse().unwrap_or(x)
+}
+
 /// Efforts of drives, forces of joints and energies over time, and the balance of powers in words.
 pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
@@ -220,7 +225,10 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     let forces = system.forces_with(&motion, &sharing)?;
     for name in forces.drives() {
         match forces.drive(name) {
-            Ok(drive) => say.note(&format!("{name}: at most {}", drive.peak())),
+            Ok(drive) => {
+                let (effort, rms) = (drive.effort(), short(drive.effort().rms()));
+                say.note(&format!("{name}: at most {}, {rms} {} RMS", drive.peak(), effort.unit()));
+            }
             Err(error) => say.note(&error.to_string()),
         }
     }

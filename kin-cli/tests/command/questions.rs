@@ -113,7 +113,11 @@ fn forces_of_an_arm_are_those_of_its_weight() {
         assert!((row[up] - exact).abs() < 1e-11, "{} {exact}", row[up]);
     }
     let told = words(&done(&arguments));
-    assert!(told.contains("motor: at most 7.3575 N m at 0 s") && told.contains("power balance"), "{told}");
+    assert!(told.contains("motor: at most 7.3575 N m at 0 s, ") && told.contains("power balance"), "{told}");
+    // √(1/3 ∫ cos² 2t dt) over 3 s, but for the trapezia.
+    let rms = 7.3575 * ((1.5 + 12.0_f64.sin() / 8.0) / 3.0_f64).sqrt();
+    let found = told.split("0 s, ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
+    assert!((found.parse::<f64>().expect("a number") / rms - 1.0).abs() < 1e-3, "{found} {rms}");
     let table = std::env::temp_dir().join(format!("kin-forces-{}.csv", std::process::id()));
     let table = table.to_str().expect("a path");
     let whole = data(&["forces", &file, "--times", "0:3:31", "--csv", table, "--json", "-"]);

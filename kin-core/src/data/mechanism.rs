@@ -174,6 +174,7 @@ impl Mechanism {
         understood(data.format, FORMAT).map_err(fail)?;
         let mut mechanism = Mechanism::new(plain("mechanism", &data.name)?);
         mechanism.layout.words = read_units(&data.units)?;
+        mechanism.declared = [!data.units.is_default(); 2];
         mechanism.add_dimensions(&data.dimensions)?;
         for body in &data.bodies {
             mechanism.add_body(body)?;

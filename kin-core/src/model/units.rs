@@ -4,6 +4,18 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+/// Units of mass, length and time as powers of ten of kilogram, metre and second.
+const MASSES: [(&str, i32); 4] = [("kg", 0), ("g", -3), ("t", 3), ("mg", -6)];
+const LENGTHS: [(&str, i32); 7] =
+    [("m", 0), ("dm", -1), ("cm", -2), ("mm", -3), ("um", -6), ("µm", -6), ("km", 3)];
+const TIMES: [(&str, i32); 4] = [("s", 0), ("ms", -3), ("us", -6), ("µs", -6)];
+
+/// Others, which are told from one another alone.
+const OTHER_LENGTHS: [&str; 4] = ["in", "inch", "ft", "yd"];
+const OTHER_TIMES: [&str; 4] = ["min", "h", "sec", "second"];
+const OTHER_MASSES: [&str; 4] = ["lb", "lbm", "slug", "oz"];
+const FORCES: [&str; 6] = ["N", "mN", "kN", "MN", "lbf", "kgf"];
+
 /// Unit of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unit {
@@ -120,13 +132,42 @@ impl Units {
     /// A unit of the SI with the prefix that these powers of mass, length and time make of it; `None` of
     /// words that are not known, and where there is no prefix.
     fn prefixed(&self, powers: [i32; 3], unit: &str) -> Option<String> {
-        let mass = power_of_ten(self.mass(), &[("kg", 0), ("g", -3), ("t", 3), ("mg", -6)])?;
-        let lengths = [("m", 0), ("dm", -1), ("cm", -2), ("mm", -3), ("um", -6), ("µm", -6), ("km", 3)];
-        let length = power_of_ten(self.length(), &lengths)?;
-        let time = power_of_ten(self.time(), &[("s", 0), ("ms", -3), ("us", -6), ("µs", -6)])?;
+        let mass = power_of_ten(self.mass(), &MASSES)?;
+        let length = power_of_ten(self.length(), &LENGTHS)?;
+        let time = power_of_ten(self.time(), &TIMES)?;
         let prefix = [("", 0), ("m", -3), ("µ", -6), ("n", -9), ("p", -12), ("k", 3), ("M", 6), ("G", 9)];
         let exponent = mass * powers[0] + length * powers[1] + time * powers[2];
         prefix.iter().find(|(_, known)| *known == exponent).map(|(prefix, _)| format!("{prefix}{unit}"))
+    }
+
+    /// The power of ten of metres by seconds squared that the unit of acceleration is; `None` of words that
+    /// are not known.
+    pub(crate) fn of_acceleration(&self) -> Option<i32> {
+        Some(power_of_ten(self.length(), &LENGTHS)? - 2 * power_of_ten(self.time(), &TIMES)?)
+    }
+
+    /// True if a word is known for a unit of length.
+    pub(crate) fn is_length(word: &str) -> bool {
+        power_of_ten(word, &LENGTHS).is_some() || OTHER_LENGTHS.contains(&word)
+    }
+
+    /// A word that is the unit of another quantity: which unit it should be, the word, and the quantity.
+    pub(crate) fn misplaced(&self) -> Option<(&'static str, &str, &'static str)> {
+        let of = |word: &str| {
+            let known = |all: &[(&str, i32)], others: &[&str]| {
+                power_of_ten(word, all).is_some() || others.contains(&word)
+            };
+            match () {
+                () if known(&LENGTHS, &OTHER_LENGTHS) => Some("length"),
+                () if known(&TIMES, &OTHER_TIMES) => Some("time"),
+                () if known(&MASSES, &OTHER_MASSES) => Some("mass"),
+                () if FORCES.contains(&word) => Some("force"),
+                () => None,
+            }
+        };
+        let all = [("length", self.length()), ("time", self.time()), ("mass", self.mass())];
+        let wrong = |(what, word): (&'static str, _)| Some((what, word, of(word).filter(|of| *of != what)?));
+        all.into_iter().find_map(wrong)
     }
 
     /// True if the units are metre and second.

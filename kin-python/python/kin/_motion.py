@@ -76,6 +76,14 @@ class Quantity:
         """The first time at which it is smallest.   [s]"""
         return float(self.times[np.argmin(self.value)])
 
+    @property
+    def rms(self) -> float:
+        """The root mean square over time, by trapezia."""
+        if len(self.value) < 2:
+            return float(np.max(np.abs(self.value)))
+        square, steps = np.square(self.value), np.diff(self.times)
+        return float(np.sqrt(np.sum(steps * (square[1:] + square[:-1]) / 2) / np.sum(steps)))
+
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         return np.array(self.value, dtype=dtype)
 

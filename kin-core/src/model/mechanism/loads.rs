@@ -9,22 +9,9 @@ use crate::model::layout::Place;
 use crate::model::loads::{Acting, ForceAlong, IntoLoad, Massive, OnBody, Solid};
 use crate::model::mechanism::IntoConstraint;
 
-/// The words of [`Mechanism::units`], to which that for the unit of mass may be added.
-pub struct UnitWords<'a> {
-    pub(super) mechanism: &'a mut Mechanism,
-}
-
 /// Why a load with a dimension in it is refused.
 const HANGS: &str =
     "numbers of loads and of points with mass do not follow dimensions: give the `value()` of it";
-
-impl UnitWords<'_> {
-    /// Names the unit of mass. Those of force, torque, energy and power follow from it.
-    pub fn mass(self, mass: &str) {
-        let units = self.mechanism.layout.words.with_mass(mass);
-        self.mechanism.set_units(units);
-    }
-}
 
 impl Mechanism {
     /// The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the

@@ -9,13 +9,14 @@ mod loads;
 mod place;
 mod pose;
 mod preference;
+mod units;
 
 pub(crate) use limit::Limit;
-pub use loads::UnitWords;
 pub use place::Marker;
 pub use pose::{Pose, SpatialPose, deg, linspace, pose};
 pub use preference::Preferred;
 use preference::Wish;
+pub use units::UnitWords;
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -72,6 +73,8 @@ pub struct Mechanism {
     names: HashSet<String>,
     /// A call that returns nothing and could not be carried out; its error is told at build.
     refused: Option<Refused>,
+    /// True if the units of length and time have been declared, and that of mass.
+    pub(crate) declared: [bool; 2],
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
     /// Masses, gravity and what else acts.
@@ -89,7 +92,11 @@ pub struct ConstraintId(usize);
 /// A call that returns nothing and could not be carried out: it is tried again at build, and gives its error.
 #[derive(Clone)]
 pub(crate) enum Refused {
-    Units(Units),
+    /// Words, and those that were declared before.
+    Units {
+        before: Option<Units>,
+        units: Units,
+    },
     Preference(Wish),
     Gravity(f64),
 }
@@ -131,6 +138,7 @@ impl Mechanism {
             constraints: Vec::new(),
             names: HashSet::new(),
             refused: None,
+            declared: [false; 2],
             limits: Vec::new(),
             loads: Loads::default(),
             dimensions: None,
@@ -141,23 +149,6 @@ impl Mechanism {
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name
-    }
-
-    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`, and that of
-    /// mass where it is none of the kilogram: `m.units("mm", "s").mass("t")`. Words alone: nothing is
-    /// converted, and all numbers have to be in these units. Without it they are `m`, `s` and `kg`.
-    ///
-    /// A word that is empty is told by [`Mechanism::build`].
-    pub fn units(&mut self, length: &str, time: &str) -> UnitWords<'_> {
-        self.set_units(Units::new(length, time));
-        UnitWords { mechanism: self }
-    }
-
-    fn set_units(&mut self, units: Units) {
-        match units.missing() {
-            Some(_) => self.refuse(Refused::Units(units)),
-            None => self.layout.words = units,
-        }
     }
 
     /// Keeps the first call that could not be carried out.
@@ -365,17 +356,16 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Itself, after what could not be told where nothing is returned. Errors: a word for a unit that is
-    /// empty, a mistake in a preference.
+    /// Itself, after what could not be told where nothing is returned. Errors: units that contradict one
+    /// another, a mistake in a preference.
     pub(crate) fn settled(mut self) -> Result<Self> {
         match self.refused.take() {
-            Some(Refused::Units(units)) => {
-                units.missing().map_or(Ok(()), |what| Err(Error::EmptyName { what }))?
-            }
+            Some(Refused::Units { before, units }) => units::refusal(before.as_ref(), &units)?,
             Some(Refused::Preference(wish)) => self.note(wish)?,
             Some(Refused::Gravity(value)) => loads::gravity(value)?,
             None => {}
         }
+        self.check_units()?;
         Ok(self)
     }
 }

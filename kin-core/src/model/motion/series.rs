@@ -76,6 +76,22 @@ impl Series {
         self.best(|a, b| a < b).map_or(f64::NAN, |k| self.times[k])
     }
 
+    /// The root mean square over time, √(1/T ∫ x² dt) by trapezia: what heats a motor; NaN of an empty
+    /// series.
+    pub fn rms(&self) -> f64 {
+        let all: Vec<(f64, f64)> = self.times.iter().copied().zip(self.values.iter().copied()).collect();
+        match all[..] {
+            [] => f64::NAN,
+            [(_, x)] => x.abs(),
+            [(from, _), .., (to, _)] => {
+                let area = |two: &[(f64, f64)]| {
+                    0.5 * (two[1].0 - two[0].0) * (two[0].1 * two[0].1 + two[1].1 * two[1].1)
+                };
+                (all.windows(2).map(area).sum::<f64>() / (to - from)).sqrt()
+            }
+        }
+    }
+
     /// Index of the first value that no other is better than.
     fn best(&self, better: impl Fn(f64, f64) -> bool) -> Option<usize> {
         (0..self.values.len().min(self.times.len()))
@@ -86,6 +102,23 @@ impl Series {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn root_mean_squares_are_those_of_time() {
+        let rms = |times: &[f64], values: &[f64]| {
+            Series::new("x", "m", (times, &Units::default()), values.to_vec()).rms()
+        };
+        // 3 for one second, 1 for three of them, backwards too; squares are joined by lines.
+        let (times, values) = ([0.0, 1.0, 1.0 + 1e-12, 4.0], [3.0, -3.0, 1.0, 1.0]);
+        assert!((rms(&times, &values) - 3.0_f64.sqrt()).abs() < 1e-9);
+        assert!((rms(&times.map(|t| -t), &values) - 3.0_f64.sqrt()).abs() < 1e-9);
+        let sine: Vec<f64> =
+            (0..=40).map(|k| 2.0 * (f64::from(k) * 0.05 * std::f64::consts::PI).sin()).collect();
+        let times: Vec<f64> = (0..=40).map(f64::from).collect();
+        assert!((rms(&times, &sine) - 2.0_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(rms(&[7.0], &[-4.0]), 4.0);
+        assert!(rms(&[], &[]).is_nan());
+    }
 
     #[test]
     fn extremes_and_their_times() {

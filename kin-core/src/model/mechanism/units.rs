@@ -1,0 +1,121 @@
+//! The words for units as they are declared, and what contradicts them.
+
+use super::{Mechanism, Refused};
+use crate::model::error::{Error, Result};
+use crate::model::units::Units;
+
+/// The words of [`Mechanism::units`], to which that for the unit of mass may be added.
+pub struct UnitWords<'a> {
+    mechanism: &'a mut Mechanism,
+}
+
+impl UnitWords<'_> {
+    /// Names the unit of mass. Those of force, torque, energy and power follow from it.
+    pub fn mass(self, mass: &str) {
+        let units = self.mechanism.layout.words.with_mass(mass);
+        let again = std::mem::replace(&mut self.mechanism.declared[1], true);
+        self.mechanism.set_units(units, again);
+    }
+}
+
+/// Acceleration of the earth's gravity (ISO 80000-3).   \[m/s²\]
+const EARTH: f64 = 9.80665;
+
+/// Numbers within this share of it are the earth's.   \[-\]
+const ABOUT: f64 = 0.01;
+
+impl Mechanism {
+    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`, and that of
+    /// mass where it is none of the kilogram: `m.units("mm", "s").mass("t")`. Words alone: nothing is
+    /// converted, and all numbers have to be in these units. Without it they are `m`, `s` and `kg`.
+    ///
+    /// Contradictions are told by [`Mechanism::build`]: a word that is empty or that of another quantity,
+    /// other words later, the earth's gravity in other units, a dimension in another unit of length.
+    pub fn units(&mut self, length: &str, time: &str) -> UnitWords<'_> {
+        let units = Units::new(length, time).with_mass(self.layout.words.mass());
+        let again = std::mem::replace(&mut self.declared[0], true);
+        self.set_units(units, again);
+        UnitWords { mechanism: self }
+    }
+
+    /// Takes the words, which may have been declared before.
+    fn set_units(&mut self, units: Units, again: bool) {
+        let before = again.then(|| self.layout.words.clone());
+        match refusal(before.as_ref(), &units) {
+            Ok(()) => self.layout.words = units,
+            Err(_) => self.refuse(Refused::Units { before, units }),
+        }
+    }
+
+    /// Errors: gravity, or a dimension, in other units than those that are declared. Where none are, nothing
+    /// can contradict them.
+    pub(super) fn check_units(&self) -> Result<()> {
+        let units = &self.layout.words;
+        refusal(None, units)?;
+        if !self.declared[0] {
+            return Ok(());
+        }
+        self.check_gravity(units)?;
+        let Some(dimensions) = &self.dimensions else { return Ok(()) };
+        let contradicts = |unit: &str| Units::is_length(unit) && unit != units.length();
+        let store = dimensions.store();
+        match store.entries.iter().find(|entry| Units::is_length(units.length()) && contradicts(&entry.unit))
+        {
+            Some(entry) => Err(refused(
+                &entry.name,
+                "dimension",
+                format!(
+                    "it is in {}, and lengths are in {} by `m.units`: nothing is converted; give it in {1}",
+                    entry.unit,
+                    units.length()
+                ),
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// The earth's gravity is the same in all units.
+    fn check_gravity(&self, units: &Units) -> Result<()> {
+        let size = self.loads.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
+        let Some(exponent) = units.of_acceleration() else { return Ok(()) };
+        let own = EARTH * 10.0_f64.powi(-exponent);
+        let is = |number: f64| (size / number - 1.0).abs() < ABOUT;
+        // In metres, in centimetres and in millimetres.
+        if is(own) || ![EARTH, 1e2 * EARTH, 1e3 * EARTH].into_iter().any(is) {
+            return Ok(());
+        }
+        let unit = format!("{}/{}^2", units.length(), units.time());
+        let reason = format!(
+            "{size} {unit} is the earth's in other units: in {unit} it is {}. Give it in the units of the mechanism, \
+             or declare those by `m.units(length, time)`",
+            format!("{own:.6e}").parse().unwrap_or(own)
+        );
+        Err(refused("gravity", "acceleration", reason))
+    }
+}
+
+/// The error of words, which may have been declared before.
+pub(super) fn refusal(before: Option<&Units>, units: &Units) -> Result<()> {
+    if let Some(what) = units.missing() {
+        return Err(Error::EmptyName { what });
+    }
+    if let Some((what, word, of)) = units.misplaced() {
+        let reason = format!(
+            "the unit of {what} is `{word}`, which is one of {of}: `m.units(length, time).mass(mass)` takes them \
+             in this order"
+        );
+        return Err(refused("units", "words", reason));
+    }
+    let Some(before) = before.filter(|before| *before != units) else { return Ok(()) };
+    let told = |units: &Units| format!("{}, {} and {}", units.length(), units.time(), units.mass());
+    let reason = format!(
+        "they are declared as {}, and again as {}: nothing is converted, so declare them once",
+        told(before),
+        told(units)
+    );
+    Err(refused("units", "words", reason))
+}
+
+fn refused(name: &str, kind: &str, reason: String) -> Error {
+    Error::InvalidParameters { constraint: name.to_string(), kind: kind.to_string(), reason }
+}
