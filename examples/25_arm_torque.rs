@@ -116,6 +116,7 @@ fn main() -> kin::Result<()> {
     let scene = Scene::new(&system).trace("tool", links[1], links[1].end());
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;
     scene
+        .forces(&forces)
         .page(&motion)?
         .chart("Torques of the motors", [("shoulder", torques[0]), ("elbow", torques[1])])
         .chart("Powers of the motors", [("shoulder", powers[0]), ("elbow", powers[1])])

@@ -220,6 +220,7 @@ fn main() -> kin::Result<()> {
         .outline(Ground, wall(-41.0))
         .hide_joint("bore");
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
+    let scene = scene.forces(&forces);
     let pressures: Vec<f64> = times.iter().map(|t| pressure().at(OMEGA * t)).collect();
     motion.add_output("pressure", "MPa", pressures)?;
     let gas = motion.outputs().last().cloned();

@@ -233,7 +233,7 @@ fn main() -> kin::Result<()> {
         power.push((short, drive.power()));
     }
     Figure::new(panels).save(format!("{OUT}/cylinders.svg"))?;
-    let page = scene.page(&motion)?.chart("Forces of the cylinders", force);
+    let page = scene.forces(&forces).page(&motion)?.chart("Forces of the cylinders", force);
     page.chart("Powers of the cylinders", power).save(format!("{OUT}/index.html"))?;
     println!("wrote {OUT}/: motion.csv, forces.csv, index.html, animated.svg, cylinders.svg");
     Ok(())

@@ -278,6 +278,15 @@ pub struct Forces {
     /// The same as JSON, with units
     #[arg(long, value_name = "FILE")]
     pub json: Option<String>,
+    /// Charts of efforts and of the forces in joints, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub chart: Option<String>,
+    /// The mechanism with its forces as arrows, where the first drive gives most, as SVG
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<String>,
+    /// A page on which it moves with its forces, beside their charts, as HTML
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<String>,
 }
 
 #[derive(Clone, Debug, Args)]

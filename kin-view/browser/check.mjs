@@ -124,6 +124,7 @@ const checkPage = async (browser, folder) => {
     await page.waitForTimeout(50);
     assert.notEqual(await picture(page), stopped, "the wheel comes nearer");
     if (await page.evaluate(() => document.getElementById("stage").classList.contains("spatial"))) await orbit(page);
+    if (await page.isVisible("#forces")) await switchForces(page);
     if (last >= 10_000) await smooth(page, join(folder, "index.html"));
     const chart = await page.$("#charts figure svg");
     if (chart) await dragChart(page, chart, last);
@@ -147,6 +148,18 @@ const orbit = async (page) => {
   await page.mouse.move(x + 60, y + 20, { steps: 3 });
   await page.mouse.up();
   assert.notEqual(await axes(), before, "dragging goes round a spatial mechanism");
+};
+
+// Forces are drawn with the scale that they are read by, and can be switched off.
+const switchForces = async (page) => {
+  const shown = () => page.evaluate(() => [...document.querySelectorAll("#stage .push")].filter((arrow) => arrow.getClientRects().length && arrow.getAttribute("visibility") !== "hidden").length);
+  const before = await shown();
+  assert.ok(before > 0, "no force is drawn");
+  assert.match(await page.innerText("#scale"), /\d/, "no scale is told");
+  await page.click("#forces");
+  assert.deepEqual([await shown(), await page.isVisible("#scale"), await page.getAttribute("#forces", "aria-pressed")], [0, false, "false"]);
+  await page.keyboard.press("f");
+  assert.deepEqual([await shown(), await page.isVisible("#scale"), await page.getAttribute("#forces", "aria-pressed")], [before, true, "true"]);
 };
 
 // Many frames are drawn as fast as a screen shows them, and the file stays small.

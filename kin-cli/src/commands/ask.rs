@@ -1,9 +1,9 @@
 //! Questions about a mechanism and its motion.
 
-use kin::{Feature, Motion, Sampling, Sharing, System};
+use kin::{Feature, Motion, Sampling, System};
 
 use crate::arguments::{
-    Asked, Assemblies, Check, Diagnose, Distribution, Forces, Measure, Prove, Sensitivities, Tolerance,
+    Asked, Assemblies, Check, Diagnose, Distribution, Measure, Prove, Sensitivities, Tolerance,
 };
 use crate::fault::Fault;
 use crate::model;
@@ -210,33 +210,4 @@ fn samples(asked: &Tolerance, system: &System, motion: &Motion, of: Feature, say
     let Some(to) = &asked.samples_csv else { return Ok(()) };
     let header = [format!("{} [{}]", found.name(), found.unit())];
     table(to, &header, found.values().iter().map(|value| vec![digits(*value)]))
-}
-
-/// Five digits, as in words.
-fn short(x: f64) -> f64 {
-    format!("{x:.4e}").parse().unwrap_or(x)
-}
-
-/// Efforts of drives, forces of joints and energies over time, and the balance of powers in words.
-pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
-    let system = model::system(&asked.model)?;
-    let (motion, early) = model::motion(&system, &asked.motion, false)?;
-    let sharing = if asked.least_norm { Sharing::LeastNorm } else { Sharing::NotGiven };
-    let forces = system.forces_with(&motion, &sharing)?;
-    for name in forces.drives() {
-        match forces.drive(name) {
-            Ok(drive) => {
-                let (effort, rms) = (drive.effort(), short(drive.effort().rms()));
-                say.note(&format!("{name}: at most {}, {rms} {} RMS", drive.peak(), effort.unit()));
-            }
-            Err(error) => say.note(&error.to_string()),
-        }
-    }
-    say.note(&forces.balance().to_string());
-    forces.growth()?.iter().for_each(|growth| say.note(&growth.to_string()));
-    put(&asked.csv, |to| forces.write_csv_to(to))?;
-    if let Some(file) = &asked.json {
-        put(file, |to| Ok(serde_json::to_writer(to, &forces.data())?))?;
-    }
-    early.map_or(Ok(()), Err)
 }

@@ -1,12 +1,14 @@
 //! The commands, a file each where they are long.
 
 mod ask;
+mod forces;
 mod import;
 mod run;
 mod shell;
 mod sweep;
 
-pub use ask::{assemblies, check, diagnose, forces, measure, prove, sensitivities, tolerance};
+pub use ask::{assemblies, check, diagnose, measure, prove, sensitivities, tolerance};
+pub use forces::forces;
 pub use import::import;
 pub use run::{run, watch};
 pub use shell::{completions, manual, schema};

@@ -125,6 +125,20 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     std::fs::remove_file(table).expect("a table");
     let motor = whole.columns.iter().find(|column| column.name == "motor").expect("a column");
     assert!((motor.values[0] - 7.3575).abs() < 1e-11 && motor.unit == "N m" && whole.left_over < 1e-12);
+    let drawn = |what: &str, kind: &str| {
+        let to = std::env::temp_dir().join(format!("kin-forces-{}.{kind}", std::process::id()));
+        let to = to.to_str().expect("a path");
+        data(&["forces", &file, "--times", "0:3:31", what, to]);
+        let text = std::fs::read_to_string(to).expect("a picture");
+        std::fs::remove_file(to).expect("a picture");
+        text
+    };
+    // Where the motor gives most, at the beginning, with the scale that arrows are read by.
+    let svg = drawn("--svg", "svg");
+    assert!(svg.contains("<title>O on arm</title>") && svg.contains("t = 0 s") && svg.contains(" N</text>"));
+    assert!(drawn("--chart", "chart.svg").contains("effort [N m]"));
+    let page = drawn("--page", "html");
+    assert!(page.contains("motor on arm") && page.contains("forces in joints"));
     let output = done(&["forces", &example("04_four_bar"), "--times", "0:1:3"]);
     assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
 }

@@ -334,6 +334,19 @@ impl<'a> Forces<'a> {
         effort::drive(self, self.block(name)?)
     }
 
+    /// Names of all constraints, drivers among them, in the order of adding; of each spatial body the row by
+    /// which its Euler parameters stay normalised, which holds nothing, is not one of them.
+    pub fn constraints(&self) -> Vec<&str> {
+        let blocks = self.system.equations().blocks.iter();
+        let told = blocks.filter(|block| block.constraint.facts().kind != "euler_norm");
+        told.map(|block| block.name.as_str()).collect()
+    }
+
+    /// Names of the loads.
+    pub fn loads(&self) -> Vec<&str> {
+        self.loads.iter().map(|(name, _)| *name).collect()
+    }
+
     /// Names of the constraints that drive.
     pub fn drives(&self) -> Vec<&str> {
         let blocks = self.system.equations().blocks.iter();

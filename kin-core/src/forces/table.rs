@@ -11,6 +11,9 @@ use crate::model::layout::Kind;
 use crate::model::motion::Series;
 use crate::solve::motion::csv::{reason, to_file};
 
+/// A force below this share of the largest one is none.   \[-\]
+const NOTHING: f64 = 1e-9;
+
 impl Forces<'_> {
     /// Everything that is unique as numbers over time: of each drive effort and power, of each constraint the
     /// components on each of its bodies about its point in global axes (`A on crank.F_x`), of friction the
@@ -38,6 +41,27 @@ impl Forces<'_> {
             }
         }
         all.extend([self.energy().kinetic.clone(), self.energy().potential.clone()]);
+        all
+    }
+
+    /// |F| of each constraint that does not drive, on the first of its bodies (`A on crank.force`), where it is
+    /// unique and not zero at all times.
+    pub fn magnitudes(&self) -> Vec<Series> {
+        let (layout, drives) = (self.system.layout(), self.drives());
+        let of = |name: &&str| {
+            let reaction = self.reaction(name).ok()?;
+            let item = *reaction.touched().first()?;
+            let (mechanism, index) = (layout.mechanism, Some(item));
+            let found = match layout.items[item].kind {
+                Kind::Planar => reaction.on(PlanarBody { mechanism, index }).and_then(|on| on.magnitude()),
+                _ => reaction.on(SpatialBody { mechanism, index }).and_then(|on| on.magnitude()),
+            };
+            found.ok()
+        };
+        let found = self.constraints().into_iter().filter(|name| !drives.contains(name));
+        let mut all: Vec<Series> = found.filter_map(|name| of(&name)).collect();
+        let largest = all.iter().map(Series::max).fold(0.0, f64::max);
+        all.retain(|series| series.max() > NOTHING * largest);
         all
     }
 

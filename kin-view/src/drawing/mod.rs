@@ -1,5 +1,6 @@
 //! Drawing of a scene and a motion: shapes fixed in tracks, lines between them, marks, traces.
 
+mod arrows;
 mod bodies;
 mod forms;
 mod hull;
@@ -11,6 +12,7 @@ use kin::{Motion, Result, Units, Vec3};
 
 use crate::color::PALETTE;
 use crate::scene::{Look, Outline, OutlineKind, Scene};
+pub(crate) use arrows::{Push, Scale, round_below};
 use hull::covers;
 use joints::{Held, Samples};
 pub(crate) use track::Track;
@@ -34,6 +36,10 @@ pub(crate) struct Drawing {
     /// Diagonal of the bounds: line widths and the like are shares of it.
     pub size: f64,
     pub eye: (f64, f64),
+    /// Forces and torques, how each of the two is drawn, and the longest arrow.
+    pub pushes: Vec<Push>,
+    pub scales: [Scale; 2],
+    pub longest: f64,
 }
 
 /// A shape fixed in a track.
@@ -118,6 +124,9 @@ impl Drawing {
             bounds: [Vec3::new(0.0, 0.0, 0.0); 2],
             size: 1.0,
             eye: scene.eye,
+            pushes: Vec::new(),
+            scales: Default::default(),
+            longest: 0.0,
             tracks,
         };
         drawing.planar =
@@ -127,6 +136,7 @@ impl Drawing {
         drawing.measure(&held, scene);
         drawing.draw(scene, &held);
         drawing.measure_shapes();
+        drawing.push(scene, motion);
         Ok(drawing)
     }
 

@@ -1,6 +1,7 @@
 //! Charts as SVG: lines over time, and paths in the plane with equal axes.
 
 mod draw;
+mod forces;
 mod measure;
 mod panel;
 mod thin;
@@ -9,6 +10,7 @@ use std::path::Path;
 
 use kin::{Quantity, Result};
 
+pub(crate) use forces::groups;
 pub use panel::Panel;
 pub(crate) use thin::thinned_path;
 

@@ -7,21 +7,23 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use kin::{Motion, Quantity, Result, Series, Vec3};
+use kin::{Forces, Motion, Quantity, Result, Series, Vec3};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use crate::color::PALETTE;
-use crate::drawing::{Drawing, LineKind, Mark, Style, Track};
+use crate::drawing::{Drawing, LineKind, Mark, Push, Scale, Style, Track};
+use crate::figure::groups;
 use crate::file;
 use crate::picture::escaped;
-use crate::scene::Scene;
+use crate::scene::{Acting, Scene};
 use column::packed;
 
 const PAGE: &str = include_str!("assets/page.html");
 const STYLE: &str = include_str!("assets/page.css");
-const SCRIPT: [&str; 4] = [
+const SCRIPT: [&str; 5] = [
     include_str!("assets/data.js"),
+    include_str!("assets/arrows.js"),
     include_str!("assets/stage.js"),
     include_str!("assets/charts.js"),
     include_str!("assets/main.js"),
@@ -29,6 +31,9 @@ const SCRIPT: [&str; 4] = [
 
 /// Positions on the page are right to this share of the mechanism's size, angles to this many radians.
 const FINE: f64 = 1e-7;
+
+/// Forces on the page are right to this share of the largest of each.
+const FINE_FORCE: f64 = 1e-5;
 
 /// A page in the making; [`Scene::page`] begins one.
 pub struct Page {
@@ -86,6 +91,14 @@ impl Page {
         self.chart(title, [("q", &motion.value)])
             .chart(&format!("{title}, velocity"), [("q̇", &motion.rate)])
             .chart(&format!("{title}, acceleration"), [("q̈", &motion.second_rate)])
+    }
+
+    /// Charts of what drives must give and of the forces in joints. Arrows are the scene's:
+    /// [`Scene::forces`].
+    pub fn forces(self, forces: &Forces<'_>) -> Page {
+        groups(forces).iter().fold(self, |page, group| {
+            page.chart(group.title, group.series.iter().map(|(name, series)| (name.as_str(), series)))
+        })
     }
 
     /// The times that were asked for, where the motion is only a part of them (the one in an error,
@@ -149,6 +162,8 @@ impl Page {
         });
         let mark = |mark: &Mark| json!({ "name": mark.name, "track": mark.track, "local": place(mark.local, drawing.size), "color": mark.color, "grounded": mark.grounded });
         let times = self.times();
+        let pushes: Vec<Value> = drawing.pushes.iter().map(|push| self.push_data(push)).collect();
+        let scale = |scale: &Scale| json!({ "length": scale.length, "turn": scale.turn, "unit": scale.unit });
         json!({
             "planar": drawing.planar,
             "units": [drawing.units.length(), drawing.units.time()],
@@ -162,7 +177,33 @@ impl Page {
             "lines": lines.collect::<Vec<_>>(),
             "marks": drawing.marks.iter().map(mark).collect::<Vec<_>>(),
             "traces": drawing.traces.iter().map(mark).collect::<Vec<_>>(),
+            "pushes": pushes,
+            "scales": drawing.scales.iter().map(scale).collect::<Vec<_>>(),
+            "longest": drawing.longest,
             "charts": self.charts.iter().map(|chart| self.chart_data(chart)).collect::<Vec<_>>(),
+        })
+    }
+
+    /// A force or torque; in the plane what is not zero.
+    fn push_data(&self, push: &Push) -> Value {
+        let axes: &[usize] = match (self.drawing.planar, push.is_torque) {
+            (true, true) => &[2],
+            (true, false) => &[0, 1],
+            (false, _) => &[0, 1, 2],
+        };
+        let largest = push.vectors.iter().map(|vector| vector.norm()).filter(|x| x.is_finite());
+        let step = FINE_FORCE * largest.fold(0.0, f64::max);
+        let column = |axis: &usize| {
+            let values: Vec<f64> = push.vectors.iter().map(|vector| vector.to_array()[*axis]).collect();
+            self.column(&values, step)
+        };
+        json!({
+            "name": push.name,
+            "acting": acting(push.acting),
+            "torque": push.is_torque,
+            "track": push.track,
+            "local": place(push.local, self.drawing.size),
+            "columns": axes.iter().map(column).collect::<Vec<_>>(),
         })
     }
 
@@ -215,6 +256,14 @@ fn style(style: Style) -> &'static str {
         Style::Bar => "bar",
         Style::Slot => "slot",
         Style::Guide => "guide",
+    }
+}
+
+fn acting(acting: Acting) -> &'static str {
+    match acting {
+        Acting::Joint => "joint",
+        Acting::Drive => "drive",
+        Acting::Load => "load",
     }
 }
 

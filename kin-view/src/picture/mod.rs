@@ -1,6 +1,7 @@
 //! Pictures of a mechanism as SVG: at one time, as a sequence of ghosts, and moving.
 
 mod animated;
+mod arrows;
 mod svg;
 mod view;
 
@@ -36,8 +37,8 @@ impl Picture {
 }
 
 impl Scene {
-    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced
-    /// paths.   \[s\]
+    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced paths, and
+    /// with forces if there are any ([`Scene::forces`]).   \[s\]
     ///
     /// Errors: a motion of another system.
     pub fn pose(&self, motion: &Motion, t: f64) -> Result<Picture> {
@@ -73,7 +74,10 @@ impl Scene {
 
 /// The mechanism at some times, each with its opacity.
 fn pictured(drawing: &Drawing, frames: &[(usize, f64)]) -> String {
-    let view = View::new(drawing, 720.0, 560.0);
+    let mut view = View::new(drawing, 720.0, 560.0);
+    if frames.len() == 1 {
+        view.height += arrows::room(drawing);
+    }
     let mut svg = Svg::new(view.width, view.height, &drawing.name);
     svg.background();
     ground(drawing, &view, &mut svg);
@@ -89,6 +93,7 @@ fn pictured(drawing: &Drawing, frames: &[(usize, f64)]) -> String {
         svg.close();
     }
     if let [(k, _)] = frames {
+        arrows::arrows(drawing, &view, *k, &mut svg);
         svg.caption(&format!("t = {} {}", svg::digits(drawing.times[*k]), drawing.units.time()));
     }
     svg.finish()

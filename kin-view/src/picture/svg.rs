@@ -110,6 +110,13 @@ impl Svg {
         ));
     }
 
+    /// Words that begin at a point.
+    pub fn note(&mut self, p: Vec2, text: &str) {
+        let (x, y) = (short(p.x), short(p.y));
+        let text = escaped(text);
+        self.push(&format!("<text x=\"{x}\" y=\"{y}\" font-size=\"11\" fill=\"#444444\">{text}</text>"));
+    }
+
     pub fn finish(mut self) -> String {
         self.text.push_str("</svg>\n");
         self.text

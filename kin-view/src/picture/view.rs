@@ -12,7 +12,8 @@ pub(super) struct View {
     right: Vec3,
     up: Vec3,
     eye: Vec3,
-    scale: f64,
+    /// Pixels a unit of length.
+    pub scale: f64,
     shift: Vec2,
     pub width: f64,
     pub height: f64,

@@ -1,5 +1,6 @@
 //! How a mechanism is to be drawn: what its constraints say by themselves, and what the user tells.
 
+mod arrow;
 mod body;
 mod form;
 mod outline;
@@ -7,6 +8,7 @@ mod outline;
 use kin::extend::Attached;
 use kin::{Marker, System, Vec3};
 
+pub(crate) use arrow::{Acting, Arrow};
 pub(crate) use body::Kind;
 pub use body::{Body, Point};
 pub(crate) use form::{Form, Touch};
@@ -31,6 +33,7 @@ pub struct Scene {
     /// The ground; all that is drawn of it is told or of joints.
     pub(crate) ground: Look,
     pub(crate) joints: Vec<Joint>,
+    pub(crate) arrows: Vec<Arrow>,
     pub(crate) traces: Vec<Trace>,
     pub(crate) lines: Vec<MovingLine>,
     /// Azimuth and elevation of the eye.   [rad]
@@ -95,7 +98,7 @@ impl Scene {
             system.constraints().filter_map(|(name, constraint)| Joint::new(name, constraint)).collect();
         let (name, eye) = (system.name().to_string(), (-1.05, 0.35));
         let ground = Look::new(kin::Ground.into(), "ground");
-        Scene { name, looks, ground, joints, traces: Vec::new(), lines: Vec::new(), eye }
+        Scene { name, looks, ground, joints, arrows: Vec::new(), traces: Vec::new(), lines: Vec::new(), eye }
     }
 
     /// Draws a body (or the ground) by this outline; several add up. It takes the place of the default: of

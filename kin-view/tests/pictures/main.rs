@@ -1,5 +1,6 @@
 //! Pictures and pages as anyone gets them: well-formed, finite, safe and small.
 
+mod forces;
 mod numbers;
 
 use base64::Engine;

@@ -67,6 +67,7 @@ const load = () => {
   const data = JSON.parse(document.getElementById("data").textContent), n = data.frames;
   data.times = column(data.times, n);
   for (const track of data.tracks) track.columns = track.columns.map((packed) => column(packed, n));
+  for (const push of data.pushes) push.columns = push.columns.map((packed) => column(packed, n));
   for (const chart of data.charts) for (const series of chart.series) series.values = column(series.values, n);
   for (const trace of data.traces) {
     trace.path = Array.from({ length: n }, (_, k) => pointOf(frameOf(data.tracks[trace.track], k), trace.local));

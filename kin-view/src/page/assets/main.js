@@ -67,6 +67,10 @@ const start = () => {
     const option = new Option(`${text(factor)}×`, factor, factor === best, factor === best);
     speed.add(option);
   }
+  const forces = byId("forces");
+  forces.hidden = !data.pushes.length;
+  const show = () => { if (!forces.hidden) forces.setAttribute("aria-pressed", stage.arrows.toggle()); };
+  forces.addEventListener("click", show);
   slider.max = last;
   slider.addEventListener("input", () => { stop(); go(Number(slider.value)); });
   play.addEventListener("click", () => set(!playing));
@@ -76,7 +80,7 @@ const start = () => {
   byId("theme").addEventListener("click", theme);
   const keys = {
     " ": () => set(!playing), ArrowLeft: (event) => step(event.shiftKey ? -10 : -1), ArrowRight: (event) => step(event.shiftKey ? 10 : 1),
-    Home: () => { stop(); go(0); }, End: () => { stop(); go(last); }, "+": () => faster(1), "-": () => faster(-1), t: theme, 0: () => stage.home(),
+    Home: () => { stop(); go(0); }, End: () => { stop(); go(last); }, "+": () => faster(1), "-": () => faster(-1), t: theme, f: show, 0: () => stage.home(),
     w: () => stage.turn(0, 8), s: () => stage.turn(0, -8), a: () => stage.turn(-8, 0), d: () => stage.turn(8, 0),
   };
   document.addEventListener("keydown", (event) => {

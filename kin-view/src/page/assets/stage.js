@@ -13,6 +13,7 @@ class Stage {
     this.trails = data.traces.map((trace) => this.styled("path", "trail", trace.color));
     this.marks = data.marks.map((mark) => this.mark(mark, "pin", 4));
     this.dots = data.traces.map((trace) => this.mark(trace, "dot", 3.2));
+    this.arrows = new Arrows(this, data);
     this.listen();
     new ResizeObserver(() => this.look()).observe(svg);
     this.look();
@@ -93,6 +94,7 @@ class Stage {
     for (const { ends, element } of this.floor) element.setAttribute("points", this.listed(ends));
     for (const mark of [...this.marks, ...this.dots]) mark.element.setAttribute("r", mark.radius * this.unit);
     this.data.traces.forEach((trace, k) => this.drawPath(trace, k));
+    this.arrows.legend();
     this.show(this.index);
   }
 
@@ -147,6 +149,7 @@ class Stage {
       const [x, y] = this.project(pointOf(frames[track], local));
       if (Number.isFinite(x + y)) element.setAttribute("transform", `translate(${x} ${y}) scale(${this.unit})`);
     }
+    this.arrows.show(frames);
     this.data.traces.forEach((trace, k) => this.trails[k].setAttribute("d", trace.d.slice(0, trace.ends[Math.floor(index)])));
   }
 

@@ -1,0 +1,66 @@
+//! `kin forces`: what drives must give and joints hold, as tables, words and pictures.
+
+use kin::{Motion, Sharing, System};
+use kin_view::{Figure, Scene};
+
+use crate::arguments::Forces;
+use crate::fault::Fault;
+use crate::model;
+use crate::output::put;
+use crate::say::Say;
+
+/// Efforts of drives, forces of joints and energies over time, and the balance of powers in words.
+pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
+    let system = model::system(&asked.model)?;
+    let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    let sharing = if asked.least_norm { Sharing::LeastNorm } else { Sharing::NotGiven };
+    let forces = system.forces_with(&motion, &sharing)?;
+    for name in forces.drives() {
+        match forces.drive(name) {
+            Ok(drive) => {
+                let (effort, rms) = (drive.effort(), short(drive.effort().rms()));
+                say.note(&format!("{name}: at most {}, {rms} {} RMS", drive.peak(), effort.unit()));
+            }
+            Err(error) => say.note(&error.to_string()),
+        }
+    }
+    say.note(&forces.balance().to_string());
+    forces.growth()?.iter().for_each(|growth| say.note(&growth.to_string()));
+    put(&asked.csv, |to| forces.write_csv_to(to))?;
+    if let Some(file) = &asked.json {
+        put(file, |to| Ok(serde_json::to_writer(to, &forces.data())?))?;
+    }
+    pictures(asked, &system, &motion, &forces)?;
+    early.map_or(Ok(()), Err)
+}
+
+/// The pictures that are asked for.
+fn pictures(asked: &Forces, system: &System, motion: &Motion, forces: &kin::Forces<'_>) -> Result<(), Fault> {
+    let write = |to: &str, text: &str| put(to, |to| to.write_all(text.as_bytes()));
+    if let Some(to) = &asked.chart {
+        write(to, &Figure::of_forces(forces).svg())?;
+    }
+    if asked.svg.is_none() && asked.page.is_none() {
+        return Ok(());
+    }
+    let scene = Scene::new(system).forces(forces);
+    if let Some(to) = &asked.svg {
+        write(to, scene.pose(motion, hardest(forces))?.svg())?;
+    }
+    if let Some(to) = &asked.page {
+        write(to, &scene.page(motion)?.asked(&asked.motion.times.0).forces(forces).html())?;
+    }
+    Ok(())
+}
+
+/// The time at which the first drive gives most, or the first time.
+fn hardest(forces: &kin::Forces<'_>) -> f64 {
+    let drives = forces.drives();
+    let peak = drives.first().and_then(|name| forces.drive(name).ok()).map(|drive| drive.peak().t);
+    peak.or(forces.motion().times().first().copied()).unwrap_or(0.0)
+}
+
+/// Five digits, as in words.
+fn short(x: f64) -> f64 {
+    format!("{x:.4e}").parse().unwrap_or(x)
+}
