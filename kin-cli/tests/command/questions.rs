@@ -176,6 +176,36 @@ fn forces_that_grow_without_bound_are_told_and_so_is_what_a_drive_gains() {
     }
 }
 
+/// A damper by the square of the rate, beside a spring.      [N m]
+#[kin::force]
+fn closer(x: Coord, rate: Rate, stiffness: f64, rest: f64, damping: f64) -> f64 {
+    -stiffness * (x - rest) - damping * rate * rate.abs()
+}
+
+/// A force of the user's own goes into the file as text, and the command reads it: the motor of a door holds
+/// against a closer that it has never seen.
+#[test]
+fn a_force_of_ones_own_is_read_from_the_text_in_the_file() {
+    use kin::prelude::*;
+    let mut m = Mechanism::new("door");
+    let door = m.link("door", 1.0).expect("a link");
+    m.add("hinge", revolute(door, Ground, door.start(), vec2(0.0, 0.0))).expect("a joint");
+    m.add("hand", drive_angle(door, Law::sine(0.8, 2.0, 0.0))).expect("a driver");
+    let turn = drive_angle(door, Law::constant(0.0));
+    m.load("closer", closer(turn, 7.0, -0.2, 3.0)).expect("a load");
+    let text = serde_json::to_string(&m.data().expect("data")).expect("JSON");
+    assert!(text.contains("fn closer("), "{text}");
+    let file = crate::file("door.json", &text);
+    for row in numbers(&data(&["forces", &file, "--times", "0:3:31"])) {
+        let (x, rate) = (0.8 * (2.0 * row[0]).sin(), 1.6 * (2.0 * row[0]).cos());
+        let held = 7.0 * (x + 0.2) + 3.0 * rate * rate.abs();
+        assert!((row[1] - held).abs() < 1e-12, "{} {held}", row[1]);
+    }
+    let spoiled = crate::file("spoiled.json", &text.replace("rate.abs()", "rate.abz()"));
+    let output = done(&["forces", &spoiled, "--times", "0:3:31"]);
+    assert!(code(&output) != 0 && words(&output).contains("no method `abz`"), "{}", words(&output));
+}
+
 /// The reach of an arm is off by half of what its length is off: its frame is in the middle.
 #[test]
 fn tolerances_of_an_arm_are_those_of_its_length() {

@@ -224,7 +224,7 @@ fn piston() {
 #[test]
 fn backhoe() {
     if let Some(model) = model("00backhoe") {
-        model.check(1e-6);
+        model.check(1e-9);
     }
 }
 

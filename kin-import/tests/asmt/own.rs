@@ -4,19 +4,19 @@ use kin::{Mechanism, SpatialBody};
 use kin_import::{Imported, asmt};
 
 /// Lines of a frame, indented by `depth`.
-fn frame(depth: usize, r: [f64; 3], rows: [[f64; 3]; 3]) -> String {
+pub fn frame(depth: usize, r: [f64; 3], rows: [[f64; 3]; 3]) -> String {
     let tabs = "\t".repeat(depth);
     let line = |v: [f64; 3]| format!("{tabs}\t{}\t{} {}\n", v[0], v[1], v[2]);
     format!("{tabs}Position3D\n{}{tabs}RotationMatrix\n{}", line(r), rows.map(line).concat())
 }
 
-const SAME: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+pub const SAME: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// Half a turn about x: its z opposes.
 const BACK: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
 /// z along x.
 const ALONG: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-fn marker(depth: usize, name: &str, r: [f64; 3], rows: [[f64; 3]; 3]) -> String {
+pub fn marker(depth: usize, name: &str, r: [f64; 3], rows: [[f64; 3]; 3]) -> String {
     let tabs = "\t".repeat(depth);
     // Half of the way is that of its reference point.
     let half = r.map(|x| 0.5 * x);
@@ -27,7 +27,7 @@ fn marker(depth: usize, name: &str, r: [f64; 3], rows: [[f64; 3]; 3]) -> String 
     )
 }
 
-fn part(name: &str, r: [f64; 3], rows: [[f64; 3]; 3], markers: &[String]) -> String {
+pub fn part(name: &str, r: [f64; 3], rows: [[f64; 3]; 3], markers: &[String]) -> String {
     format!(
         "\t\tPart\n\t\t\tName\n\t\t\t\t{name}\n{}\t\t\tPrincipalMassMarker\n\t\t\t\tName\n\t\t\t\t\tMassMarker\n{}\
          \t\t\t\tMass\n\t\t\t\t\t2.0\n\t\t\t\tMomentOfInertias\n\t\t\t\t\t0.1\t0.2 0.25\n\t\t\tRefPoints\n{}",
@@ -37,7 +37,7 @@ fn part(name: &str, r: [f64; 3], rows: [[f64; 3]; 3], markers: &[String]) -> Str
     )
 }
 
-fn joint(kind: &str, name: &str, i: &str, j: &str) -> String {
+pub fn joint(kind: &str, name: &str, i: &str, j: &str) -> String {
     format!(
         "\t\t\t{kind}\n\t\t\t\tName\n\t\t\t\t\t{name}\n\t\t\t\tMarkerI\n\t\t\t\t\t/askew/{i}\n\
          \t\t\t\tMarkerJ\n\t\t\t\t\t/askew/{j}\n"

@@ -201,6 +201,36 @@ mod tests {
         near(triangle(a, b, c).and(triangle(a, c, d)), Solid::plate(&[a, b, c, d], 0.2, 5.0));
     }
 
+    /// Masses and moments by the formulas of textbooks (Meriam and Kraige, table D/4), worked out for sizes
+    /// whose numbers are round.
+    #[test]
+    fn shapes_have_the_mass_and_inertia_of_textbooks() {
+        let of = |mass: f64, [x, y, z]: [f64; 3]| Solid::diagonal(mass, [x, y, z]);
+        let pi = std::f64::consts::PI;
+        // A bar of steel 400 × 30 × 20 mm: 7850 · 0.4 · 0.03 · 0.02 = 1.884 kg.
+        let bar = [1.884 * 1.3e-3 / 12.0, 1.884 * 0.1604 / 12.0, 1.884 * 0.1609 / 12.0];
+        near(Solid::bar(0.4, 0.03, 0.02, Solid::STEEL), of(1.884, bar));
+        // A box 1 × 2 × 3 of density 5: 30 kg; 30/12 (4 + 9), 30/12 (1 + 9), 30/12 (1 + 4).
+        near(Solid::cuboid(1.0, 2.0, 3.0, 5.0), of(30.0, [32.5, 25.0, 12.5]));
+        // A disc of radius 2 and thickness 1/π of density 3: 12 kg; ½ m r² and ¼ m r² + m t²/12.
+        let across = 12.0 + 1.0 / (pi * pi);
+        near(Solid::disc(2.0, 1.0 / pi, 3.0), of(12.0, [across, across, 24.0]));
+        // A cylinder of radius 1 and length 6 along x of density 1/π: 6 kg; ½ m r² and m (r²/4 + l²/12).
+        near(Solid::cylinder(1.0, 6.0, 1.0 / pi), of(6.0, [3.0, 19.5, 19.5]));
+        // A ball of radius 3 of density 1/(4 π): 9 kg; 2/5 m r² = 32.4.
+        near(Solid::sphere(3.0, 0.25 / pi), of(9.0, [32.4; 3]));
+        // A thin plate with a right angle, legs 3 and 6 along the axes: 2 · 9 · 0.001 = 0.018 kg, its centre
+        // at a third, moments m h²/18, J_xy = −∫ x y dm = m b h/36.
+        let (m, thick) = (0.018, 0.018 * 1e-6 / 12.0);
+        let [x, y, xy] = [m * 36.0 / 18.0, m * 9.0 / 18.0, m * 18.0 / 36.0];
+        let rows = [[x + thick, xy, 0.0], [xy, y + thick, 0.0], [0.0, 0.0, x + y]];
+        let triangle = Solid { mass: m, centre: Vec3::new(1.0, 2.0, 0.0), inertia: Mat3::from(rows) };
+        near(Solid::plate(&[vec2(0.0, 0.0), vec2(3.0, 0.0), vec2(0.0, 6.0)], 0.001, 2.0), triangle);
+        // A bar as an outline is the bar.
+        let corners = [vec2(-0.2, -0.015), vec2(0.2, -0.015), vec2(0.2, 0.015), vec2(-0.2, 0.015)];
+        near(Solid::plate(&corners, 0.02, Solid::STEEL), of(1.884, bar));
+    }
+
     #[test]
     fn two_halves_make_the_whole_and_what_is_cut_out_is_gone() {
         let half = Solid::cuboid(1.0, 0.4, 0.3, 2.0);
