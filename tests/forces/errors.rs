@@ -37,6 +37,22 @@ fn masses_that_no_body_can_have() {
     assert!(told(m.mass(body, 1.0, vec3(0.0, 0.0, 0.0), tensor)).contains("more than the sum of the others"));
 }
 
+/// In a file each number of a mass can be missing.
+#[test]
+fn a_mass_without_a_centre_in_a_file() {
+    let (mut m, arm) = arm();
+    m.mass(arm, 1.0, vec2(0.1, 0.0), 0.1).expect("a mass");
+    let whole = serde_json::to_value(m.data().expect("data")).expect("a value");
+    for number in ["mass", "centre", "inertia", "body"] {
+        let mut data = whole.clone();
+        data["masses"][0].as_object_mut().expect("a mass").remove(number).expect("a number");
+        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("without_{number}.json"));
+        std::fs::write(&path, data.to_string()).expect("a file");
+        let told = told(Mechanism::read_json(&path, &kin::Registry::new()));
+        assert!(told.contains(&format!("`{number}`")) && told.contains("missing"), "{told}");
+    }
+}
+
 #[test]
 fn loads_that_make_no_sense() {
     let (mut m, arm) = arm();

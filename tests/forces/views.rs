@@ -232,3 +232,70 @@ fn a_third_crank() {
         assert_eq!(forces.on_ground().on(ground).expect("the ground").not_unique(), [""; 0]);
     });
 }
+
+/// A four-bar of spatial bodies in a plane that leans by `tilt`, with hinges across it.
+fn flat_in_space(view: View) -> (Mechanism, [(String, SpatialBody); 4]) {
+    let (s, turn) = (view.scale, EulerParameters::from_axis_angle(vec3(0.6, -0.8, 0.0), view.tilt));
+    let a = turn.rotation();
+    let mut m = Mechanism::new("four-bar in space");
+    // Pins of the crank at 0.6 rad and of coupler and rocker where circles about their ends meet.
+    let (crank, far) = (vec2(0.6_f64.cos(), 0.6_f64.sin()), vec2(2.4, 0.0));
+    let (way, l) = (far - crank, (far - crank).norm());
+    let along = (4.0 - 2.25 + l * l) / (2.0 * l);
+    let across = (4.0 - along * along).sqrt();
+    let knee = crank + way * (along / l) + vec2(-way.y, way.x) * (across / l);
+    let ends = [(vec2(0.0, 0.0), crank), (crank, knee), (far, knee)];
+    let bodies = ends.map(|(from, to)| {
+        let (middle, angle) = ((from + to) * 0.5, (to - from).y.atan2((to - from).x));
+        let p = turn * EulerParameters::from_axis_angle(Z, angle);
+        let name = format!("link {angle}");
+        let place = a * (vec3(middle.x, middle.y, 0.0) * s);
+        let body = m.spatial(&name, SpatialPose::new(place, p)).expect("a body");
+        let inertia = tensor(0.1 * s * s, 0.2 * s * s, 0.25 * s * s);
+        m.mass(body, 1.2, vec3(0.05, 0.02, 0.0) * s, inertia).expect("a mass");
+        body
+    });
+    let ground = SpatialBody::from(m.ground());
+    let [one, two, three] = bodies;
+    let joints = vec![
+        ("O", one, ground, vec2(0.0, 0.0)),
+        ("A", one, two, crank),
+        ("B", two, three, knee),
+        ("C", three, ground, far),
+    ];
+    let held = ["O", "A", "B", "C"].map(str::to_string);
+    for (name, i, j, p) in view.ordered(joints) {
+        let (p, axis) = (a * (vec3(p.x, p.y, 0.0) * s), a * Z);
+        let u = [i, j].map(|body| m.local(body, p).expect("a body"));
+        let h = [i, j].map(|body| m.local_direction(body, axis).expect("a body"));
+        m.add(name, spatial::revolute(i, j, u[0], u[1], h[0], h[1])).expect("a joint");
+    }
+    // Turns count from where it stands.
+    let axis = [one, ground].map(|body| {
+        let [h, f] = [Z, vec3(1.0, 0.0, 0.0)].map(|v| m.local_direction(body, a * v).expect("a body"));
+        Axis::new(h, f)
+    });
+    m.add("motor", spatial::drive_turn(one, ground, axis[0], axis[1], Law::ramp(1.5))).expect("a driver");
+    m.gravity(a * (vec3(0.3, -9.81, 0.0) * s));
+    let [o, first, b, c] = held;
+    (m, [(o, one), (first, one), (b, two), (c, three)])
+}
+
+/// Three equations too many: within the plane all is unique, across it nothing of a single joint is.
+#[test]
+fn a_flat_mechanism_in_space() {
+    View::all(|view| {
+        let (m, held) = flat_in_space(view);
+        let ground = SpatialBody::from(m.ground());
+        let system = m.build().expect("a system");
+        let motion = system.run(linspace(0.0, 0.8, 6)).expect("a motion");
+        let forces = system.forces(&motion).expect("forces");
+        for (name, body) in held {
+            let acted = forces.reaction(&name).expect("a joint").on(body).expect("its body").in_body();
+            assert_eq!(acted.not_unique(), ["F_z", "T_x", "T_y"], "{name}");
+        }
+        assert!(forces.drive("motor").is_ok());
+        assert_eq!(forces.on_ground().on(ground).expect("the ground").not_unique(), [""; 0]);
+        assert!(forces.balance().worst() < 1e-11, "{}", forces.balance());
+    });
+}
