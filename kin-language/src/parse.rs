@@ -51,10 +51,20 @@ pub struct ConstraintFn {
     pub measures: Vec<Measure>,
     /// The value of the function: an equation, or what acts.
     pub role: Role,
+    pub second_reader: SecondReader,
     /// The function as it was handed in.
     pub item: TokenStream,
     /// Functions beside it whose texts its own text takes along.
     pub with: Vec<syn::Path>,
+}
+
+/// Who reads the body besides, and tells the mistakes that any program may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SecondReader {
+    /// It is a part of a program.
+    Rustc,
+    /// It is a text.
+    Nobody,
 }
 
 /// The meaning of a function's value.
@@ -136,6 +146,7 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         branches,
         measures,
         role: Role::Equation,
+        second_reader: SecondReader::Rustc,
         item,
         with,
     })

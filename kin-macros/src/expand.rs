@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use kin_language::lower::{Failure, Unreadable};
-use kin_language::parse::{Choice, ConstraintFn, Role};
+use kin_language::parse::{Choice, ConstraintFn, Role, SecondReader};
 use kin_language::{limits, lower, parse};
 
 use crate::emit;
@@ -75,7 +75,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
         Ok(source) => source,
         Err(mistakes) => return with_stand_in(&mistakes, &emit::stand_in::law_item(item)),
     };
-    match lower::law(&source.variable, &source.parameters, &source.body) {
+    match lower::law(&source.variable, &source.parameters, &source.body, SecondReader::Rustc) {
         Err(Failure::Mistakes(mistakes)) => with_stand_in(&mistakes, &emit::stand_in::law(&source)),
         Err(Failure::Unreadable(_)) => emit::law::law(&source, None),
         Ok(lowered) => emit::law::law(&source, Some(lowered)),

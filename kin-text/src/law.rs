@@ -7,14 +7,15 @@ use kin::data::LawReader;
 use kin::emitted::LawFunction;
 use kin::emitted::graph::{Given, Graph, Node, Series, Table, give_law};
 use kin_language::lower::{self, Lowered};
-use kin_language::parse::{self, LawFn};
+use kin_language::parse::{self, LawFn, SecondReader};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Expr, ItemFn};
 
 use crate::mistake::Mistakes;
-use crate::read::{Asked, Places, read_with, understood};
+use crate::read::{Asked, Places, read_with};
 use crate::signature::Signature;
+use crate::unknown::understood;
 
 /// A function of one variable that was read from text, with all its derivatives.
 ///
@@ -201,7 +202,8 @@ impl LawFunction for WrittenLaw {
 fn of_item(said: TokenStream, item: ItemFn) -> syn::Result<Read> {
     let source = parse::law(&said, item.to_token_stream())?;
     let signature = Signature::of(&source.parameters)?;
-    let lowered = understood(lower::law(&source.variable, &source.parameters, &source.body))?;
+    let lowered =
+        understood(lower::law(&source.variable, &source.parameters, &source.body, SecondReader::Nobody))?;
     let places = Places { signature: &signature, name: &source.name, arguments: &source.parameters };
     let formula = places.asked(&lowered)?;
     let requirements = source
@@ -223,5 +225,5 @@ fn of_item(said: TokenStream, item: ItemFn) -> syn::Result<Read> {
 fn condition(source: &LawFn, condition: &Expr) -> syn::Result<Lowered> {
     let items = source.body.stmts.iter().take_while(|statement| matches!(statement, syn::Stmt::Item(_)));
     let body = syn::parse_quote!({ #(#items)* if #condition { 1.0 } else { 0.0 } });
-    understood(lower::law(&source.variable, &source.parameters, &body))
+    understood(lower::law(&source.variable, &source.parameters, &body, SecondReader::Nobody))
 }

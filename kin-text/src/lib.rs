@@ -17,6 +17,7 @@ mod plain;
 mod read;
 mod signature;
 mod stage;
+mod unknown;
 
 pub use constraint::ReadConstraint;
 pub use equation::{Equation, Making, On, Parameter};

@@ -2,7 +2,9 @@
 //! has one kind of number, so that `Real<D>` is an `f64` and `Vec2<D>` a `Vec2`.
 
 use syn::visit_mut::{self, VisitMut};
-use syn::{GenericArgument, GenericParam, ItemFn, Path, PathArguments, Type, TypeParamBound, WherePredicate};
+use syn::{
+    GenericArgument, GenericParam, Ident, ItemFn, Path, PathArguments, Type, TypeParamBound, WherePredicate,
+};
 
 /// Takes the kind of number out of a function.
 pub fn make(function: &mut ItemFn) {
@@ -83,6 +85,11 @@ impl VisitMut for Plain {
     }
 
     fn visit_path_mut(&mut self, path: &mut Path) {
+        // `Real::from(k)`
+        let count = path.segments.len();
+        if count == 2 && path.segments[0].ident == "Real" {
+            path.segments[0] = Ident::new("f64", path.segments[0].ident.span()).into();
+        }
         for segment in &mut path.segments {
             if let PathArguments::AngleBracketed(arguments) = &segment.arguments
                 && !arguments.args.is_empty()

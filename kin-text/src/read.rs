@@ -5,8 +5,8 @@ use kin::emitted::graph::Table;
 use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
 use kin_language::formula::{Outside, Written, local_column, parameter_name};
-use kin_language::lower::{Attachment, Failure, Lowered};
-use kin_language::parse::{self, Argument, ConstraintFn, Demand, Kind, Role};
+use kin_language::lower::{Attachment, Lowered};
+use kin_language::parse::{self, Argument, ConstraintFn, Demand, Kind, Role, SecondReader};
 use kin_language::{constants, limits, lower};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
@@ -17,6 +17,7 @@ use crate::names::interned;
 use crate::plain;
 use crate::signature::Signature;
 use crate::stage::Stage;
+use crate::unknown::understood;
 
 /// An equation as it was read, for constraints on any bodies.
 pub struct Read {
@@ -158,7 +159,7 @@ fn is_called(attribute: &Attribute, name: &str) -> bool {
 
 fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read> {
     let mut source = parse::constraint(said, item.to_token_stream())?;
-    source.role = role;
+    (source.role, source.second_reader) = (role, SecondReader::Nobody);
     let source = if role == Role::Force { parse::force(source)? } else { source };
     let signature = Signature::of(&source.arguments)?;
     let mut lowered = understood(lower::constraint(&source))?;
@@ -209,22 +210,6 @@ fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read>
     };
     Ok(read)
 }
-
-/// The lowered function, if nothing in it is known to rustc alone.
-pub fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
-    let lowered = read.map_err(|failure| match failure {
-        Failure::Mistakes(mistakes) => mistakes,
-        Failure::Unreadable(why) => {
-            syn::Error::new(why.span, format!("{} cannot be read from a text", why.what))
-        }
-    })?;
-    match lowered.opaques.iter().chain(&lowered.leaves).next() {
-        Some(value) => Err(syn::Error::new(value.template.place().unwrap_or_else(Span::call_site), UNKNOWN)),
-        None => Ok(lowered),
-    }
-}
-
-const UNKNOWN: &str = "this is not known here: what an equation calls stands in its text too, as a function or constant beside it";
 
 /// The places that names of parameters have in the signature of a function.
 pub struct Places<'a> {

@@ -102,8 +102,8 @@ impl Signature {
     }
 }
 
-const UNKNOWN: &str = "in a text a parameter is an `f64`, a vector or matrix, an array or tuple of these, an `Axis` or a `Law`: other types are \
-                       known to programs only";
+const UNKNOWN: &str = "in a text a parameter is an `f64`, a vector or matrix, an array or tuple of these, an `Axis` or a `Law`, and a body or \
+                       coordinate is called `Planar`, `Spatial` or `Coord` itself: other types are known to programs only";
 
 fn path(argument: &Argument) -> TokenStream {
     let name = &argument.name;

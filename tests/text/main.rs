@@ -5,3 +5,4 @@ mod dimensions;
 mod files;
 mod laws;
 mod mistakes;
+mod rustc;

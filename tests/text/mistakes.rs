@@ -4,6 +4,9 @@ use std::path::Path;
 
 use kin_text::{Equation, LawText};
 
+#[path = "../data/campaign.rs"]
+mod campaign;
+
 /// Places and messages of a text's mistakes, ``line:column message``.
 fn told(text: &str) -> Vec<String> {
     let mistakes = Equation::read(text).err().map(|mistakes| mistakes.0).unwrap_or_default();
@@ -117,32 +120,29 @@ fn mutated(texts: &[String], random: &mut fastrand::Rng) -> String {
     text
 }
 
-/// `KIN_TEXTS=1000000` tries as many.
+/// `KIN_TEXTS=1000000` tries as many, on all cores.
 #[test]
 fn mutated_texts_are_read_or_refused_at_a_place() {
-    let wanted = std::env::var("KIN_TEXTS").ok().and_then(|n| n.parse().ok()).unwrap_or(3_000);
-    let (texts, mut random) = (texts(), fastrand::Rng::with_seed(0x7E87));
-    let (mut read, mut longest) = (0, std::time::Duration::ZERO);
-    for _ in 0..wanted {
-        let text = mutated(&texts, &mut random);
-        let start = std::time::Instant::now();
-        match Equation::read(&text).map(drop).or_else(|_| LawText::read(&text).map(drop)) {
-            Ok(()) => read += 1,
-            Err(mistakes) => {
-                assert!(!mistakes.0.is_empty(), "{text}");
-                for one in &mistakes.0 {
-                    assert!(one.message != "this text cannot be read", "a panic:\n{text}");
-                    let shown = one.to_string();
-                    assert!(!shown.chars().any(|c| c.is_control() && c != '\n'), "{shown:?}");
-                    assert!(one.line >= 1 && one.line <= text.lines().count().max(1), "{shown}\n{text}");
-                }
+    let texts = texts();
+    let tried = campaign::tried("KIN_TEXTS", 3_000, |number| {
+        let text = mutated(&texts, &mut fastrand::Rng::with_seed(0x7E87 + number));
+        let begun = std::time::Instant::now();
+        let read = Equation::read(&text).map(drop).or_else(|_| LawText::read(&text).map(drop));
+        let time = begun.elapsed();
+        if let Err(mistakes) = &read {
+            assert!(!mistakes.0.is_empty(), "{text}");
+            for one in &mistakes.0 {
+                assert!(one.message != "this text cannot be read", "a panic:\n{text}");
+                let shown = one.to_string();
+                assert!(!shown.chars().any(|c| c.is_control() && c != '\n'), "{shown:?}");
+                assert!(one.line >= 1 && one.line <= text.lines().count().max(1), "{shown}\n{text}");
             }
         }
-        longest = longest.max(start.elapsed());
-    }
-    assert!(read > wanted / 100, "only {read} of {wanted} are read");
-    assert!(longest.as_secs() < 20, "{longest:?}");
-    println!("{read} of {wanted} are read, the longest in {longest:?}");
+        campaign::One { read: read.is_ok(), time, text }
+    });
+    println!("{tried}");
+    assert!(tried.read > tried.count / 100, "only {} of {} are read", tried.read, tried.count);
+    tried.are_bounded();
 }
 
 #[test]

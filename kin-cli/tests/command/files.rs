@@ -7,7 +7,7 @@ use kin::data::MechanismData;
 use kin::prelude::*;
 use serde_json::{Value, json};
 
-use crate::{SLOT, data, four_bar};
+use crate::{SLOT, campaign, data, four_bar};
 
 /// Every mechanism file there is, with its name.
 fn files() -> Vec<(String, String)> {
@@ -151,30 +151,25 @@ fn spoilt(files: &[(String, String)], random: &mut fastrand::Rng) -> String {
     text
 }
 
-/// `KIN_MUTANTS=100000` for more.
+/// `KIN_MUTANTS=100000` tries as many, on all cores.
 #[test]
 fn spoilt_files_are_read_or_refused_by_name() {
     let files = files();
-    let wanted = std::env::var("KIN_MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(1500);
-    let mut random = fastrand::Rng::with_seed(19);
-    let (mut read, mut longest) = (0, std::time::Duration::ZERO);
-    for _ in 0..wanted {
-        let text = spoilt(&files, &mut random);
+    let tried = campaign::tried("KIN_MUTANTS", 1_500, |number| {
+        let text = spoilt(&files, &mut fastrand::Rng::with_seed(19 + number));
         let begun = Instant::now();
-        let told = match serde_json::from_str::<MechanismData>(&text) {
-            Err(error) => error.to_string(),
-            Ok(data) => match Mechanism::from_data(&data, &kin_text::registry()) {
-                Err(error) => error.to_string(),
-                Ok(_) => {
-                    read += 1;
-                    "read".to_string()
-                }
-            },
-        };
-        assert!(!told.trim().is_empty(), "{text}");
-        longest = longest.max(begun.elapsed());
-    }
-    assert!(read > wanted / 20, "only {read} of {wanted} are read");
-    assert!(longest.as_secs() < 20, "{longest:?}");
-    println!("{read} of {wanted} spoilt files are read, the longest in {longest:?}");
+        let made = MechanismData::read(&text)
+            .and_then(|data| Mechanism::from_data(&data, &kin_text::registry())?.build());
+        let time = begun.elapsed();
+        if let Err(error) = &made {
+            // Either a place of the text, or the name of a part of the mechanism.
+            let told = error.to_string();
+            let is_placed = told.contains(" at line ") || told.contains('`');
+            assert!(is_placed, "{told}\n{text}");
+        }
+        campaign::One { read: made.is_ok(), time, text }
+    });
+    println!("{tried}");
+    assert!(tried.read > tried.count / 20, "only {} of {} are read", tried.read, tried.count);
+    tried.are_bounded();
 }

@@ -1,5 +1,7 @@
 //! The command as users run it: the binary, its streams, its exit codes.
 
+#[path = "../../../tests/data/campaign.rs"]
+mod campaign;
 mod examples;
 mod faults;
 mod files;

@@ -13,6 +13,8 @@ use kin_graph::{Input, Node};
 impl Reader {
     /// Binds the arguments of a constraint, and the lengths in its signature.
     pub(super) fn declare_signature(&mut self, source: &ConstraintFn) {
+        self.second_reader = source.second_reader;
+        self.lengths.clone_from(&source.lengths);
         self.declare_arguments(&source.arguments);
         for (name, length) in &source.lengths {
             let value = Value::count(length.base10_parse().unwrap_or_default());
@@ -45,7 +47,7 @@ impl Reader {
                     Value::Opaque(Template::Parameter(name.clone()))
                 }
             };
-            self.declare(name.to_string(), value);
+            self.declare_bound(name, argument.mutable, value);
             slot += argument.kind.slots();
         }
     }

@@ -3,7 +3,7 @@
 use quote::ToTokens;
 use syn::{Expr, ExprPath};
 
-use super::scope::Name;
+use super::scope::{Name, Place};
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
 
@@ -26,9 +26,11 @@ impl Reader {
             Expr::Path(path) => self.assign_variable(path, value),
             Expr::Index(index) => self.assign_element(index, value),
             other => match self.place(other)? {
-                Some(place) => self
-                    .put_at(&place, value, other)
-                    .ok_or_else(|| Unreadable::new(other, "an assignment to this place")),
+                Some(place) => {
+                    self.change(other, &place);
+                    let put = self.put_at(&place, value, other);
+                    put.ok_or_else(|| Unreadable::new(other, "an assignment to this place"))
+                }
                 None => Err(Unreadable::new(other, "an assignment to this place")),
             },
         }
@@ -57,7 +59,9 @@ impl Reader {
 
     /// `whole[index] = value`, of which the index may be one of several.
     fn assign_element(&mut self, index: &syn::ExprIndex, value: Value) -> Read<()> {
-        if let Some(place) = self.place(&Expr::Index(index.clone()))? {
+        let left = Expr::Index(index.clone());
+        if let Some(place) = self.place(&left)? {
+            self.change(&left, &place);
             return self
                 .put_at(&place, value, index)
                 .ok_or_else(|| Unreadable::new(index, "an assignment to this place"));
@@ -80,7 +84,10 @@ impl Reader {
     fn assign_variable(&mut self, path: &ExprPath, value: Value) -> Read<()> {
         let name = path.to_token_stream().to_string();
         match path.path.get_ident().and_then(|name| self.scopes.get(&name.to_string())) {
-            Some(Name::Variable(slot)) => self.store.set(slot, value),
+            Some(Name::Variable(slot)) => {
+                self.change(&Expr::Path(path.clone()), &Place::whole(slot));
+                self.store.set(slot, value);
+            }
             _ => drop(self.mistake(path, format!("there is no variable `{name}` to assign to"))),
         }
         Ok(())

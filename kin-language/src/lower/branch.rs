@@ -86,6 +86,7 @@ impl Reader {
         self.scopes.push();
         let condition = self.tested(&arm.pat, arm.guard.as_ref().map(|(_, guard)| &**guard), value)?;
         let result = if k + 1 == branch.arms.len() {
+            self.exhaustive(branch, arm, condition);
             self.expression(&arm.body)
         } else {
             let rest = |reader: &mut Self| {

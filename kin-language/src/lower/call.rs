@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Span};
 use quote::ToTokens;
 use syn::{Expr, ExprCall, ExprPath};
 
+use super::integer::IntegerType;
 use super::method::KINDS_OF_NUMBERS;
 use super::template::Template;
 use super::value::{Adt, Components, Value};
@@ -164,7 +165,12 @@ impl Reader {
 
     fn number_from(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
         match (arguments.len(), arguments.pop().map(Value::referent)) {
-            (1, Some(Value::Integer(k, _))) => Ok(Value::Scalar(self.graph.constant(k as f64))),
+            (1, Some(Value::Integer(k, ty))) => {
+                if ty.is_some_and(IntegerType::is_wide) {
+                    self.told_by_rustc(call.path, super::rustc::WIDE);
+                }
+                Ok(Value::Scalar(self.graph.constant(k as f64)))
+            }
             (1, Some(Value::Scalar(n))) => Ok(Value::Scalar(n)),
             (1, Some(value)) => {
                 let template = self.template(value, call.at)?;

@@ -109,6 +109,7 @@ impl Reader {
         }
         match known {
             Some(Value::Unassigned) => Ok(self.mistake(path, "this variable has no value yet")),
+            Some(Value::Perhaps(_)) => Ok(self.mistake(path, super::rustc::PERHAPS)),
             Some(value) => {
                 let size = value.size();
                 self.expressions_read += size;
@@ -183,6 +184,7 @@ impl Reader {
     /// `&mut place`, or `&mut` of a value that has no other name.
     fn mutable_reference(&mut self, of: &Expr, word: &syn::token::Mut) -> Read {
         if let Some(place) = self.place(of)? {
+            self.change(of, &place);
             return match self.at_place(&place) {
                 Some(Value::Place(inner)) => Ok(Value::Place(inner)),
                 Some(Value::Opaque(_)) | None => {

@@ -65,6 +65,11 @@ impl Reader {
         self.frames.last().map_or(0, |frame| frame.exits.len())
     }
 
+    /// The labels of the loops and blocks around what is read.
+    pub fn labels(&self) -> impl Iterator<Item = &str> {
+        self.frames.iter().filter_map(|frame| frame.label.as_deref())
+    }
+
     /// The number of the frame that is left.
     pub fn frame(&self, wanted: impl Fn(Kind) -> bool, label: Option<&str>) -> Option<usize> {
         let function = self.frames.iter().rposition(|frame| frame.kind == Kind::Function).unwrap_or(0);
@@ -183,6 +188,9 @@ impl Reader {
                 [Value::Left, Value::Left] => continue,
                 [Value::Left, _] => continue,
                 [_, Value::Left] => a.clone(),
+                // Behind `panic!` no variable is read.
+                [Value::Never, _] if matches!(a, Value::Unassigned) => b.clone(),
+                [_, Value::Never] if matches!(b, Value::Unassigned) => a.clone(),
                 _ => self.variable_of_both(condition, a, b, at)?,
             };
             self.store.set(slot, joined);
@@ -192,8 +200,12 @@ impl Reader {
 
     fn variable_of_both(&mut self, condition: Node, a: &Value, b: &Value, at: &dyn ToTokens) -> Read {
         match (a, b) {
-            // It has a value where it is asked for one: rustc sees to it.
-            (Value::Unassigned, other) | (other, Value::Unassigned) => Ok(other.clone()),
+            (Value::Unassigned, other) | (other, Value::Unassigned) => Ok(self.perhaps(other.clone())),
+            (Value::Perhaps(a), b) | (b, Value::Perhaps(a)) => {
+                let b = if let Value::Perhaps(b) = b { b } else { b };
+                let joined = self.select(condition, a, b).unwrap_or(Value::Poison);
+                Ok(self.perhaps(joined))
+            }
             _ => self.select(condition, a, b).ok_or_else(|| {
                 Unreadable::new(
                     at,

@@ -41,6 +41,11 @@ impl IntegerType {
         !self.signed
     }
 
+    /// True of a type some of whose values no `f64` is.
+    pub fn is_wide(self) -> bool {
+        self.bits > 32
+    }
+
     /// Of lengths and indices.
     pub const SIZE: IntegerType = IntegerType { bits: 32, signed: false };
 

@@ -102,7 +102,9 @@ impl Reader {
         let wanted = |kind| kind == Kind::Loop || kind == Kind::Block && label.is_some();
         match self.frame(wanted, label.as_deref()) {
             Some(number) => self.leave(number, value, leaving),
-            None => Err(Unreadable::new(leaving, "a `break` out of nothing")),
+            None => self
+                .no_such_loop(leaving.label.as_ref())
+                .ok_or_else(|| Unreadable::new(leaving, "a `break` out of nothing")),
         }
     }
 
@@ -110,7 +112,9 @@ impl Reader {
         let label = leaving.label.as_ref().map(ToString::to_string);
         match self.frame(|kind| kind == Kind::Turn, label.as_deref()) {
             Some(number) => self.leave(number, Value::unit(), leaving),
-            None => Err(Unreadable::new(leaving, "a `continue` of nothing")),
+            None => self
+                .no_such_loop(leaving.label.as_ref())
+                .ok_or_else(|| Unreadable::new(leaving, "a `continue` of nothing")),
         }
     }
 

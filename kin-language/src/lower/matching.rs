@@ -16,7 +16,7 @@ impl Reader {
         match (pattern, value) {
             (Pat::Wild(_) | Pat::Rest(_), _) => Ok(self.graph.bool(true)),
             (Pat::Ident(ident), _) if !is_constant(&ident.ident) => {
-                self.declare(ident.ident.to_string(), value.clone());
+                self.declare_bound(&ident.ident, ident.mutability.is_some(), value.clone());
                 match &ident.subpat {
                     Some((_, inner)) => self.test(inner, value),
                     None => Ok(self.graph.bool(true)),
@@ -103,6 +103,10 @@ impl Reader {
     fn test_adt(&mut self, pattern: &Pat, adt: &Adt) -> Read<Node> {
         let named = |path: &syn::Path| path.segments.last().is_some_and(|last| last.ident == adt.name);
         let never = self.graph.bool(false);
+        if self.no_such_variant(pattern, adt).is_some() {
+            names(pattern).into_iter().for_each(|name| self.declare(name, Value::Poison));
+            return Ok(never);
+        }
         match pattern {
             Pat::Ident(ident) => Ok(self.graph.bool(ident.ident == adt.name)),
             Pat::Path(path) => Ok(self.graph.bool(named(&path.path))),

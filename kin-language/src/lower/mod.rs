@@ -27,6 +27,7 @@ mod pattern;
 pub mod place;
 mod rotation;
 mod rows;
+mod rustc;
 mod scope;
 mod state;
 mod statement;
@@ -40,14 +41,14 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
 
 use crate::error::Mistakes;
-use crate::parse::{Argument, ConstraintFn, Shape};
+use crate::parse::{Argument, ConstraintFn, SecondReader, Shape};
 use kin_graph::{Graph, Input, Node, Op};
 
 pub use arguments::component_paths;
 use flow::{Frame, Guard};
 pub use place::Expressions;
 pub use rows::{Row, names_as_written};
-use scope::{Scopes, Store};
+use scope::{Scopes, Slot, Store};
 use template::Template;
 use value::Value;
 
@@ -172,9 +173,15 @@ pub fn value(source: &ConstraintFn, expression: &syn::Expr) -> Result<Lowered, F
 }
 
 /// Reads the body of a law: a function of the first argument, a number.
-pub fn law(variable: &Ident, parameters: &[Argument], body: &syn::Block) -> Result<Lowered, Failure> {
+pub fn law(
+    variable: &Ident,
+    parameters: &[Argument],
+    body: &syn::Block,
+    second_reader: SecondReader,
+) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
+        reader.second_reader = second_reader;
         let x = reader.graph.input(Input::Column(0));
         reader.declare(variable.to_string(), Value::Scalar(x));
         reader.declare_arguments(parameters);
@@ -216,6 +223,11 @@ struct Reader {
     repeated_items: Vec<syn::Item>,
     /// Types that the body declares.
     own: own::Own,
+    /// Of a text, variables without `mut`, by their slots.
+    fixed: HashMap<Slot, String>,
+    second_reader: SecondReader,
+    /// The lengths that the attribute gives to constants.
+    lengths: Vec<(Ident, syn::LitInt)>,
     /// Types of parameters that only rustc knows.
     parameter_types: HashMap<String, syn::Type>,
     /// Parameters that are integers or conditions, with their types.
@@ -253,6 +265,9 @@ impl Reader {
             attachments: Vec::new(),
             repeated_items: Vec::new(),
             own: own::Own::default(),
+            fixed: HashMap::new(),
+            second_reader: SecondReader::Rustc,
+            lengths: Vec::new(),
             parameter_types: HashMap::new(),
             no_numbers: HashMap::new(),
             path: Vec::new(),

@@ -18,7 +18,7 @@ impl Reader {
                 if let Some((_, inner)) = &ident.subpat {
                     self.bind(inner, value.clone())?;
                 }
-                self.declare(ident.ident.to_string(), value);
+                self.declare_bound(&ident.ident, ident.mutability.is_some(), value);
                 Ok(())
             }
             Pat::Type(typed) => {

@@ -9,6 +9,7 @@ use super::flow::Kind;
 use super::function::Function;
 use super::value::Value;
 use super::{Read, Reader, Unreadable};
+use crate::parse::SecondReader;
 
 impl Reader {
     /// The value of a function's body, which may `return` early.
@@ -112,6 +113,7 @@ impl Reader {
         self.path.truncate(path);
         match value {
             Ok(value) if self.is_known(&value) => {
+                self.hold_length(name, &value);
                 self.scopes.declare_item(name.to_string(), value);
                 true
             }
@@ -151,7 +153,7 @@ impl Reader {
             None => self.bind(pattern, value).map(|()| Value::unit()),
             Some((_, otherwise)) => {
                 let condition = self.test(pattern, &value)?;
-                self.choose(condition, |_| Ok(Value::unit()), |reader| reader.expression(otherwise), local)
+                self.choose(condition, |_| Ok(Value::unit()), |reader| reader.leaving(otherwise), local)
             }
         }
     }
@@ -161,6 +163,7 @@ impl Reader {
         let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         match name.as_str() {
             "unreachable" | "panic" | "todo" | "unimplemented" => Ok(Value::Never),
+            "assert" | "debug_assert" if self.second_reader == SecondReader::Nobody => self.asserted(call),
             // rustc's reading sees to them.
             "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
                 Ok(Value::unit())

@@ -43,6 +43,9 @@ impl Reader {
             (value, Type::Group(ty)) => return self.typed(value, &ty.elem, at),
             (value, Type::Infer(_)) => return Ok(value),
             (Value::Generator(f), ty) => return self.generated(&f, ty, at),
+            (Value::Array(all), Type::Array(array)) if self.is_of_another_length(&all, array, at) => {
+                return Ok(Value::Poison);
+            }
             (Value::Array(all), Type::Array(array))
                 if literal_length(&array.len).is_none_or(|n| n == all.len()) =>
             {
@@ -76,8 +79,13 @@ impl Reader {
             (None, "Vector2") => Ok(self.shaped(value, &Shape::Vector(2), at)),
             (None, "Vector3") => Ok(self.shaped(value, &Shape::Vector(3), at)),
             (None, "Box" | "Rc" | "Arc") => self.typed_inside(value, ty, at),
-            (None, "Planar") if matches!(value, Value::Planar(_)) => Ok(value),
-            (None, "Spatial") if matches!(value, Value::Spatial(_)) => Ok(value),
+            (None, "Planar" | "PlanarState") if matches!(value, Value::Planar(_)) => Ok(value),
+            (None, "Spatial" | "SpatialState") if matches!(value, Value::Spatial(_)) => Ok(value),
+            (None, name @ ("PlanarState" | "SpatialState")) if !matches!(value, Value::Opaque(_)) => {
+                let family = if name == "PlanarState" { "a planar" } else { "a spatial" };
+                let text = format!("expected the state of {family} body, but this is {}", value.name());
+                Ok(self.mistake(at, text))
+            }
             (None, "Coord" | "Time") if matches!(value, Value::Scalar(_)) => Ok(value),
             (None, name) => match value {
                 Value::Opaque(_) | Value::Never | Value::Unassigned => Ok(value),

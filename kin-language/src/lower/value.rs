@@ -52,6 +52,8 @@ pub enum Value {
     Opaque(Template),
     /// A variable declared without a value.
     Unassigned,
+    /// In a text, a variable that has been given this value in some branches, and none in others.
+    Perhaps(Box<Value>),
     /// `unreachable!()` and the like: there is no value here.
     Never,
     /// Behind `return`, `break` and `continue`: nothing is read here.
@@ -212,7 +214,7 @@ impl Value {
             Value::Choice(all) => all.first().map_or_else(String::new, |(_, value)| value.name()),
             Value::Place(_) => "a reference to a variable".into(),
             Value::Left => "no value at all".into(),
-            Value::Unassigned => "a variable without a value".into(),
+            Value::Unassigned | Value::Perhaps(_) => "a variable without a value".into(),
             Value::Never => "no value at all".into(),
             Value::Poison => "a mistake".into(),
         }

@@ -59,10 +59,12 @@ impl Reader {
         let Some(place) = self.looked_into(&whole.receiver)? else { return Ok(None) };
         match self.at_place(&place).map(Value::referent) {
             Some(Value::Array(all)) if READ.contains(&name) => {
+                self.change(&whole.receiver, &place);
                 let arguments = self.expressions(whole.args.iter())?;
                 self.change_list(&place, all, arguments, whole)
             }
             Some(Value::Iterator(mut all)) => {
+                self.change(&whole.receiver, &place);
                 let k = match (name, whole.args.first()) {
                     ("peek", None) => {
                         let first = all.first().cloned().map(|value| Value::Reference(Box::new(value)));
@@ -81,21 +83,32 @@ impl Reader {
                 let _ = self.put_at(&place, Value::Iterator(all), whole);
                 Ok(Some(found.map_or(Value::none(), Value::some)))
             }
-            Some(value @ Value::Adt(_)) if name == "take" && whole.args.is_empty() => {
-                let _ = self.put_at(&place, Value::none(), whole);
-                Ok(Some(value))
-            }
-            Some(value @ Value::Adt(_)) if name == "replace" && whole.args.len() == 1 => {
-                let new = self.expression(&whole.args[0])?;
-                let _ = self.put_at(&place, Value::some(new), whole);
+            Some(value @ Value::Adt(_))
+                if matches!((name, whole.args.len()), ("take", 0) | ("replace", 1)) =>
+            {
+                self.change(&whole.receiver, &place);
+                let new = match whole.args.first() {
+                    Some(new) => Value::some(self.expression(new)?),
+                    None => Value::none(),
+                };
+                let _ = self.put_at(&place, new, whole);
                 Ok(Some(value))
             }
             Some(Value::Adt(adt)) if own => {
                 let arguments = self.expressions(whole.args.iter())?;
-                let arguments = std::iter::once(Value::Place(place)).chain(arguments).collect();
+                let arguments: Vec<Value> =
+                    std::iter::once(Value::Place(place.clone())).chain(arguments).collect();
+                self.change_by(&whole.receiver, &place, (&adt.type_name(), name), &arguments);
                 self.own_method(&adt.type_name(), name, arguments, whole)
             }
             _ => Ok(None),
+        }
+    }
+
+    /// A method of the body's own changes its receiver if it takes `&mut self`.
+    fn change_by(&mut self, receiver: &Expr, place: &Place, (ty, name): (&str, &str), arguments: &[Value]) {
+        if self.own.function(ty, name, arguments).is_some_and(|(function, _)| takes_itself(&function)) {
+            self.change(receiver, place);
         }
     }
 
@@ -163,7 +176,7 @@ impl Reader {
                 let (a, b) = (all[k].clone(), all[k + 1].clone());
                 let inputs = [&a, &b].map(|value| Value::Reference(Box::new(value.clone()))).to_vec();
                 let order = self.apply(&f, inputs, &[], whole)?;
-                let greater = self.is_ordered(order, "Greater", whole)?;
+                let greater = self.is_ordered(order, "Greater", given(whole))?;
                 let joined = (self.select(greater, &b, &a), self.select(greater, &a, &b));
                 let (Some(first), Some(second)) = joined else {
                     return Err(Unreadable::new(&whole.method, "an order of these"));
@@ -172,6 +185,15 @@ impl Reader {
             }
         }
         Ok(())
+    }
+}
+
+/// The value of the closure that is handed to a method, or what is handed to it.
+pub fn given(whole: &ExprMethodCall) -> &dyn quote::ToTokens {
+    match whole.args.first() {
+        Some(Expr::Closure(closure)) => &*closure.body,
+        Some(other) => other,
+        None => whole,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Methods of arrays and iterators that pick something out of them, or go over them with a function.
 
 use super::Call;
+use super::changing::given;
 use crate::lower::endless::Endless;
 use crate::lower::function::Function;
 use crate::lower::scope::Place;
@@ -86,7 +87,7 @@ impl Reader {
                 let best = all.try_fold(first, |best, value| {
                     let order = self.apply(&f, vec![borrowed(&best), borrowed(&value)], &[], call)?;
                     // Of equal ones the first is the least, and the last the greatest.
-                    let worse = self.is_ordered(order, "Greater", call)?;
+                    let worse = self.is_ordered(order, "Greater", given(call.whole))?;
                     let (held, other) = if is_min { (&value, &best) } else { (&best, &value) };
                     self.joined(worse, held, other, call)
                 });

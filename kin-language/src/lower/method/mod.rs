@@ -122,6 +122,9 @@ impl Reader {
         if let Some(value) = self.own_method(&adt.type_name(), &call.name, arguments, &call)? {
             return Ok(value);
         }
+        if let Some(told) = self.no_such_method(&adt.type_name(), &call.whole.method) {
+            return Ok(told);
+        }
         let template = self.template(value, &call.whole.receiver)?;
         self.opaque_method(template, call)
     }

@@ -72,10 +72,10 @@ impl Reader {
             ("zip", 1) => self.zipped(&same, argument(0), call),
             ("iter" | "into_iter", 0) => Ok(Value::Iterator(if held { vec![inner] } else { vec![] })),
             ("flatten", 0) => Ok(if held { self.loaded(inner) } else { same }),
-            _ => Err(Unreadable::new(
-                &call.whole.method,
-                format!("`{}` of an `Option` or `Result`", call.name),
-            )),
+            _ => self.other_count(&call.whole.method, call.arguments.len()).ok_or_else(|| {
+                let what = format!("`{}` of an `Option` or `Result`", call.name);
+                Unreadable::new(&call.whole.method, what)
+            }),
         }
     }
 

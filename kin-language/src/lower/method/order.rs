@@ -33,6 +33,15 @@ impl Reader {
                     all.into_iter().filter(|(_, value)| matches!(value, Value::Adt(adt) if adt.name == name));
                 Ok(fitting.fold(never, |any, (taken, _)| self.graph.or(any, taken)))
             }
+            Value::Poison => Ok(self.graph.bool(false)),
+            other if other.numbers().is_some() || matches!(other, Value::Condition(_)) => {
+                self.told_by_rustc(
+                    at,
+                    &format!("this must be an order, `a.total_cmp(b)`, but it is {}", other.name()),
+                )
+                .ok_or_else(|| Unreadable::new(at, "an order that is not known here"))?;
+                Ok(self.graph.bool(false))
+            }
             _ => Err(Unreadable::new(at, "an order that is not known here")),
         }
     }

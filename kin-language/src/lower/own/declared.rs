@@ -182,6 +182,14 @@ impl Own {
         }
     }
 
+    /// The methods of a type, in order, as they are called.
+    pub fn methods(&self, ty: &str) -> Vec<String> {
+        let own = self.functions.keys().filter(|(known, _)| known == ty);
+        let mut all: Vec<String> = own.map(|(_, name)| format!("`{name}`")).collect();
+        all.sort_unstable();
+        all
+    }
+
     /// True if some method of that name takes `&mut self`.
     pub fn changes(&self, name: &str) -> bool {
         let mut named = self.functions.iter().filter(|((_, known), _)| known == name);

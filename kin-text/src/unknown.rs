@@ -1,0 +1,70 @@
+//! Names that a program may know and a text does not.
+
+use kin_language::error::Mistakes;
+use kin_language::lower::template::Template;
+use kin_language::lower::{Failure, Lowered};
+use proc_macro2::{Ident, Span};
+use quote::ToTokens;
+use syn::{Error, Item};
+
+const BESIDE: &str = "what an equation calls stands in its text too, as a function or constant beside it";
+
+/// The lowered function, if nothing in it is known to a program alone.
+///
+/// Errors: all that is, each at its place.
+pub fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
+    let lowered = read.map_err(|failure| match failure {
+        Failure::Mistakes(mistakes) => mistakes,
+        Failure::Unreadable(why) => Error::new(why.span, format!("{} cannot be read from a text", why.what)),
+    })?;
+    let mut mistakes = Mistakes::default();
+    for value in lowered.opaques.iter().chain(&lowered.leaves) {
+        mistakes.push(unknown(&value.template, &lowered.items));
+    }
+    mistakes.finish().map(|()| lowered)
+}
+
+/// The mistake that an expression is of which nothing is known.
+fn unknown(template: &Template, items: &[Item]) -> Error {
+    let at = template.place().unwrap_or_else(Span::call_site);
+    let message = match path(template) {
+        Some((name, around)) => match items.iter().find_map(|item| type_of(item, &name)) {
+            Some(ty) => {
+                format!("`{name}` is a constant of type `{ty}`: numbers are computed of numbers only")
+            }
+            None => format!("`{name}` is not known here: {}", meant(&name, around)),
+        },
+        None => format!("this is not known here: {BESIDE}"),
+    };
+    Error::new(at, message)
+}
+
+/// The name that an expression is or calls, and the variables around it.
+fn path(template: &Template) -> Option<(String, &[Ident])> {
+    match template {
+        Template::Path(path, around) => {
+            Some((kin_language::error::tidy(&path.to_token_stream().to_string()), around))
+        }
+        Template::Call(callee, ..) => path(callee),
+        _ => None,
+    }
+}
+
+/// The type of the constant of that name.
+fn type_of(item: &Item, name: &str) -> Option<String> {
+    match item {
+        Item::Const(constant) if constant.ident == name => {
+            Some(kin_language::error::tidy(&constant.ty.to_token_stream().to_string()))
+        }
+        _ => None,
+    }
+}
+
+/// The cure of a name that is not known: a variable that is called nearly so, or the name's own text.
+fn meant(name: &str, around: &[Ident]) -> String {
+    let apart = |other: &Ident| strsim::damerau_levenshtein(name, &other.to_string());
+    match around.iter().min_by_key(|other| apart(other)).filter(|other| apart(other) <= name.len() / 3) {
+        Some(other) => format!("is `{other}` meant?"),
+        None => BESIDE.to_string(),
+    }
+}

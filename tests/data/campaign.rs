@@ -1,0 +1,91 @@
+//! Thousands of spoilt inputs on all cores: how many are read, the slowest one, and memory.
+
+use std::fmt;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// Behind its first tenth a campaign needs hardly more memory: what an input takes is given back.
+const MOST_GROWTH: u64 = 64 << 20;
+/// Other tests of the same process take memory too, so that a small sample is not judged by it.
+const MANY: u64 = 20_000;
+
+/// The end of one input.
+pub struct One {
+    pub read: bool,
+    pub time: Duration,
+    pub text: String,
+}
+
+/// The end of all of them.
+#[derive(Default)]
+pub struct Tried {
+    pub count: u64,
+    pub read: u64,
+    pub longest: Duration,
+    /// The input that took longest.
+    pub slowest: String,
+    /// Bytes of memory that the process has had at most, and by how much that has grown after the first
+    /// tenth; 0 where the system does not tell.
+    pub peak: u64,
+    pub grown: u64,
+    wall: Duration,
+}
+
+/// Tries inputs by their numbers, each by itself, so that the result does not depend on the number of cores:
+/// as many as the variable says, or `few`.
+pub fn tried(variable: &str, few: u64, one: impl Fn(u64) -> One + Sync) -> Tried {
+    let count = std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(few);
+    let (next, all) = (AtomicU64::new(0), Mutex::new(Tried { count, ..Tried::default() }));
+    let (begun, early) = (Instant::now(), AtomicU64::new(0));
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= count {
+                break;
+            }
+            let One { read, time, text } = one(number);
+            if number == count / 10 {
+                early.store(peak(), Ordering::Relaxed);
+            }
+            let mut all = all.lock().expect("no thread has panicked");
+            all.read += u64::from(read);
+            if time > all.longest {
+                (all.longest, all.slowest) = (time, text);
+            }
+        }
+    };
+    std::thread::scope(|scope| (0..cores).for_each(|_| drop(scope.spawn(work))));
+    let mut all = all.into_inner().expect("no thread has panicked");
+    (all.peak, all.wall) = (peak(), begun.elapsed());
+    all.grown = all.peak.saturating_sub(early.into_inner());
+    all
+}
+
+/// The most memory that the process has had, in bytes.
+fn peak() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok()).unwrap_or(0) * 1024
+}
+
+impl Tried {
+    /// Asserts that no input has taken long, and all of them no more memory than a few.
+    pub fn are_bounded(&self) {
+        assert!(self.longest.as_secs() < 20, "{self}");
+        assert!(self.count < MANY || self.grown < MOST_GROWTH, "{self}");
+    }
+}
+
+impl fmt::Display for Tried {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Tried { count, read, longest, slowest, peak, grown, wall } = self;
+        let [peak, grown] = [peak, grown].map(|bytes| bytes >> 20);
+        writeln!(
+            f,
+            "{count} tried in {wall:.1?}, {read} read; {peak} MB at most, {grown} MB of them after a tenth"
+        )?;
+        write!(f, "the slowest took {longest:.1?}:\n{}", slowest.chars().take(2000).collect::<String>())
+    }
+}
