@@ -274,7 +274,7 @@ fn gradients_of_functionals_through_the_adjoint() {
         let Some(of) = self::output(&model, output) else { continue };
         let y = of.of(&model.system, &motion).expect("the output");
         let weights = |k: usize| {
-            if k % parts != 0 {
+            if !k.is_multiple_of(parts) {
                 return [0.0; 3];
             }
             let values = [&y.value, &y.rate, &y.second_rate].map(|series| series.values()[k]);
