@@ -27,10 +27,13 @@ impl Watch {
 
     /// False if the run has to end.
     pub fn look(&mut self, done: usize) -> bool {
-        if done < self.seen + STRIDE || self.last.elapsed() < EVERY {
+        if done < self.seen + STRIDE {
             return true;
         }
         self.seen = done;
+        if self.last.elapsed() < EVERY {
+            return true;
+        }
         let asked = Python::attach(|py| {
             py.check_signals()?;
             self.tell(py, done)

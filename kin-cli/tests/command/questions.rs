@@ -133,7 +133,7 @@ fn forces_of_an_arm_are_those_of_its_weight() {
         std::fs::remove_file(to).expect("a picture");
         text
     };
-    // Where the motor gives most, at the beginning, with the scale that arrows are read by.
+    // The motor gives most at the beginning, so that time is drawn, with the scale that arrows are read by.
     let svg = drawn("--svg", "svg");
     assert!(svg.contains("<title>O on arm</title>") && svg.contains("t = 0 s") && svg.contains(" N</text>"));
     assert!(drawn("--chart", "chart.svg").contains("effort [N m]"));

@@ -35,7 +35,7 @@ type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
 type ReadLaw = fn(&LawReader<'_>) -> Result<Law, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
-/// Who has brought a constructor.
+/// The source of a constructor.
 #[derive(Clone, PartialEq, Eq)]
 enum Origin {
     Library,

@@ -15,7 +15,8 @@ use crate::system::System;
 use crate::system::evaluate::Block;
 
 /// Efforts and power of a driving constraint: for each of its rows x(q) − f(t) = 0 the generalised force −λ
-/// along x.
+/// along x. A row that is written otherwise, as those of `moving_point`, has −λ too, the generalised force
+/// along the row; it does not belong to one law then, and the power alone tells what the drive gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive {
     efforts: Vec<Series>,
@@ -65,7 +66,8 @@ impl Series {
 impl Drive {
     /// The generalised force that belongs to its law: a torque where the law is an angle, a force where it is
     /// a length. Power put into the mechanism = effort · ḟ; positive the way the law grows. Of a driver with
-    /// several rows that of the first; [`Drive::efforts`] has all.   \[N m, N\]
+    /// several rows that of the first; [`Drive::efforts`] has all. [`Drive`] tells of rows of other forms.
+    ///    \[N m, N\]
     pub fn effort(&self) -> &Series {
         &self.efforts[0]
     }

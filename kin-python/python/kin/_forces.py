@@ -32,7 +32,8 @@ class Peak:
 @dataclass(frozen=True)
 class Drive:
     """What a driving constraint must give: `efforts`, one for each of its rows, a torque where its law is an angle, a force where
-    it is a length, positive the way the law grows; its `power`; its `peak`.   [N m or N, W]"""
+    it is a length, positive the way the law grows (−λ of rows that are not x(q) − f(t), as those of `moving_point`); its `power`; its
+    `peak`.   [N m or N, W]"""
 
     name: str
     efforts: list[Quantity]

@@ -376,7 +376,7 @@ class Mechanism:
     @staticmethod
     def read_json(path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
         """The mechanism of such a file."""
-        with open(path, encoding="utf-8") as file:
+        with open(os.fspath(path), encoding="utf-8") as file:
             return Mechanism.from_json(file.read())
 
     @staticmethod

@@ -417,7 +417,7 @@ class Motion:
     @staticmethod
     def read_json(path: Union[str, "os.PathLike[str]"]) -> "Motion":
         """The motion of such a file."""
-        with open(path, encoding="utf-8") as file:
+        with open(os.fspath(path), encoding="utf-8") as file:
             return Motion.from_json(file.read())
 
     def __reduce__(self) -> Any:

@@ -1,4 +1,4 @@
-//! Where a series passes a value.
+//! The times at which a series passes a value.
 
 use super::Crossing;
 use crate::model::motion::Series;

@@ -4,7 +4,7 @@
 pub(super) struct Values<'a> {
     /// |t − t*|   \[s\]
     pub times: &'a [f64],
-    /// How far the places are along the path, each nearer by the same factor.   \[-\]
+    /// Distances of the places along the path, each smaller by the same factor.   \[-\]
     pub ways: &'a [f64],
     /// The quantity, above zero.
     pub sizes: &'a [f64],
