@@ -94,3 +94,29 @@ impl From<Error> for Fault {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::ErrorKind;
+
+    use super::*;
+
+    /// Classes that only programs meet have codes too; `tests/command/classes.rs` has all others.
+    #[test]
+    fn classes_of_programs_have_codes() {
+        let [place, name] = ["place", "name"].map(str::to_string);
+        let foreign =
+            Error::ForeignBody { mechanism: name.clone(), place: place.clone(), argument: name.clone() };
+        let table = Error::Table { path: name.clone().into(), reason: place.clone() };
+        let file = Error::File { path: name.clone().into(), source: ErrorKind::NotFound.into() };
+        let length = Error::WrongLength { what: name.clone(), expected: 2, found: 3 };
+        let stopped = Error::Stopped { done: 1, all: 2, motion: None };
+        let value = Error::ParameterNotFinite { constraint: place, parameter: name.clone(), value: f64::NAN };
+        let all = [(foreign, 1), (table, 5), (file, 5), (length, 1), (stopped, 1), (value, 1)];
+        for (error, code) in all {
+            assert_eq!(Fault::from(error).code(), code);
+        }
+        let value = Error::InitialNotFinite { name: name.clone(), coordinate: name, value: f64::NAN };
+        assert_eq!(Fault::from(value).code(), 1);
+    }
+}

@@ -50,8 +50,16 @@ pub fn mechanism(file: &str) -> Result<Mechanism, Fault> {
 /// The system of a file, with what is set in it.
 pub fn system(model: &Model) -> Result<System, Fault> {
     let mut system = mechanism(&model.file)?.build()?;
-    model.settings.iter().try_for_each(|setting| set(&mut system, setting)).map_err(Fault::asked)?;
+    model.settings.iter().try_for_each(|setting| set(&mut system, setting)).map_err(not_set)?;
     Ok(system)
+}
+
+/// The fault of a value that no dimension, parameter or coordinate can have.
+fn not_set(error: Error) -> Fault {
+    match error {
+        Error::Dimension(_) | Error::InvalidLength { .. } => Fault::Usage(error.to_string()),
+        other => Fault::asked(other),
+    }
 }
 
 /// Sets a parameter or the guess of a coordinate.

@@ -1,6 +1,6 @@
 //! Questions about a mechanism and its motion.
 
-use kin::{Feature, Motion, Sampling, System};
+use kin::{Feature, Motion, Samples, Sampling, System};
 
 use crate::arguments::{
     Asked, Assemblies, Check, Diagnose, Distribution, Measure, Prove, Sensitivities, Tolerance,
@@ -191,23 +191,32 @@ pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
         let numbers = [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)];
         std::iter::once(one.name.clone()).chain(numbers.map(digits)).collect()
     });
+    let samples =
+        asked.samples.map(|count| samples(count, asked, &system, &motion, found.feature)).transpose()?;
     table(&asked.csv, &header.map(str::to_string), rows)?;
-    samples(asked, &system, &motion, found.feature, say)?;
+    if let Some(samples) = samples {
+        say.note(&samples.to_string());
+        if let Some(to) = &asked.samples_csv {
+            let header = [format!("{} [{}]", samples.name(), samples.unit())];
+            table(to, &header, samples.values().iter().map(|value| vec![digits(*value)]))?;
+        }
+    }
     early.map_or(Ok(()), Err)
 }
 
-/// The same feature in mechanisms made at random, if it is asked for.
-fn samples(asked: &Tolerance, system: &System, motion: &Motion, of: Feature, say: &Say) -> Result<(), Fault> {
-    let Some(count) = asked.samples else { return Ok(()) };
+/// The same feature in so many mechanisms made at random.
+fn samples(
+    count: usize,
+    asked: &Tolerance,
+    system: &System,
+    motion: &Motion,
+    of: Feature,
+) -> Result<Samples, Fault> {
     let distribution = match asked.distribution {
         Distribution::Normal => kin::Distribution::Normal,
         Distribution::TruncatedNormal => kin::Distribution::TruncatedNormal,
         Distribution::Uniform => kin::Distribution::Uniform,
     };
     let sampling = Sampling { count, seed: asked.seed, distribution };
-    let found = system.samples(motion, asked.name.as_str(), of, &sampling).map_err(Fault::asked)?;
-    say.note(&found.to_string());
-    let Some(to) = &asked.samples_csv else { return Ok(()) };
-    let header = [format!("{} [{}]", found.name(), found.unit())];
-    table(to, &header, found.values().iter().map(|value| vec![digits(*value)]))
+    system.samples(motion, asked.name.as_str(), of, &sampling).map_err(Fault::asked)
 }

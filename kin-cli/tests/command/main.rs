@@ -2,6 +2,7 @@
 
 #[path = "../../../tests/data/campaign.rs"]
 mod campaign;
+mod classes;
 mod examples;
 mod faults;
 mod files;

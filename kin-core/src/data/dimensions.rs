@@ -240,14 +240,18 @@ impl Mechanism {
     /// The number that an expression of this mechanism's dimensions says, such as `crank / 2` or
     /// `hypot(dx, dy)`, as mechanism files have them. Names that are no words stand in backticks.
     ///
-    /// Errors: a text that is no expression, or names what is no dimension.
+    /// Errors: a text that is no expression, names what is no dimension, or is infinite or not a number.
     pub fn expression(&self, text: &str) -> Result<Dimension> {
         let place = "dimensions".to_string();
         self.read_expression(text).map_err(|reason| Error::Data { place, reason })
     }
 
     fn read_expression(&self, text: &str) -> std::result::Result<Dimension, String> {
-        expression::read(text, &mut |name| self.dimension_named(name))
+        let read = expression::read(text, &mut |name| self.dimension_named(name))?;
+        match read.value() {
+            value if value.is_finite() => Ok(read),
+            value => Err(format!("`{text}` is {value}; give numbers of which it is finite")),
+        }
     }
 
     /// The dimension of that name.
@@ -257,7 +261,7 @@ impl Mechanism {
         Some(Dimension::new(entry.value, self.layout.mechanism, entry.node))
     }
 
-    /// A number of a file. Errors: an expression that cannot be read.
+    /// A number of a file. Errors: an expression that cannot be read, or is not finite.
     pub(super) fn number(&self, place: &str, number: &NumberData) -> Result<Dimension> {
         match number {
             NumberData::Number(x) => Ok((*x).into()),
