@@ -141,6 +141,11 @@ fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
             let Jammed { constraint, t, share, drives, .. } = found.as_ref();
             ("Jammed", json!({ "constraint": constraint, "t": t, "share": share, "drives": drives }))
         }
+        Error::Unbounded(found) => {
+            let growth = found.growth.iter();
+            let told = growth.map(|one| json!({ "constraint": one.constraint, "power": one.power }));
+            ("Unbounded", json!({ "t": found.t, "growth": told.collect::<Vec<_>>() }))
+        }
         Error::Stopped { done, .. } => ("Stopped", json!({ "done": done })),
         _ => return None,
     })

@@ -141,6 +141,13 @@ impl Forces {
         Ok((numbers::list(py, &points)?, components))
     }
 
+    /// The constraints whose forces grow without bound: name, t*, the power of |t − t*|, that in words.
+    fn growth(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, f64, String)>> {
+        let found = self.with(py, |forces| forces.growth())?;
+        let told = found.into_iter().map(|one| (one.constraint.clone(), one.t, one.power, one.to_string()));
+        Ok(told.collect())
+    }
+
     /// All that is unique, as columns.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Vec<Orders<'py>>> {
         let found = self.with(py, |forces| Ok(forces.columns()))?;

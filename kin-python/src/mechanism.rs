@@ -11,7 +11,7 @@ use crate::equation::{Equation, Given, Number, Terms, terms};
 use crate::fault::{or_raise, unreadable, wrong_type};
 use crate::forces::{Mass, solid};
 use crate::numbers::{vec2, vec3};
-use crate::system::System;
+use crate::system::{System, Verdict};
 
 /// A mechanism.
 #[pyclass(module = "kin._native")]
@@ -293,9 +293,9 @@ impl Mechanism {
         or_raise(py, py.detach(|| mechanism.build())).map(System::from)
     }
 
-    /// The diagnosis as text, and as JSON.
+    /// The diagnosis: as text, as JSON, and what follows of it.
     #[pyo3(signature = (t, q = None))]
-    fn diagnose(&self, py: Python<'_>, t: f64, q: Option<Vec<f64>>) -> PyResult<(String, String)> {
+    fn diagnose(&self, py: Python<'_>, t: f64, q: Option<Vec<f64>>) -> PyResult<Verdict> {
         let mechanism = &self.0;
         let found = py.detach(|| match q {
             Some(q) => mechanism.diagnose_at(t, &q),

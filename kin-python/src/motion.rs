@@ -5,6 +5,7 @@ use std::sync::Arc;
 use kin::data::MotionData;
 use kin::{Ground, PlanarBody, Quantity, Series, SpatialBody};
 use kin_view::{Figure, Panel};
+use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -30,11 +31,14 @@ pub struct Rows {
     which: usize,
 }
 
+/// True where the most significant byte of a number comes first.
+const BIG: bool = cfg!(target_endian = "big");
+
 #[pymethods]
 impl Rows {
     /// NumPy's array interface, version 3: where the numbers begin, how many there are, that nobody may
-    /// write there. The
-    /// motion behind the `Arc` never changes, and NumPy keeps this object as long as the array.
+    /// write there. The motion behind the `Arc` never changes, and NumPy keeps this object as long as the
+    /// array.
     #[getter]
     fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let motion = &self.motion;
@@ -46,10 +50,11 @@ impl Rows {
             _ => (motion.times(), 1),
         };
         let interface = PyDict::new(py);
-        interface.set_item("version", 3)?;
-        interface.set_item("typestr", if cfg!(target_endian = "big") { ">f8" } else { "<f8" })?;
-        interface.set_item("shape", (numbers.len() / columns.max(1), columns))?;
-        interface.set_item("data", (numbers.as_ptr().addr(), true))?;
+        interface.set_item(intern!(py, "version"), 3)?;
+        interface
+            .set_item(intern!(py, "typestr"), if BIG { intern!(py, ">f8") } else { intern!(py, "<f8") })?;
+        interface.set_item(intern!(py, "shape"), (numbers.len() / columns.max(1), columns))?;
+        interface.set_item(intern!(py, "data"), (numbers.as_ptr().addr(), true))?;
         Ok(interface)
     }
 }

@@ -8,6 +8,7 @@ use kin::{Extremes, Solution};
 use kin_view::Scene;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
+use serde_json::json;
 
 use crate::fault::{or_raise, unreadable};
 use crate::motion::{Motion, Orders, quantity, series};
@@ -41,9 +42,21 @@ type Program = (String, Vec<String>, Vec<String>, Vec<usize>, usize);
 /// Name, unit; time, value and kind of each extreme; stroke; time ratio.
 type Turns = (String, String, Vec<(f64, f64, bool)>, f64, Option<f64>, (f64, f64), (f64, f64));
 
-/// A diagnosis as text, and as JSON.
-pub fn diagnosis(found: &Diagnosis) -> PyResult<(String, String)> {
-    Ok((found.to_string(), serde_json::to_string(found).map_err(|error| unreadable(&error))?))
+/// A diagnosis: as text, as JSON, and what follows of it as JSON.
+pub type Verdict = (String, String, String);
+
+/// What is told of a diagnosis.
+pub fn diagnosis(found: &Diagnosis) -> PyResult<Verdict> {
+    let answers = json!({
+        "can_be_driven": found.can_be_driven(),
+        "is_exactly_constrained": found.is_exactly_constrained(),
+        "count_misleads": found.count_misleads(),
+        "redundancies": found.redundancies().collect::<Vec<_>>(),
+        "contradictions": found.contradictions().collect::<Vec<_>>(),
+        "lasting_freedoms": found.lasting_freedoms().collect::<Vec<_>>(),
+    });
+    let data = serde_json::to_string(found).map_err(|error| unreadable(&error))?;
+    Ok((found.to_string(), data, answers.to_string()))
 }
 
 fn solved<'py>(py: Python<'py>, at: &Solution) -> PyResult<Solved<'py>> {
@@ -229,7 +242,7 @@ impl System {
     }
 
     #[pyo3(signature = (t, q = None))]
-    fn diagnose(&self, py: Python<'_>, t: f64, q: Option<&[u8]>) -> PyResult<(String, String)> {
+    fn diagnose(&self, py: Python<'_>, t: f64, q: Option<&[u8]>) -> PyResult<Verdict> {
         let (system, q) = (self.now(), q.map(numbers::read).transpose()?);
         let found = py.detach(|| match q {
             Some(q) => system.diagnose_at(t, &q),
@@ -314,6 +327,18 @@ impl System {
     fn condition<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Orders<'py>> {
         let (system, motion) = (self.now(), &motion.0);
         series(py, &or_raise(py, py.detach(|| system.condition(motion)))?)
+    }
+
+    fn mechanical_advantage<'py>(
+        &self,
+        py: Python<'py>,
+        motion: &Motion,
+        drive: &str,
+        output: &str,
+    ) -> PyResult<Orders<'py>> {
+        let (system, motion) = (self.now(), &motion.0);
+        let found = py.detach(|| system.mechanical_advantage(motion, drive, output));
+        series(py, &or_raise(py, found)?)
     }
 
     fn prove(&self, py: Python<'_>, motion: &Motion) -> PyResult<Proved> {

@@ -369,3 +369,72 @@ def test_forces_say_about_which_point_and_what_is_not_unique():
         hinge.force  # noqa: B018
     both = forces.sum(["hinge 0", "hinge 1"]).on(door).component("F_z")
     np.testing.assert_allclose(both.value, 98.1, rtol=1e-10)
+
+
+def pump(rod, angle, law):
+    """A slider-crank with a crank of length 1 that its slider drives, with a torque on its crank."""
+    m = kin.Mechanism("pump")
+    crank, coupler, slider = m.link("crank", 1.0), m.link("rod", rod), m.planar("slider", law.at(0.0))
+    m.add("O", kin.revolute(crank, m.ground, crank.start, (0, 0)))
+    m.add("A", kin.revolute(crank, coupler, crank.end, coupler.start))
+    m.add("B", kin.revolute(coupler, slider, coupler.end, (0, 0)))
+    m.add("guide", kin.prismatic(slider, m.ground, (0, 0), (0, 0), (0, 1), 0.0))
+    m.add("push", kin.drive(slider.x, law))
+    m.prefer(crank, angle)
+    m.load("brake", kin.Load.torque(crank, 3.0))
+    return m.build()
+
+
+def test_forces_grow_towards_a_dead_centre():
+    """At x = r + l: x = r + l − ½ k φ² there, so that the force goes as |t − t*| to the power −1/2."""
+    system = pump(2.5, kin.deg(60), kin.Law.linear(2.4, 0.4))
+    with pytest.raises(kin.Toggle) as stopped:
+        system.run(np.linspace(0.0, 5.0, 51))
+    growth = system.forces(stopped.value.motion).growth()
+    assert {one.constraint: one.power for one in growth} == {"O": -0.5, "A": -0.5, "B": -0.5, "push": -0.5}
+    assert all(abs(one.t - 2.75) < 1e-9 for one in growth)
+    assert "as |t − t*|^(−1/2)" in str(growth[0])
+    system = slider_crank()[0].build()
+    assert system.forces(system.run(TIMES)).growth() == []
+
+
+def test_forces_at_a_change_point_are_refused_by_name():
+    """x = 2 cos φ for a rod as long as the crank, driven by 2 cos t: at 0 both are stretched."""
+    system = pump(1.0, -0.5, kin.Law.sine(2.0, 1.0, np.pi / 2).shifted(0.5))
+    motion = system.run(np.linspace(0.0, 1.0, 11))
+    assert motion.times[5] == 0.5
+    with pytest.raises(kin.Unbounded, match="Leave this time out") as refused:
+        system.forces(motion)
+    assert abs(refused.value.t - 0.5) < 1e-9
+    assert {one["constraint"] for one in refused.value.growth} >= {"push"} and all(one["power"] < 0 for one in refused.value.growth)
+
+
+def test_mechanical_advantage_is_one_over_the_slope():
+    """Of the slider over the crank's motor: 1/(dx/dφ)."""
+    m, crank, rod, slider = slider_crank()
+    system = m.build()
+    motion = system.run(np.linspace(0.0, 6.0, 61))
+    phi = motion["crank.theta"].value
+    a, b = 0.1, 0.3
+    slope = -a * np.sin(phi) - a**2 * np.sin(phi) * np.cos(phi) / np.sqrt(b**2 - (a * np.sin(phi)) ** 2)
+    advantage = system.mechanical_advantage(motion, "motor", slider.x)
+    np.testing.assert_allclose(advantage.value, 1.0 / slope, rtol=1e-10)
+    assert advantage.unit == "1/m" and "motor" in advantage.name
+    with pytest.raises(kin.UnknownName, match="motor"):
+        system.mechanical_advantage(motion, "engine", slider.x)
+
+
+def test_series_pass_values_as_in_rust():
+    """On the way of time: passed between times, on a time, on two times, touched."""
+    times = np.array([0.0, 1.0, 2.0, 4.0, 5.0])
+
+    def passed(values, level, clock=times):
+        return kin.Quantity("x", "N", clock, np.array(values)).crossings(level)
+
+    assert passed([-1.0, 1.0, 3.0, -1.0, 0.0], 0.0) == [(0.5, True), (3.5, False)]
+    assert passed([-1.0, 0.0, 3.0, 0.0, 2.0], 0.0) == [(1.0, True)]
+    assert passed([5.0, 2.0, 2.0, 1.0, 1.5], 2.0) == [(1.0, False)]
+    assert passed([-1.0, 1.0, 3.0, 3.0, 3.0], 0.0, -times) == [(-0.5, False)]
+    assert passed([], 0.0, times[:0]) == []
+    peak = kin.Quantity("x", "N", times, np.array([1.0, -3.0, 3.0, 0.0, 0.0])).peak
+    assert (peak.value, peak.t, peak.unit) == (-3.0, 1.0, "N")

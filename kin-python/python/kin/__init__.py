@@ -27,7 +27,7 @@ from ._design import (
     Sensitivity,
     Tolerance,
 )
-from ._forces import Acted, Balance, Drive, Energy, Forces, Peak, Reaction
+from ._forces import Acted, Balance, Drive, Energy, Forces, Growth, Reaction
 from ._friction import Friction
 from ._functions import (
     acos,
@@ -73,7 +73,7 @@ from ._joint import Joint
 from ._law import Law
 from ._load import Force, Load, Potential, force, potential
 from ._mechanism import Mechanism, Terms
-from ._motion import Break, Displaced, Event, Motion, Point, Quantity, Rotation
+from ._motion import Break, Displaced, Event, Motion, Peak, Point, Quantity, Rotation
 from ._scalars import Scalar
 from ._solid import Solid
 from ._states import Coord, Planar, Rate, Spatial, Time
@@ -116,6 +116,7 @@ __all__ = [
     "Forces",
     "Friction",
     "Ground",
+    "Growth",
     "Joint",
     "Law",
     "Link",

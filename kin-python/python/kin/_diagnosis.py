@@ -4,22 +4,31 @@ from __future__ import annotations
 
 import html
 import json
-from typing import Any
+import os
+from typing import Any, Union
 
 
 class Diagnosis:
     """A verdict: `print` shows it in words; its fields are those of the file (`data`), such as `rank`, `mobility`,
-    `dependencies`, `freedoms`."""
+    `dependencies`, `freedoms`, and what follows of them: `can_be_driven`, `is_exactly_constrained` (as many equations as coordinates,
+    all independent), `count_misleads` (the count is right only because a superfluous equation hides a missing one), `redundancies`
+    and `contradictions` among the dependencies, `lasting_freedoms` (left at nearby poses too)."""
 
-    def __init__(self, text: str, data: str) -> None:
+    def __init__(self, text: str, data: str, answers: str) -> None:
         self.text = text
         self.data: dict[str, Any] = json.loads(data)
+        self._answers: dict[str, Any] = json.loads(answers)
 
     def __getattr__(self, name: str) -> Any:
-        data = self.__dict__.get("data", {})
-        if name in data:
-            return data[name]
-        raise AttributeError(f"a diagnosis has no `{name}`; it has {', '.join(data)}")
+        known = {**self.__dict__.get("data", {}), **self.__dict__.get("_answers", {})}
+        if name in known:
+            return known[name]
+        raise AttributeError(f"a diagnosis has no `{name}`; it has {', '.join(known)}")
+
+    def write_json(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes its fields to a file."""
+        with open(os.fspath(path), "w", encoding="utf-8") as file:
+            json.dump(self.data, file, ensure_ascii=False, indent=2)
 
     def __str__(self) -> str:
         return self.text
@@ -31,4 +40,4 @@ class Diagnosis:
         return f"<pre>{html.escape(self.text)}</pre>"
 
     def __reduce__(self) -> Any:
-        return (Diagnosis, (self.text, json.dumps(self.data)))
+        return (Diagnosis, (self.text, json.dumps(self.data), json.dumps(self._answers)))

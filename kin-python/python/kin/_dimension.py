@@ -159,11 +159,20 @@ def valued(number: Any) -> Any:
     return number.value if isinstance(number, Dimension) else number
 
 
+def _float(number: Any) -> float:
+    if isinstance(number, (str, bytes, bool)):
+        raise TypeError("text is no number")
+    return float(number)
+
+
 def written(place: str, mechanism: str, own: str, number: Any) -> Any:
     """A number as the native part takes it: a dimension as its text. Raises `DimensionError` of one that is of another
-    mechanism than that of the token `own`."""
+    mechanism than that of the token `own`, and TypeError of what is no number."""
     if not isinstance(number, Dimension):
-        return number
+        try:
+            return _float(number)
+        except (TypeError, ValueError):
+            raise TypeError(f"`{place}`: a number or a dimension is needed, not {number!r}") from None
     if number._of != own:
         text = f'`{place}`: a dimension of another mechanism than "{mechanism}"; use what its own `dimension` gave out'
         error = DimensionError(text)

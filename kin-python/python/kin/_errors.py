@@ -154,6 +154,11 @@ class Jammed(Error):
     first such time, `share` how much of the friction is enough, `drives` what works against it."""
 
 
+class Unbounded(Error):
+    """Forces asked for at a singular position, where they have no bound: `t`, and `growth`, for each constraint whose forces grow
+    its name and the power of |t − t*|."""
+
+
 class OutputNotFinite(Error):
     """An output with a value that is infinite or not a number."""
 

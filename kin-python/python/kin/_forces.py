@@ -11,22 +11,9 @@ import numpy as np
 from . import _native
 from ._handles import Ground, PlanarBody, SpatialBody
 from ._joint import foreign
-from ._motion import Motion, Quantity, array
+from ._motion import Motion, Peak, Quantity, array
 from ._values import flat
 from ._vectors import VectorLike
-
-
-@dataclass(frozen=True)
-class Peak:
-    """The largest magnitude of a number over time, with its sign, and when."""
-
-    value: float
-    t: float
-    unit: str
-    text: str
-
-    def __str__(self) -> str:
-        return self.text
 
 
 @dataclass(frozen=True)
@@ -44,6 +31,20 @@ class Drive:
     def effort(self) -> Quantity:
         """That of its first row."""
         return self.efforts[0]
+
+
+@dataclass(frozen=True)
+class Growth:
+    """How the force or torque of one constraint grows towards a singular position of a motion, at the time t*: as |t − t*| to a
+    `power` below zero.   [s, -]"""
+
+    constraint: str
+    t: float
+    power: float
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
 
 
 @dataclass(frozen=True)
@@ -137,6 +138,12 @@ class Forces:
     def _from(self, kind: str, *names: str) -> "Reaction":
         self._native.check((kind, names))
         return Reaction(self, (kind, names))
+
+    def growth(self) -> list[Growth]:
+        """The constraints whose forces grow without bound towards singular positions of the motion: the toggle that has ended it,
+        and change points that it has passed. Of mechanisms with redundant equations and of motions given by states nothing is told.
+        """
+        return [Growth(*one) for one in self._native.growth()]
 
     def columns(self) -> dict[str, Any]:
         """Everything that is unique by the headers of the CSV file, such as `A on crank.F_x [N]`."""

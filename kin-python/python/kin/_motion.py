@@ -29,6 +29,19 @@ def array(data: bytes, columns: Optional[int] = None) -> Any:
 
 
 @dataclass(frozen=True)
+class Peak:
+    """The largest magnitude of a number over time, with its sign, and when."""
+
+    value: float
+    t: float
+    unit: str
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True)
 class Quantity:
     """One number over time with its rates, as arrays: a coordinate, the angle of a joint, a slide. Rates are `None` where
     they are not known.   [unit, unit/s, unit/s², unit/s³]"""
@@ -83,6 +96,27 @@ class Quantity:
             return float(np.max(np.abs(self.value)))
         square, steps = np.square(self.value), np.diff(self.times)
         return float(np.sqrt(np.sum(steps * (square[1:] + square[:-1]) / 2) / np.sum(steps)))
+
+    @property
+    def peak(self) -> Peak:
+        """The largest magnitude, the first one of several, and when."""
+        k = int(np.argmax(np.abs(self.value)))
+        value, t = float(self.value[k]), float(self.times[k])
+        return Peak(value, t, self.unit, f"{value:.6g} {self.unit} at t = {t:.6g}")
+
+    def crossings(self, value: float) -> list[tuple[float, bool]]:
+        """When it passes a value, by straight lines between its times, and whether it rises there: where a drive begins to hold
+        back, or a pin to be lifted. Of what can be measured `System.crossings` is exact. A value that is reached and left to the
+        same side is not passed."""
+        off = np.asarray(self.value) - value
+        there = np.flatnonzero((off != 0) & ~np.isnan(off))
+        found = []
+        for k, n in zip(there[:-1], there[1:]):
+            if (off[k] < 0) != (off[n] < 0):
+                share = off[k] / (off[k] - off[n]) if n == k + 1 else 1.0
+                t, end = self.times[k], self.times[k + 1]
+                found.append((float(t + share * (end - t)), bool((off[n] > 0) == (self.times[n] > t))))
+        return found
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         return np.array(self.value, dtype=dtype)

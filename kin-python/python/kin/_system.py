@@ -107,6 +107,8 @@ class System:
 
         Raises `kin.Error`; its `.motion` is what was computed before.
         """
+        if progress is None:
+            return Motion(self._native.run(as_bytes(times), options or None))
         with _Bar(progress, self.name) as told:
             return Motion(self._native.run(as_bytes(times), options or None, told))
 
@@ -202,6 +204,15 @@ class System:
     def smallest_singular_value(self, motion: Motion) -> Quantity:
         """How near the motion comes to a singular position."""
         return Quantity._of(self._native.smallest_singular_value(motion._native), motion.times)
+
+    def mechanical_advantage(self, motion: Motion, drive: str, output: What) -> Quantity:
+        """The force (or torque) along an output for a unit of a drive's effort at each time, by virtual power, all other drives
+        standing still; infinite at a dead centre of the output. Without masses, loads and friction.   [-, 1/m, m]
+
+        Raises an error by name: a name that no driver has, a driver of several rows, a singular position.
+        """
+        found = self._native.mechanical_advantage(motion._native, drive, self._what(output))
+        return Quantity._of(found, motion.times)
 
     def prove(self, motion: Motion) -> Proof:
         """By interval bounds: that exactly one continuous motion leads through the computed positions."""
@@ -394,6 +405,8 @@ class _Bar:
 
 def as_bytes(numbers: Any) -> bytes:
     """Numbers of any array, list or iterable, as the native part reads them."""
+    if type(numbers) is np.ndarray and numbers.dtype == np.float64:
+        return numbers.tobytes()
     if isinstance(numbers, (range, map, filter)) or hasattr(numbers, "__next__"):
         numbers = list(numbers)
     found = np.asarray(numbers)
