@@ -132,6 +132,15 @@ pub fn add<E: Equation<N, M> + 'static, const N: usize, const M: usize>(
     added.unwrap_or_else(|error| panic!("{error}"));
 }
 
+/// Gives planar bodies mass and weight, which a run does not read: forces do.
+pub fn weigh(m: &mut Mechanism, bodies: [PlanarBody; 3]) {
+    for (k, body) in bodies.into_iter().enumerate() {
+        let given = m.mass(body, 1.0 + 0.5 * k as f64, vec2(0.1, 0.02), 0.2);
+        given.unwrap_or_else(|error| panic!("{error}"));
+    }
+    m.gravity(vec2(0.0, -9.81));
+}
+
 /// A system that starts from the exact state.
 pub fn build(mut mechanism: Mechanism, initial: &[f64]) -> System {
     mechanism.set_initial(initial).and_then(|()| mechanism.build()).unwrap_or_else(|error| panic!("{error}"))

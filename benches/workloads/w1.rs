@@ -4,7 +4,7 @@ use kin::dual_route::Equation;
 use kin::prelude::*;
 
 use crate::hand::two_link::{TWO_LINK, run};
-use crate::sweep::{Table, Workload, add, build, routes};
+use crate::sweep::{Table, Workload, add, build, routes, weigh};
 
 const DT: f64 = 0.01;
 const STEPS: usize = 2401;
@@ -58,6 +58,7 @@ fn modelled(dual: bool, pin: impl Fn(&mut Mechanism, PlanarBody, PlanarBody, [Ve
     pin(&mut m, body2, body3, [vec2(0.5 * l2, 0.0), vec2(-0.5 * l3, 0.0)]);
     add(&mut m, dual, "link2", motor(body2, 0));
     add(&mut m, dual, "link3", motor(body3, 1));
+    weigh(&mut m, [body1, body2, body3]);
     build(m, &TWO_LINK.position(0.0))
 }
 

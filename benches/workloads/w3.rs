@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use kin::prelude::*;
 
 use crate::hand::four_bar::{FourBar, run};
-use crate::sweep::{Table, Workload, add, build, routes};
+use crate::sweep::{Table, Workload, add, build, routes, weigh};
 
 const DT: f64 = 1e-3;
 const STEPS: usize = 10_001;
@@ -38,6 +38,7 @@ pub fn model(lengths: &FourBar, dual: bool) -> System {
     add(&mut m, dual, "B", revolute(coupler, rocker, coupler.end(), rocker.end()));
     add(&mut m, dual, "C", revolute(rocker, ground, rocker.start(), vec2(lengths.d, 0.0)));
     add(&mut m, dual, "motor", drive_angle(crank, Law::ramp(lengths.omega)));
+    weigh(&mut m, [crank, coupler, rocker].map(PlanarBody::from));
     build(m, &lengths.position(0.0))
 }
 

@@ -39,6 +39,9 @@ fn model(dual: bool) -> System {
         let [u, base] = [l.u, l.base].map(|v| vec3(v[0], v[1], v[2]));
         add(&mut m, dual, &format!("leg{i}"), leg(platform, u, base, length));
     }
+    let inertia = [[0.9, 0.02, -0.01], [0.02, 1.1, 0.03], [-0.01, 0.03, 1.6]];
+    m.mass(platform, 30.0, vec3(0.02, -0.01, 0.05), inertia).unwrap_or_else(|error| panic!("{error}"));
+    m.gravity(vec3(0.0, 0.0, -9.81));
     build(m, &START)
 }
 

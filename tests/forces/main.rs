@@ -8,6 +8,7 @@ mod closed;
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]
 mod data;
+mod engines;
 mod errors;
 mod examples;
 mod file;

@@ -144,7 +144,7 @@ impl<'f, V: Turning> Acted<'f, V> {
     /// The first time at which one of the six components is not unique.
     fn first_open(&self, number: usize) -> Option<usize> {
         let loose = |k: usize, open: &Wrench| {
-            let scale = if number < 3 { self.forces.multipliers[k].length } else { 1.0 };
+            let scale = if number < 3 { self.forces.multipliers.beside(k).length } else { 1.0 };
             part(open, number).abs() * scale > LOOSE
         };
         (0..self.open.len()).find(|k| self.open[*k].iter().any(|open| loose(*k, open)))

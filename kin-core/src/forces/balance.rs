@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::calls::At;
+use super::sum::At;
 use crate::model::motion::Series;
 use crate::solve::motion::Motion;
 
@@ -36,35 +36,55 @@ pub struct Balance {
     pub largest: f64,
 }
 
-/// Energies and powers as they are gathered on the way.
-pub(super) struct Powers(Vec<At>);
+/// Energies and powers as they are gathered on the way, one list for each.
+pub(super) struct Powers {
+    kinetic: Vec<f64>,
+    potential: Vec<f64>,
+    rate: Vec<f64>,
+    drives: Vec<f64>,
+    loads: Vec<f64>,
+    friction: Vec<f64>,
+    largest: Vec<f64>,
+}
 
 impl Powers {
     pub(super) fn new(times: usize) -> Self {
-        Powers(Vec::with_capacity(times))
+        let list = || vec![0.0; times];
+        let [kinetic, potential, rate, drives, loads, friction, largest] = [(); 7].map(|()| list());
+        Powers { kinetic, potential, rate, drives, loads, friction, largest }
     }
 
-    pub(super) fn push(&mut self, at: At) {
-        self.0.push(at);
+    /// The lists that a program fills: T, V, dT/dt, powers of drives, of loads with weight, the largest one.
+    pub(super) fn of_tape(&mut self) -> [&mut Vec<f64>; 6] {
+        let Powers { kinetic, potential, rate, drives, loads, largest, .. } = self;
+        [kinetic, potential, rate, drives, loads, largest]
+    }
+
+    /// Those of time k.
+    pub(super) fn set(&mut self, k: usize, at: &At) {
+        self.friction[k] = at.friction;
+        let all = [at.kinetic, at.potential, at.rate, at.drives, at.loads + at.weight, at.largest];
+        self.of_tape().into_iter().zip(all).for_each(|(list, x)| list[k] = x);
     }
 
     pub(super) fn energy_and_balance(self, motion: &Motion) -> (Energy, Balance) {
+        let Powers { kinetic, potential, rate, drives, loads, friction, largest } = self;
         let units = motion.unit_words();
-        let series = |name: &str, unit: String, of: &dyn Fn(&At) -> f64| {
-            Series::new(name, unit, motion.clock(), self.0.iter().map(of).collect())
-        };
-        let power = |name: &str, of: &dyn Fn(&At) -> f64| series(name, units.power(), of);
-        let largest = self.0.iter().fold(0.0_f64, |m, at| m.max(at.largest).max(at.drives.abs()));
+        let series = |name: &str, unit: String, list| Series::new(name, unit, motion.clock(), list);
+        let power = |name: &str, list| series(name, units.power(), list);
+        let largest = largest.iter().chain(&drives).fold(0.0_f64, |m, power| m.max(power.abs()));
+        let left = |k: usize| drives[k] + loads[k] + friction[k] - rate[k];
+        let left = (0..rate.len()).map(left).collect();
         let energy = Energy {
-            kinetic: series("T", units.energy(), &|at| at.kinetic),
-            potential: series("V", units.energy(), &|at| at.potential),
+            kinetic: series("T", units.energy(), kinetic),
+            potential: series("V", units.energy(), potential),
         };
         let balance = Balance {
-            drives: power("drives", &|at| at.drives),
-            loads: power("loads", &|at| at.loads + at.weight),
-            friction: power("friction", &|at| at.friction),
-            kinetic: power("T'", &|at| at.rate),
-            left: power("left", &|at| at.drives + at.loads + at.weight + at.friction - at.rate),
+            drives: power("drives", drives),
+            loads: power("loads", loads),
+            friction: power("friction", friction),
+            kinetic: power("T'", rate),
+            left: power("left", left),
             largest,
         };
         (energy, balance)

@@ -1,17 +1,20 @@
 //! The forces of a motion, and what can be asked of them by name.
 
-use super::acting::{Beside, Laid, Now, scatter};
+use std::sync::Arc;
+
+use super::acting::{Beside, Laid, Now};
 use super::balance::{Balance, Energy, Powers};
-use super::body::{self, Moved};
 use super::effort::{self, Drive};
-use super::friction::{Frictions, Rub};
+use super::friction::Frictions;
 use super::growth;
-use super::multipliers::{Multipliers, Solver};
+use super::inverse;
+use super::multipliers::{AllMultipliers, Solver};
 use super::reaction::{Reaction, Source};
 use super::sharing::Sharing;
+use super::sum::{Sum, not_finite};
 use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
-use crate::solve::motion::Motion;
+use crate::solve::motion::{EngineCounts, Motion};
+use crate::solve::newton::Engine;
 use crate::system::System;
 
 /// The forces of a motion: of each constraint the force and torque that it puts on its bodies, of each driver
@@ -19,12 +22,13 @@ use crate::system::System;
 pub struct Forces<'a> {
     pub(super) system: &'a System,
     pub(super) motion: &'a Motion,
-    /// λ, time by time.
-    pub(super) multipliers: Vec<Multipliers>,
+    pub(super) multipliers: AllMultipliers,
     pub(super) loads: Vec<(&'a str, Laid<'a>)>,
     pub(super) frictions: Frictions,
     energy: Energy,
     balance: Balance,
+    engine: EngineCounts,
+    plain: Option<Arc<str>>,
 }
 
 impl System {
@@ -33,21 +37,44 @@ impl System {
         self.loads.loads.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// The forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, one transposed solve a time with the
-    /// matrix that the motion was computed with. Masses are given by [`crate::Mechanism::mass`], weight by
-    /// [`crate::Mechanism::gravity`], other loads by [`crate::Mechanism::load`].
+    /// The forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, one transposed solve a time. Masses
+    /// are given by [`crate::Mechanism::mass`], weight by [`crate::Mechanism::gravity`], other loads by
+    /// [`crate::Mechanism::load`]. Those of many times are computed by a program where there can be one
+    /// ([`Forces::engine`]).
     ///
     /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system; a singular
     /// position, where forces have no bound; a load that is not finite; a mechanism that is jammed by
     /// friction ([`crate::Jammed`]), friction on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
-        self.forces_with(motion, &Sharing::NotGiven)
+        self.forces_by(motion, Engine::Auto)
     }
 
-    /// The same, where redundant constraints share forces by a rule.
+    /// The same by an engine: [`Engine::Plain`] assembles and solves time by time; [`Engine::Compiled`] makes
+    /// one program of masses, loads and the transposed solve, and replays it over several times at once;
+    /// [`Engine::Auto`] does that where it pays. Numbers differ in the last digits.
     ///
-    /// Errors: those of [`System::forces`]; equations that cannot be left out, by name.
-    pub fn forces_with<'a>(&'a self, motion: &'a Motion, sharing: &Sharing) -> Result<Forces<'a>> {
+    /// ```
+    /// # use kin::prelude::*;
+    /// # use kin::Engine;
+    /// # fn main() -> kin::Result<()> {
+    /// # let mut m = Mechanism::new("arm");
+    /// # let arm = m.link("arm", 0.5)?;
+    /// # m.mass(arm, 1.2, vec2(0.1, 0.0), 0.03)?;
+    /// # m.gravity(vec2(0.0, -9.81));
+    /// # m.add("O", revolute(m.ground(), arm, vec2(0.0, 0.0), arm.start()))?;
+    /// # m.add("motor", drive_angle(arm, Law::ramp(2.0)))?;
+    /// # let system = m.build()?;
+    /// let motion = system.run(linspace(0.0, 1.0, 101))?;
+    /// let forces = system.forces_by(&motion, Engine::Plain)?;
+    /// assert_eq!(forces.engine().compiled, 0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Errors: those of [`System::forces`]; asked for by [`Engine::Compiled`], what stands in the way of a
+    /// program, by name: friction, redundant equations, a load that is a closure, a constraint that is not
+    /// known as a formula.
+    pub fn forces_by<'a>(&'a self, motion: &'a Motion, engine: Engine) -> Result<Forces<'a>> {
         self.own(motion)?;
         if self.loads.is_empty() {
             return Err(Error::InvalidParameters {
@@ -57,187 +84,115 @@ impl System {
                     .to_string(),
             });
         }
-        let (loads, points) = (Laid::all(self), Beside::points(self));
-        let frictions = Frictions::new(self)?;
-        let (mut solver, mut multipliers) = (Solver::new(self), Vec::with_capacity(motion.len()));
-        let mut powers = Powers::new(motion.len());
-        let mut sum = Sum::new(self, &loads, &points);
-        for (k, &t) in motion.times().iter().enumerate() {
+        Walk::new(self, motion)?.by(engine)
+    }
+
+    /// The same as [`System::forces`], where redundant constraints share forces by a rule.
+    ///
+    /// Errors: those of [`System::forces`]; equations that cannot be left out, by name.
+    pub fn forces_with<'a>(&'a self, motion: &'a Motion, sharing: &Sharing) -> Result<Forces<'a>> {
+        let mut forces = self.forces(motion)?;
+        forces.share(sharing)?;
+        Ok(forces)
+    }
+}
+
+/// The λ of a program and of the walk differ by less than this share of the largest one.   \[-\]
+const SAME: f64 = 1e-8;
+const OTHERS: &str = "its program has other forces at the first time than its equations";
+
+/// The forces of a motion on their way.
+struct Walk<'a> {
+    system: &'a System,
+    motion: &'a Motion,
+    loads: Vec<(&'a str, Laid<'a>)>,
+    frictions: Frictions,
+    multipliers: AllMultipliers,
+    powers: Powers,
+}
+
+impl<'a> Walk<'a> {
+    fn new(system: &'a System, motion: &'a Motion) -> Result<Self> {
+        let (loads, frictions) = (Laid::all(system), Frictions::new(system)?);
+        let multipliers = AllMultipliers::new(system.n_equations(), motion.len());
+        Ok(Walk { system, motion, loads, frictions, multipliers, powers: Powers::new(motion.len()) })
+    }
+
+    /// By a program where that is asked for or pays, and time by time where it does not have them.
+    fn by(mut self, engine: Engine) -> Result<Forces<'a>> {
+        let (system, motion) = (self.system, self.motion);
+        let (mut counts, mut plain) = (EngineCounts::default(), None);
+        let pays = engine == Engine::Auto && inverse::pays(motion);
+        let found = if pays || engine == Engine::Compiled { self.compiled()? } else { Err(String::new()) };
+        match found {
+            Ok(left) => {
+                counts.compiled = motion.len() - left.len();
+                counts.handed_back = left.len() - 1;
+                self.walk(&left[1..])?;
+            }
+            Err(reason) if engine == Engine::Compiled => {
+                let reason = format!("{reason}; ask for its forces by `Engine::Auto`");
+                return Err(Error::InvalidOptions { reason });
+            }
+            Err(reason) => {
+                plain = pays.then(|| reason.into());
+                self.walk(&(0..motion.len()).collect::<Vec<usize>>())?;
+            }
+        }
+        let Walk { loads, frictions, multipliers, powers, .. } = self;
+        let (energy, balance) = powers.energy_and_balance(motion);
+        Ok(Forces { system, motion, multipliers, loads, frictions, energy, balance, engine: counts, plain })
+    }
+
+    /// By a program; gives the times that are left to the walk, and the first one, which is there already: of
+    /// it the program has to have the same λ. Gives the reason where there is no program.
+    fn compiled(&mut self) -> Result<std::result::Result<Vec<usize>, String>> {
+        let found = (self.multipliers.all(), &mut self.powers);
+        let left = match inverse::fill(self.system, self.motion, &self.loads, found) {
+            Ok(left) => left,
+            Err(refusal) => return Ok(Err(refusal.to_string())),
+        };
+        let own = self.multipliers.at(0).to_vec();
+        self.walk(&[0])?;
+        let largest = self.multipliers.at(0).iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let far = |(a, b): (&f64, &f64)| (a - b).abs() > SAME * largest;
+        let begins_there = left.first() != Some(&0);
+        if begins_there && own.iter().zip(self.multipliers.at(0)).any(far) {
+            return Ok(Err(OTHERS.to_string()));
+        }
+        Ok(Ok([0].into_iter().chain(left.into_iter().filter(|k| *k != 0)).collect()))
+    }
+
+    /// Some times, one after the other.
+    fn walk(&mut self, times: &[usize]) -> Result<()> {
+        let (system, motion, points) = (self.system, self.motion, Beside::points(self.system));
+        let mut solver = Solver::new(system);
+        let mut sum = Sum::new(system, &self.loads, &points);
+        for &k in times {
+            let t = motion.times()[k];
             let now = Now { t, q: motion.q(k), qd: motion.qd(k), qdd: motion.qdd(k) };
             let mut at = sum.at(now)?;
             let found = solver.solve(now, &sum.by_q);
             let mut found = found.map_err(|error| {
-                growth::explained(self, motion, t, error, &mut |now| sum.generalised(now))
+                growth::explained(system, motion, t, error, &mut |now| sum.generalised(now))
             })?;
-            self.are_finite(&found.lambda, t)?;
-            frictions.add(&solver, now, &mut found)?;
-            self.are_finite(&found.lambda, t)?;
+            are_finite(system, &found.lambda, t)?;
+            self.frictions.add(&solver, now, &mut found)?;
+            are_finite(system, &found.lambda, t)?;
             at.drives = solver.power(&found.lambda);
-            at.take_friction(&found.rubs);
-            powers.push(at);
-            multipliers.push(found);
-        }
-        let (energy, balance) = powers.energy_and_balance(motion);
-        let mut forces = Forces { system: self, motion, multipliers, loads, frictions, energy, balance };
-        forces.share(sharing)?;
-        Ok(forces)
-    }
-
-    /// An error that names the first equation whose λ is no finite number.
-    fn are_finite(&self, lambda: &[f64], t: f64) -> Result<()> {
-        match lambda.iter().position(|x| !x.is_finite()) {
-            Some(bad) => Err(not_finite(self, &self.equations().equation(bad), t, lambda[bad])),
-            None => Ok(()),
-        }
-    }
-}
-
-/// Generalised forces of everything but constraints, and their powers.
-pub(super) struct Sum<'a> {
-    system: &'a System,
-    loads: &'a [(&'a str, Laid<'a>)],
-    points: &'a [(&'a str, Beside<'a>, f64)],
-    /// Q_e + Q_v − M q̈.
-    by_q: Vec<f64>,
-    /// Those of one load.
-    own: Vec<f64>,
-}
-
-/// Energies and powers at one time.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct At {
-    pub kinetic: f64,
-    pub potential: f64,
-    /// dT/dt, by differentiating T.
-    pub rate: f64,
-    pub drives: f64,
-    pub loads: f64,
-    pub weight: f64,
-    pub friction: f64,
-    /// The largest power of any of the forces on any coordinate.
-    pub largest: f64,
-}
-
-impl At {
-    fn take_friction(&mut self, rubs: &[Rub]) {
-        for power in rubs.iter().map(|rub| rub.amount * rub.rate) {
-            self.friction += power;
-            self.raise(power);
-        }
-    }
-
-    fn raise(&mut self, power: f64) {
-        self.largest = self.largest.max(power.abs());
-    }
-}
-
-impl<'a> Sum<'a> {
-    pub(super) fn new(
-        system: &'a System,
-        loads: &'a [(&'a str, Laid<'a>)],
-        points: &'a [(&'a str, Beside<'a>, f64)],
-    ) -> Self {
-        Sum { system, loads, points, by_q: Vec::new(), own: Vec::new() }
-    }
-
-    /// Q_e + Q_v − M q̈ at one time. Errors: a load that is not finite.
-    pub(super) fn generalised(&mut self, now: Now<'_>) -> Result<Vec<f64>> {
-        self.at(now)?;
-        Ok(self.by_q.clone())
-    }
-
-    /// All of it at one time. Errors: a load that is not finite.
-    fn at(&mut self, now: Now<'_>) -> Result<At> {
-        let mut at = At::default();
-        self.by_q.clear();
-        self.by_q.resize(now.q.len(), 0.0);
-        self.bodies(now, &mut at);
-        self.weigh_points(now, &mut at)?;
-        for (name, load) in self.loads {
-            let (own, qd) = (&mut self.own, now.qd);
-            own.clear();
-            own.resize(qd.len(), 0.0);
-            load.add(now, own);
-            if let Some(bad) = own.iter().find(|x| !x.is_finite()) {
-                return Err(not_finite(self.system, name, now.t, *bad));
-            }
-            for power in own.iter().zip(qd).map(|(q, qd)| q * qd) {
-                at.loads += power;
-                at.raise(power);
-            }
-            at.potential += load.energy(now);
-            self.by_q.iter_mut().zip(own.iter()).for_each(|(all, own)| *all += own);
-        }
-        Ok(at)
-    }
-
-    fn bodies(&mut self, now: Now<'_>, at: &mut At) {
-        let loads = &self.system.loads;
-        for (item, solid) in &loads.solids {
-            let Some(item) = self.system.layout().items.get(*item) else { continue };
-            match item.kind {
-                Kind::Planar => {
-                    let Some(moved) = moved::<3>(now, item.first) else { continue };
-                    self.take(item.first, &body::planar(solid, loads.gravity, moved), now, at)
-                }
-                Kind::Spatial => {
-                    let Some(moved) = moved::<7>(now, item.first) else { continue };
-                    self.take(item.first, &body::spatial(solid, loads.gravity, moved), now, at)
-                }
-                Kind::Angle | Kind::Length => {}
-            }
-        }
-    }
-
-    fn take<const N: usize>(&mut self, first: usize, body: &body::Body<N>, now: Now<'_>, at: &mut At) {
-        for k in 0..N {
-            self.by_q[first + k] += body.weight[k] - body.inertial[k];
-            let rate = now.qd[first + k];
-            at.weight += body.weight[k] * rate;
-            at.raise(body.weight[k] * rate);
-            at.raise(body.inertial[k] * rate);
-        }
-        at.kinetic += body.kinetic[0];
-        at.rate += body.kinetic[1];
-        at.potential += body.potential;
-    }
-
-    /// Points with mass: Q = −m r_qᵀ (r̈ − g).
-    fn weigh_points(&mut self, now: Now<'_>, at: &mut At) -> Result<()> {
-        let gravity = self.system.loads.gravity;
-        for (name, point, mass) in self.points {
-            let valued = point.valued(now);
-            let of = |values: &[f64], f: &dyn Fn(usize, f64) -> f64| -> f64 {
-                values.iter().enumerate().map(|(k, x)| f(k, *x)).sum()
-            };
-            let force: Vec<f64> =
-                valued.second.iter().zip(gravity).map(|(second, g)| mass * (g - second)).collect();
-            if let Some(bad) = force.iter().find(|x| !x.is_finite()) {
-                return Err(not_finite(self.system, name, now.t, *bad));
-            }
-            scatter(&point.columns, &point.along(&valued, &force), &mut self.by_q);
-            at.kinetic += 0.5 * mass * of(&valued.rate, &|_, v| v * v);
-            at.rate += mass * of(&valued.rate, &|k, v| v * valued.second[k]);
-            at.weight += mass * of(&valued.rate, &|k, v| v * gravity[k]);
-            at.potential -= mass * of(&valued.c, &|k, r| r * gravity[k]);
-            force.iter().zip(&valued.rate).for_each(|(f, v)| at.raise(f * v));
+            at.take_friction(&found.beside.rubs);
+            self.powers.set(k, &at);
+            self.multipliers.set(k, found);
         }
         Ok(())
     }
 }
 
-/// The coordinates of a body from number `first` on.
-fn moved<const N: usize>(now: Now<'_>, first: usize) -> Option<Moved<'_, N>> {
-    let [q, qd, qdd] = [now.q, now.qd, now.qdd].map(|all| all.get(first..)?.first_chunk());
-    Some(Moved { q: q?, qd: qd?, qdd: qdd? })
-}
-
-fn not_finite(system: &System, name: &str, t: f64, value: f64) -> Error {
-    Error::OutputNotFinite {
-        output: format!("force of `{name}`"),
-        t,
-        units: system.unit_words().clone(),
-        value,
+/// An error that names the first equation whose λ is no finite number.
+fn are_finite(system: &System, lambda: &[f64], t: f64) -> Result<()> {
+    match lambda.iter().position(|x| !x.is_finite()) {
+        Some(bad) => Err(not_finite(system, &system.equations().equation(bad), t, lambda[bad])),
+        None => Ok(()),
     }
 }
 
@@ -245,6 +200,18 @@ impl<'a> Forces<'a> {
     /// The motion that they belong to.
     pub fn motion(&self) -> &'a Motion {
         self.motion
+    }
+
+    /// How many times a program has computed ([`Engine::Compiled`]), and how many of a program's times were
+    /// handed back, because a pivot was small there or something was not finite.
+    pub fn engine(&self) -> EngineCounts {
+        self.engine
+    }
+
+    /// Why all times were computed one by one, where a program would have paid: what stands in the way, by
+    /// name. `None` where a program was used or not looked for.
+    pub fn why_plain(&self) -> Option<&str> {
+        self.plain.as_deref()
     }
 
     /// The name of the mechanism.
@@ -375,7 +342,7 @@ impl<'a> Forces<'a> {
 
     /// The constraints that share what is not unique at time k.
     pub(super) fn sharing(&self, k: usize) -> Vec<String> {
-        self.multipliers[k].sharing(self.system)
+        self.multipliers.beside(k).sharing(self.system)
     }
 
     /// The values of C_q of one constraint at time k.

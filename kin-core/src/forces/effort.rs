@@ -104,7 +104,8 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     let mut efforts = Vec::new();
     for (k, row) in block.rows().enumerate() {
         let unit = unit_of_row(system, block, k);
-        for (time, at) in forces.multipliers.iter().enumerate() {
+        for time in 0..motion.len() {
+            let at = forces.multipliers.beside(time);
             let scale = if unit.as_deref() == Some("m") { at.length } else { 1.0 };
             if at.open.iter().any(|open| open[row].abs() * scale > LOOSE) {
                 return Err(NotUnique::error(&block.equation(k), "its effort", forces.sharing(time)));
@@ -116,13 +117,13 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
             Some(_) => units.energy(),
             None => format!("{} a unit of its row", units.energy()),
         };
-        let values = forces.multipliers.iter().map(|at| 0.0 - at.lambda[row]).collect();
+        let values = (0..motion.len()).map(|k| 0.0 - forces.multipliers.at(k)[row]).collect();
         efforts.push(Series::new(block.equation(k), unit, motion.clock(), values));
     }
     let power = |k: usize| -> f64 {
         let mut rhs = vec![0.0; system.n_equations()];
         equations.velocity_rhs(&equations.instant_at(motion.times()[k], motion.q(k)), &mut rhs);
-        block.rows().map(|row| -rhs[row] * forces.multipliers[k].lambda[row]).sum()
+        block.rows().map(|row| -rhs[row] * forces.multipliers.at(k)[row]).sum()
     };
     let power = (0..motion.len()).map(power).collect();
     let power = Series::new(format!("{}.power", block.name), units.power(), motion.clock(), power);

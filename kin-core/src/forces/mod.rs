@@ -20,10 +20,12 @@ mod calls;
 mod effort;
 mod friction;
 mod growth;
+mod inverse;
 pub mod library;
 mod multipliers;
 mod reaction;
 mod sharing;
+mod sum;
 mod table;
 mod wrench;
 

@@ -1,4 +1,4 @@
-//! The multipliers λ of all constraints, time by time.
+//! The multipliers λ of all constraints: of one time, of all times, and the solve of one time.
 
 use super::acting::Now;
 use super::friction::Rub;
@@ -7,33 +7,87 @@ use crate::model::error::Result;
 use crate::model::units::Unit;
 use crate::system::System;
 use crate::system::evaluate::Instant;
-use crate::system::scale;
 use crate::system::scaled::{Measures, Point};
 
 /// A component is unique if what can be added without changing any balance changes it by less than this,
 /// where it changes something by 1.   \[-\]
 pub(super) const LOOSE: f64 = 1e-7;
 
-/// λ, and what can be added to it without changing any balance.
+/// λ at one time, and what belongs to it.
 pub(super) struct Multipliers {
     /// One number for each equation.
     pub lambda: Vec<f64>,
+    pub beside: BesideThem,
+}
+
+/// The part of multipliers that only redundant mechanisms and those with friction have.
+#[derive(Default)]
+pub(super) struct BesideThem {
     /// Vectors of the null space of C_qᵀ, none of a mechanism without redundant equations: the largest
     /// generalised force times the size of its coordinate that one of their entries makes is 1.
     pub open: Vec<Vec<f64>>,
-    /// The characteristic length.   \[m\]
+    /// The characteristic length, where there are such vectors.   \[m\]
     pub length: f64,
     /// Friction in each joint that has it.
     pub rubs: Vec<Rub>,
 }
 
-impl Multipliers {
+impl BesideThem {
+    const NOTHING: BesideThem = BesideThem { open: Vec::new(), length: 1.0, rubs: Vec::new() };
+
     /// The constraints that share what is not unique.
     pub(super) fn sharing(&self, system: &System) -> Vec<String> {
         let largest = self.open.iter().flatten().fold(0.0_f64, |m, y| m.max(y.abs()));
         let shares = |row: usize| self.open.iter().any(|y| y[row].abs() > LOOSE * largest);
         let blocks = system.equations().blocks.iter();
         blocks.filter(|block| block.rows().any(shares)).map(|block| block.name.clone()).collect()
+    }
+}
+
+/// The multipliers of all times.
+pub(super) struct AllMultipliers {
+    rows: usize,
+    lambda: Vec<f64>,
+    /// One a time; none at all where no time has any.
+    beside: Vec<BesideThem>,
+}
+
+impl AllMultipliers {
+    /// Of so many equations and times, not numbers yet.
+    pub(super) fn new(rows: usize, times: usize) -> Self {
+        AllMultipliers { rows, lambda: vec![f64::NAN; rows * times], beside: Vec::new() }
+    }
+
+    /// λ of all times, one row a time.
+    pub(super) fn all(&mut self) -> &mut [f64] {
+        &mut self.lambda
+    }
+
+    /// Those of time k; of what only some mechanisms have the times come in their order.
+    pub(super) fn set(&mut self, k: usize, found: Multipliers) {
+        self.at_mut(k).copy_from_slice(&found.lambda);
+        if !(found.beside.open.is_empty() && found.beside.rubs.is_empty()) {
+            self.beside.resize_with(k, BesideThem::default);
+            self.beside.push(found.beside);
+        }
+    }
+
+    /// λ at time k.
+    pub(super) fn at(&self, k: usize) -> &[f64] {
+        &self.lambda[k * self.rows..][..self.rows]
+    }
+
+    pub(super) fn at_mut(&mut self, k: usize) -> &mut [f64] {
+        &mut self.lambda[k * self.rows..][..self.rows]
+    }
+
+    pub(super) fn beside(&self, k: usize) -> &BesideThem {
+        self.beside.get(k).unwrap_or(const { &BesideThem::NOTHING })
+    }
+
+    /// Takes out what can be added at time k: λ is unique from now on.
+    pub(super) fn close(&mut self, k: usize) -> Vec<Vec<f64>> {
+        self.beside.get_mut(k).map(|beside| std::mem::take(&mut beside.open)).unwrap_or_default()
     }
 }
 
@@ -117,17 +171,11 @@ impl<'a> Solver<'a> {
                 equations.linearize(now.q, &self.instant, &mut self.c, linear.values_mut());
                 let finite = equations.finite(&self.c, linear.values());
                 finite.map_err(|bad| equations.not_finite(bad, system.layout(), &self.instant))?;
-                let sizes = scale::sizes(system.layout(), equations, linear.values(), now.q, system.links());
                 if !(linear.measure() && linear.factor()) {
                     return Err(system.singular(now.t, now.q, None));
                 }
-                let length = length(system, &sizes);
-                Ok(Multipliers {
-                    lambda: linear.solved_transposed(by_q),
-                    open: Vec::new(),
-                    length,
-                    rubs: Vec::new(),
-                })
+                let beside = BesideThem::default();
+                Ok(Multipliers { lambda: linear.solved_transposed(by_q), beside })
             }
             Kind::Redundant { rows, values, measures } => {
                 equations.set_constants(values);
@@ -160,7 +208,8 @@ impl<'a> Solver<'a> {
                 for y in open.iter_mut().chain([&mut lambda]) {
                     y.iter_mut().zip(&measures.norms).for_each(|(y, norm)| *y /= norm);
                 }
-                Ok(Multipliers { lambda, open, length: length(system, &measures.sizes), rubs: Vec::new() })
+                let length = length(system, &measures.sizes);
+                Ok(Multipliers { lambda, beside: BesideThem { open, length, rubs: Vec::new() } })
             }
         }
     }

@@ -173,14 +173,14 @@ impl<'f> Reaction<'f> {
     fn generalised(&self, k: usize) -> Vec<Vec<f64>> {
         let (forces, motion) = (self.forces, self.forces.motion);
         let (equations, n) = (forces.system.equations(), forces.system.n_coordinates());
-        let multipliers = &forces.multipliers[k];
-        let mut all = vec![vec![0.0; n]; 1 + multipliers.open.len()];
+        let (lambda, beside) = (forces.multipliers.at(k), forces.multipliers.beside(k));
+        let mut all = vec![vec![0.0; n]; 1 + beside.open.len()];
         for source in &self.sources {
             match source {
                 Source::Constraint(number) => {
                     let (block, values) = (&equations.blocks[*number], forces.jacobian(*number, k));
                     let entries = &equations.entries[block.values()];
-                    let vectors = std::iter::once(&multipliers.lambda).chain(&multipliers.open);
+                    let vectors = std::iter::once(lambda).chain(beside.open.iter().map(Vec::as_slice));
                     for (by_q, y) in all.iter_mut().zip(vectors) {
                         for (entry, value) in entries.iter().zip(&values) {
                             if let Some((row, column)) = entry {
@@ -194,7 +194,7 @@ impl<'f> Reaction<'f> {
                     let now = Now { t: motion.times()[k], q, qd, qdd };
                     forces.loads[*load].1.add(now, &mut all[0]);
                 }
-                Source::Friction(number) => multipliers.rubs[*number].scatter(&mut all[0]),
+                Source::Friction(number) => beside.rubs[*number].scatter(&mut all[0]),
             }
         }
         all

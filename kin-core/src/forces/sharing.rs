@@ -58,15 +58,19 @@ impl Forces<'_> {
         if *sharing == Sharing::NotGiven {
             return Ok(());
         }
-        let found: Result<Vec<DVector<f64>>> = (0..self.multipliers.len())
+        let found: Result<Vec<DVector<f64>>> = (0..self.motion.len())
             .map(|k| match sharing {
                 Sharing::LeftOut(rows) => self.left_out(rows, k),
                 _ => self.least(k),
             })
             .collect();
-        for (at, shares) in self.multipliers.iter_mut().zip(found?) {
-            for (open, share) in std::mem::take(&mut at.open).into_iter().zip(shares.iter()) {
-                at.lambda.iter_mut().zip(open).for_each(|(lambda, open)| *lambda += share * open);
+        for (k, shares) in found?.into_iter().enumerate() {
+            for (open, share) in self.multipliers.close(k).into_iter().zip(shares.iter()) {
+                self.multipliers
+                    .at_mut(k)
+                    .iter_mut()
+                    .zip(open)
+                    .for_each(|(lambda, open)| *lambda += share * open);
             }
         }
         Ok(())
@@ -74,7 +78,7 @@ impl Forces<'_> {
 
     /// The shares of the vectors of the null space with which the norm is least.
     fn least(&self, k: usize) -> Result<DVector<f64>> {
-        let at = &self.multipliers[k];
+        let (lambda, at) = (self.multipliers.at(k), self.multipliers.beside(k));
         let (mut own, mut open) = (Vec::new(), vec![Vec::new(); at.open.len()]);
         if open.is_empty() {
             return Ok(DVector::zeros(0));
@@ -89,7 +93,7 @@ impl Forces<'_> {
                 }
                 // Bare coordinates have no point: their multipliers count.
                 None => {
-                    own.extend(block.rows().map(|row| at.lambda[row]));
+                    own.extend(block.rows().map(|row| lambda[row]));
                     let rows = || block.rows();
                     open.iter_mut().zip(&at.open).for_each(|(open, y)| open.extend(rows().map(|row| y[row])));
                 }
@@ -102,7 +106,7 @@ impl Forces<'_> {
 
     /// The shares with which the multipliers of these equations are zero.
     fn left_out(&self, names: &[String], k: usize) -> Result<DVector<f64>> {
-        let at = &self.multipliers[k];
+        let (lambda, at) = (self.multipliers.at(k), self.multipliers.beside(k));
         let equations = self.system.equations();
         let mut rows = Vec::new();
         for name in names {
@@ -129,7 +133,7 @@ impl Forces<'_> {
             return Err(invalid(self.system.name(), &reason));
         }
         let matrix = DMatrix::from_fn(n, n, |i, j| at.open[j][rows[i]] / size(rows[i]));
-        let rhs = DVector::from_fn(n, |i, _| -at.lambda[rows[i]] / size(rows[i]));
+        let rhs = DVector::from_fn(n, |i, _| -lambda[rows[i]] / size(rows[i]));
         let values = matrix.clone().singular_values();
         let dependent = values.min() <= 1e-7 * values.max() || values.min().is_nan();
         if n > 0 && dependent {

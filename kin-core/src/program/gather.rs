@@ -2,13 +2,15 @@
 //! expressions of different constraints are one node.
 
 use std::collections::HashMap;
+use std::fmt;
+use std::rc::Rc;
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Graph, Input, Node, Op};
 
 use super::kind::{FOREIGN, Kind, SELF};
 use crate::model::constraint::Constraint;
-use crate::model::formula::{Given, Outside, copied, nothing_outside};
+use crate::model::formula::{Given, Outside, Table, copied, nothing_outside};
 use crate::model::law::Law;
 use crate::model::layout::Place;
 use crate::numbers::real::Dual3_64;
@@ -22,6 +24,8 @@ pub(crate) struct Whole {
     pub laws: Vec<Law>,
     /// Number of coordinates.
     pub n: usize,
+    /// The kinds that were read, by their tables.
+    kinds: HashMap<usize, Rc<Kind>>,
 }
 
 /// One row: C, ∂C/∂q_j by coordinates, C_t, and g″(0) along the rates, which is −Q_d.
@@ -40,6 +44,16 @@ pub(crate) struct Refusal {
     pub reason: &'static str,
 }
 
+impl fmt::Display for Refusal {
+    /// "`x` cannot be compiled: …"
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.constraint.as_str() {
+            "" => write!(f, "the mechanism cannot be compiled: {}", self.reason),
+            name => write!(f, "`{name}` cannot be compiled: {}", self.reason),
+        }
+    }
+}
+
 /// Why a constraint without a formula cannot be compiled.
 pub(crate) const UNREAD: &str =
     "its equation is not known as a formula: it takes the dual route, or is written by hand";
@@ -48,22 +62,10 @@ pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 /// Gathers the equations of a system; refuses by name what cannot be read.
 pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
     let mut whole = Whole::new(system.n_coordinates());
-    let mut kinds: HashMap<usize, Kind> = HashMap::new();
     for block in &system.equations().blocks {
-        let constraint = block.constraint.as_ref();
+        let rows = whole.rows_of(system, block.constraint.as_ref());
         let refused = |reason| Refusal { constraint: block.name.clone(), reason };
-        let columns = columns(system, constraint).ok_or_else(|| refused(ABROAD))?;
-        let done = constraint.formula(|table, parameters, outside| {
-            let key = std::ptr::from_ref(table) as usize;
-            let known = match kinds.entry(key) {
-                std::collections::hash_map::Entry::Occupied(known) => Ok(&*known.into_mut()),
-                std::collections::hash_map::Entry::Vacant(place) => {
-                    Kind::of(table.formula(), block.rows().len()).map(|kind| &*place.insert(kind))
-                }
-            };
-            known.and_then(|kind| whole.append(kind, &Leaves { columns: &columns, parameters, outside }))
-        });
-        done.unwrap_or(Err(UNREAD)).map_err(refused)?;
+        whole.rows.extend(rows.map_err(refused)?);
     }
     Ok(whole)
 }
@@ -93,6 +95,8 @@ pub(crate) enum Column {
     Coordinate(usize),
     /// A number: of the ground.
     Fixed(f64),
+    /// A node that is there already.
+    Node(Node),
 }
 
 /// The local columns of a constraint.
@@ -117,7 +121,8 @@ pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Ve
 impl Whole {
     /// Of so many coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
-        Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n }
+        let kinds = HashMap::new();
+        Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n, kinds }
     }
 
     /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their numbers
@@ -135,9 +140,50 @@ impl Whole {
         Ok(places)
     }
 
-    /// Appends the rows of a constraint.
-    fn append(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<(), &'static str> {
-        let places = self.copy(&kind.graph, &kind.nodes, leaves)?;
+    /// The rows of a constraint as nodes: of an equation, or of what stands beside the equations.
+    pub(crate) fn rows_of(
+        &mut self,
+        system: &System,
+        constraint: &dyn Constraint,
+    ) -> Result<Vec<Row>, &'static str> {
+        let columns = columns(system, constraint).ok_or(ABROAD)?;
+        let done = constraint.formula(|table, parameters, outside| {
+            let kind = self.kind(table, constraint.facts().rows.len())?;
+            self.rows_of_kind(&kind, &Leaves { columns: &columns, parameters, outside })
+        });
+        done.unwrap_or(Err(UNREAD))
+    }
+
+    /// C of a constraint of one row, its coordinates being these nodes.
+    pub(crate) fn value_of(
+        &mut self,
+        constraint: &dyn Constraint,
+        coordinates: &[Node],
+    ) -> Result<Node, &'static str> {
+        let columns: Vec<Column> = coordinates.iter().map(|node| Column::Node(*node)).collect();
+        let done = constraint.formula(|table, parameters, outside| {
+            let kind = self.kind(table, 1)?;
+            let row = kind.rows.first().ok_or(UNREAD)?.residual;
+            let leaves = Leaves { columns: &columns, parameters, outside };
+            let places = self.copy(&kind.graph, &kind.graph.reachable(&[row]), &leaves)?;
+            Ok(places[row.index()])
+        });
+        done.unwrap_or(Err(UNREAD))
+    }
+
+    /// The kind of constraints of that table, read once.
+    fn kind(&mut self, table: &Table, rows: usize) -> Result<Rc<Kind>, &'static str> {
+        let key = std::ptr::from_ref(table) as usize;
+        let kind = match self.kinds.get(&key) {
+            Some(known) => known.clone(),
+            None => Rc::new(Kind::of(table.formula(), rows)?),
+        };
+        self.kinds.insert(key, kind.clone());
+        Ok(kind)
+    }
+
+    fn rows_of_kind(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<Vec<Row>, &'static str> {
+        let (places, mut rows) = (self.copy(&kind.graph, &kind.nodes, leaves)?, Vec::new());
         for row in &kind.rows {
             let of = |node: Node| places[node.index()];
             let mut slopes: Vec<(usize, Node)> = Vec::new();
@@ -151,14 +197,14 @@ impl Whole {
             }
             slopes.retain(|(_, slope)| !self.graph.is_zero(*slope));
             slopes.sort_by_key(|(column, _)| *column);
-            self.rows.push(Row {
+            rows.push(Row {
                 residual: of(row.residual),
                 slopes,
                 by_time: of(row.by_time),
                 second: of(row.second),
             });
         }
-        Ok(())
+        Ok(rows)
     }
 
     /// One step of a constraint's graph.
@@ -174,11 +220,13 @@ impl Whole {
             Op::Input(Input::State(k, _)) => match leaves.columns.get(k) {
                 Some(Column::Coordinate(j)) => to.input(Input::State(*j, SELF)),
                 Some(Column::Fixed(value)) => to.constant(*value),
+                Some(Column::Node(node)) => *node,
                 None => return Err(UNREAD),
             },
             Op::Input(Input::Rate(k, _)) => match leaves.columns.get(k) {
                 Some(Column::Coordinate(j)) => to.input(Input::Rate(*j, SELF)),
-                _ => to.zero(),
+                Some(Column::Fixed(_)) => to.zero(),
+                Some(Column::Node(_)) | None => return Err(UNREAD),
             },
             Op::Input(Input::Parameter(k)) => {
                 leaves.parameters.get(k).map(|value| to.constant(*value)).ok_or(UNREAD)?

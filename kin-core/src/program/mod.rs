@@ -4,8 +4,9 @@
 //! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint), `gather` (all
 //! constraints in one graph), `substitute` (coordinates that a row gives), `eliminate` (the linear systems of
 //! what is left), `stages`, `schedule` (the tape). Then `replay` runs a tape over lanes, and `times` solves
-//! many times of one run with it.
+//! many times of one run with it; `along` makes tapes of what is asked of a motion that is known.
 
+mod along;
 mod blocks;
 mod cofactors;
 mod eliminate;
@@ -21,13 +22,13 @@ mod tape;
 pub(crate) mod tests;
 mod transposed;
 
+pub(crate) use along::Guarded;
 pub(crate) use eliminate::Elimination;
-pub(crate) use gather::{ABROAD, Column, Leaves, Refusal, UNREAD, Whole, columns};
+pub(crate) use gather::{ABROAD, Column, Leaves, Refusal, Row, UNREAD, Whole, columns, gather};
 pub(crate) use kind::SELF;
 pub(crate) use reduce::Reduced;
 #[cfg(test)]
 pub(crate) use stages::Program;
-pub(crate) use stages::{At, Pose, REDUNDANT, numbers, program};
-pub(crate) use substitute::{Explicit, constants, ordered};
-pub(crate) use tape::{IntoRows, OverTimes, Rows, Straight, Summed, Tape, schedule, straight, times};
+pub(crate) use stages::{Pose, REDUNDANT, program};
+pub(crate) use tape::{IntoRows, Summed, Tape, schedule, times};
 pub(crate) use transposed::take;

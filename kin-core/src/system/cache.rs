@@ -3,19 +3,23 @@
 use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// One thing of whatever type, or nothing. A copy of a system has the same.
+type Thing = Arc<dyn Any + Send + Sync>;
+
+/// One thing of each type. A copy of a system has the same.
 #[derive(Default)]
-pub(crate) struct Cache(Mutex<Option<Arc<dyn Any + Send + Sync>>>);
+pub(crate) struct Cache(Mutex<Vec<Thing>>);
 
 impl Cache {
-    /// The thing that is kept, if it is of that type.
+    /// The thing of that type, if there is one.
     pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
-        self.now().and_then(|known| known.downcast().ok())
+        self.now().into_iter().find_map(|known| known.downcast().ok())
     }
 
-    /// Keeps this from now on.
+    /// Keeps this from now on, in place of what was there of its type.
     pub(crate) fn put<T: Any + Send + Sync>(&self, thing: Arc<T>) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(thing);
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.retain(|known| !(**known).is::<T>());
+        all.push(thing);
     }
 
     /// Nothing is kept any more.
@@ -23,7 +27,7 @@ impl Cache {
         *self = Cache::default();
     }
 
-    fn now(&self) -> Option<Arc<dyn Any + Send + Sync>> {
+    fn now(&self) -> Vec<Thing> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
@@ -41,9 +45,12 @@ mod tests {
     #[test]
     fn what_is_kept_is_found_by_its_type_and_by_copies_until_it_is_forgotten() {
         let mut cache = Cache::default();
+        cache.put(Arc::new(2_u8));
         cache.put(Arc::new(3_u8));
+        cache.put(Arc::new(4_u32));
         let copy = cache.clone();
         assert_eq!((cache.get::<u8>().as_deref(), cache.get::<u16>()), (Some(&3), None));
+        assert_eq!(cache.get::<u32>().as_deref(), Some(&4));
         cache.forget();
         assert_eq!((cache.get::<u8>(), copy.get::<u8>().as_deref()), (None, Some(&3)));
     }

@@ -2,10 +2,10 @@
 
 use kin_graph::{Graph, Input, Node};
 
-use super::nodes::{Guarded, JetCells, NodeJet, Variation, port};
+use super::nodes::{JetCells, NodeJet, Variation};
 use crate::design::adjoint::Weights;
 use crate::design::along::Prepared;
-use crate::program::{Elimination, OverTimes, Summed, take};
+use crate::program::{Elimination, Guarded, Summed, take};
 use crate::solve::motion::Motion;
 
 /// Adds the terms of all times to the gradient; gives the times that are left to the walk. `None` where there
@@ -17,12 +17,11 @@ pub(in crate::design) fn adjoint(
     gradient: &mut [f64],
 ) -> Option<Vec<usize>> {
     let n = motion.names().len();
-    let Guarded { tape, marks } = tape(prepared, motion, weights)?;
-    let port = |input| match input {
+    let weight = |input| match input {
         Input::Parameter(k) if k >= n => Some(((&weights[k / n - 1][..], n), k % n)),
-        input => port(motion, input),
+        _ => None,
     };
-    OverTimes { tape: &tape, times: motion.len(), port: &port, marks: &marks, sink: Summed(gradient) }.run()
+    tape(prepared, motion, weights)?.run(motion, &weight, Summed(gradient))
 }
 
 /// The tape, its elimination chosen at the first time. A coordinate that has no weight at any time is not
@@ -30,8 +29,7 @@ pub(in crate::design) fn adjoint(
 pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion, weights: &Weights) -> Option<Guarded> {
     let n = motion.names().len();
     let weighs = |order: usize, j: usize| weights[order].iter().skip(j).step_by(n).any(|x| *x != 0.0);
-    Variation::of(prepared).ok()?.guarded(prepared.system, motion, |variation, elimination| {
-        let Variation { graph, by_q, by_p, .. } = variation;
+    Variation::of(prepared).ok()?.guarded(prepared.system, motion, |graph, elimination, [by_q, by_p]| {
         let zero = graph.zero();
         let mut weight = |order: usize, j: usize| {
             if weighs(order, j) { graph.input(Input::Parameter((order + 1) * n + j)) } else { zero }

@@ -2,9 +2,9 @@
 
 use kin_graph::{Graph, Node};
 
-use super::nodes::{Guarded, JetCells, NodeJet, Variation, port};
+use super::nodes::{JetCells, NodeJet, Variation};
 use crate::design::along::Prepared;
-use crate::program::{Elimination, IntoRows, OverTimes, take};
+use crate::program::{Elimination, Guarded, IntoRows, take};
 use crate::solve::motion::Motion;
 
 /// Fills the lists of each name, one an order, with a row for each time of a motion; gives the times that are
@@ -14,15 +14,14 @@ pub(in crate::design) fn forward(
     motion: &Motion,
     lists: Vec<&mut [f64]>,
 ) -> Option<Vec<usize>> {
-    let Guarded { tape, marks } = tape(prepared, motion)?;
-    let (port, sink) = (|input| port(motion, input), IntoRows { width: motion.names().len(), lists });
-    OverTimes { tape: &tape, times: motion.len(), port: &port, marks: &marks, sink }.run()
+    let n = motion.names().len();
+    let sink = IntoRows(lists.into_iter().map(|list| (list, n)).collect());
+    tape(prepared, motion)?.run(motion, &|_| None, sink)
 }
 
 /// The tape, its elimination chosen at the first time.
 pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion) -> Option<Guarded> {
-    Variation::of(prepared).ok()?.guarded(prepared.system, motion, |variation, elimination| {
-        let Variation { graph, by_q, by_p, .. } = variation;
+    Variation::of(prepared).ok()?.guarded(prepared.system, motion, |graph, elimination, [by_q, by_p]| {
         by_p.iter().flat_map(|by_p| solved(graph, elimination, (by_q, by_p)).concat()).collect()
     })
 }

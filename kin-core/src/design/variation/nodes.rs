@@ -8,12 +8,11 @@ use crate::design::asked::{Asked, Hangs};
 use crate::design::equation::Equation;
 use crate::model::law::Law;
 use crate::program::{
-    ABROAD, At, Column, Elimination, Explicit, Leaves, Pose, REDUNDANT, Reduced, Rows, SELF, Straight,
-    UNREAD, Whole, columns, constants, numbers, ordered, straight,
+    ABROAD, Column, Elimination, Guarded, Leaves, REDUNDANT, Reduced, SELF, UNREAD, Whole, columns,
 };
 use crate::solve::motion::Motion;
+use crate::system::System;
 use crate::system::evaluate::Block;
-use crate::system::{System, scale};
 
 /// A node with its first and second derivative by time.
 pub(super) type NodeJet = [Node; 3];
@@ -30,24 +29,6 @@ pub(super) struct Variation {
     pub by_q: Vec<JetCells>,
     /// By the names that are asked for.
     pub by_p: Vec<JetCells>,
-}
-
-/// A tape whose first outputs are guards, with their values where its elimination was chosen.
-pub(super) struct Guarded {
-    pub tape: Straight,
-    pub marks: Vec<f64>,
-}
-
-/// The list and the column of an input, along a motion.
-pub(super) fn port<'a>(motion: &'a Motion, input: Input) -> Option<(Rows<'a>, usize)> {
-    let n = motion.names().len();
-    match input {
-        Input::Time => Some(((motion.times(), 1), 0)),
-        Input::State(j, _) => Some(((&motion.q, n), j)),
-        Input::Rate(j, _) => Some(((&motion.qd, n), j)),
-        Input::Parameter(j) if j < n => Some(((&motion.qdd, n), j)),
-        _ => None,
-    }
 }
 
 /// Derivatives without those by time: in the graph of the whole, by rows and by names.
@@ -76,40 +57,19 @@ impl Variation {
     /// The tape of outputs that an elimination leads to, chosen at the first time of a motion. `None` where
     /// that is singular.
     pub(super) fn guarded(
-        mut self,
+        self,
         system: &System,
         motion: &Motion,
-        outputs: impl FnOnce(&mut Self, &Elimination<'_>) -> Vec<Node>,
+        outputs: impl FnOnce(&mut Graph, &Elimination<'_>, [&[JetCells]; 2]) -> Vec<Node>,
     ) -> Option<Guarded> {
-        let (t, q) = (*motion.times().first()?, motion.q(0));
-        let sizes = sizes(system, t, q)?;
+        let Variation { graph, laws, by_q, by_p } = self;
         let cell = |(column, jet): &(usize, NodeJet)| (*column, jet[0]);
-        let cells: Vec<Vec<(usize, Node)>> =
-            self.by_q.iter().map(|row| row.iter().map(cell).collect()).collect();
-        let (laws, pose) = (self.laws.clone(), Pose { t, q, sizes: &sizes });
-        let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &laws });
-        let eligible = |(row, cells): (usize, &Vec<(usize, Node)>)| {
-            let nodes: Vec<Node> = cells.iter().map(|(_, cell)| *cell).collect();
-            let values = at(&self.graph, &nodes);
-            let given = |(column, factor)| Explicit { row, column, factor, rest: Node::default() };
-            constants(&self.graph, cells, &values, &sizes).into_iter().map(given).collect()
-        };
-        let eligible: Vec<Vec<Explicit>> = cells.iter().enumerate().map(eligible).collect();
-        let rows: Vec<&[(usize, Node)]> = cells.iter().map(Vec::as_slice).collect();
-        let order = ordered(&rows, q.len(), eligible);
-        let elimination = Elimination::new(&mut self.graph, &order, &cells, &sizes, at).ok()?;
-        let guards = elimination.guards().concat();
-        let outputs = outputs(&mut self, &elimination);
-        let marks = at(&self.graph, &guards);
-        let tape = straight(self.graph, self.laws, &[guards, outputs].concat());
-        Some(Guarded { tape, marks })
+        let cells: Vec<Vec<(usize, Node)>> = by_q.iter().map(|row| row.iter().map(cell).collect()).collect();
+        let begin = (*motion.times().first()?, motion.q(0));
+        Guarded::new(system, begin, (graph, laws), &cells, |graph, elimination| {
+            outputs(graph, elimination, [&by_q, &by_p])
+        })
     }
-}
-
-/// The sizes of coordinates at a position.
-fn sizes(system: &System, t: f64, q: &[f64]) -> Option<Vec<f64>> {
-    let point = system.model().linearize(q, t).ok()?;
-    Some(scale::sizes(system.layout(), system.equations(), &point.values, q, system.links()))
 }
 
 impl Slopes {

@@ -87,7 +87,7 @@ impl Frictions {
             let (own, others) = rest.split_at(rub.n_amounts().min(rest.len()));
             rest = others;
             rub.take(own);
-            found.rubs.push(rub);
+            found.beside.rubs.push(rub);
         }
         Ok(())
     }
@@ -104,13 +104,13 @@ impl Frictions {
 
     /// Errors: contacts to which something can be added that no balance notices.
     fn unique(&self, rubs: &[Rub], solver: &Solver<'_>, found: &Multipliers) -> Result<()> {
-        for open in &found.open {
+        for open in &found.beside.open {
             for (rubbing, rub) in self.all.iter().zip(rubs) {
                 let wrench = rub.held(&solver.by_block(rubbing.block, open));
-                let loose = |normal: &Vec3| normal.norm() * found.length > LOOSE;
+                let loose = |normal: &Vec3| normal.norm() * found.beside.length > LOOSE;
                 if rubbing.contacts(rub, wrench).iter().any(loose) {
                     let what = "the force that its friction comes from";
-                    return Err(NotUnique::error(&rubbing.name, what, found.sharing(solver.system())));
+                    return Err(NotUnique::error(&rubbing.name, what, found.beside.sharing(solver.system())));
                 }
             }
         }

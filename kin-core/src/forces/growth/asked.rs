@@ -1,7 +1,8 @@
 //! The growth of forces, as people ask for it.
 
 use super::super::acting::Beside;
-use super::super::calls::{Forces, Sum};
+use super::super::calls::Forces;
+use super::super::sum::Sum;
 use super::towards;
 use crate::model::error::Result;
 use crate::model::growth::Growth;

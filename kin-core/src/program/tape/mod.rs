@@ -9,7 +9,7 @@ mod straight;
 pub(crate) mod times;
 
 pub(crate) use schedule::{schedule, straight};
-pub(crate) use straight::{IntoRows, OverTimes, Rows, Straight, Summed};
+pub(crate) use straight::{IntoRows, OverTimes, Rows, Sink, Straight, Summed};
 
 use kin_graph::{Comparison, Function, Function2};
 

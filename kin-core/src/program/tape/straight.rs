@@ -140,11 +140,8 @@ fn judged<S: Level>(simd: S, memory: &[Wide<S>], outputs: &[u32], marks: &[f64])
     good & none.equal(zero)
 }
 
-/// Lists of rows of `width` numbers, which the outputs fill list by list.
-pub(crate) struct IntoRows<'a> {
-    pub width: usize,
-    pub lists: Vec<&'a mut [f64]>,
-}
+/// Lists of rows with the number of columns of each, which the outputs fill list by list.
+pub(crate) struct IntoRows<'a>(pub Vec<(&'a mut [f64], usize)>);
 
 impl Sink for IntoRows<'_> {
     #[inline(always)]
@@ -155,10 +152,16 @@ impl Sink for IntoRows<'_> {
         first: usize,
         (lanes, _): (usize, Mask<S>),
     ) {
-        let width = self.width;
-        for (number, list) in self.lists.iter_mut().enumerate() {
-            let rows = Turning { simd, outputs, width, first: number * width };
+        let mut before = 0;
+        for (list, width) in &mut self.0 {
+            let width = *width;
+            let rows = Turning { simd, outputs, width, first: before };
+            before += width;
             let to = &mut list[first * width..][..lanes * width];
+            if width == 1 {
+                to.copy_from_slice(&outputs.of(rows.first)[..lanes]);
+                continue;
+            }
             for column in (0..width / SIDE * SIDE).step_by(SIDE) {
                 rows.turn::<SIDE>(column, to);
             }

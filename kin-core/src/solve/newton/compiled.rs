@@ -55,15 +55,9 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     }
 }
 
-/// The sentence about a mechanism that cannot be compiled.
-fn sentence(Refusal { constraint, reason }: &Refusal) -> String {
-    let what = if constraint.is_empty() { "the mechanism".to_string() } else { format!("`{constraint}`") };
-    format!("{what} cannot be compiled: {reason}")
-}
-
-/// The error for it.
+/// The error for a mechanism that cannot be compiled.
 pub(crate) fn refused(refusal: &Refusal) -> Error {
-    let reason = format!("{}; leave `Options::engine` at `Engine::Auto`", sentence(refusal));
+    let reason = format!("{refusal}; leave `Options::engine` at `Engine::Auto`");
     Error::InvalidOptions { reason }
 }
 
@@ -123,7 +117,7 @@ impl Computing {
         match made {
             Ok(tape) => self.tape = Some(tape),
             Err(refusal) if self.wanted == Wanted::Compiled => return Err(refused(&refusal)),
-            Err(refusal) => self.plain = Some(sentence(&refusal).into()),
+            Err(refusal) => self.plain = Some(refusal.to_string().into()),
         }
         Ok(())
     }

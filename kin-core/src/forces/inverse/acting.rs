@@ -1,0 +1,277 @@
+//! Everything but constraints as nodes: what moves masses, weight, loads; energies and powers.
+
+use kin_graph::differentiate::Jets;
+use kin_graph::{Function, Function2, Graph, Input, Node};
+
+use super::frame::{Frame, along_motion, coordinates};
+use super::vectors::Vectors;
+use crate::forces::acting::{Laid, Part};
+use crate::model::constraint::Constraint;
+use crate::model::formula::{copied, nothing_outside};
+use crate::model::law::Law;
+use crate::model::loads::{ForceAlong, OnBody, Solid};
+use crate::numbers::algebra::Vec3;
+use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
+use crate::system::System;
+
+const CLOSURE: &str =
+    "its force is a closure, which only the program knows; a function under `#[force]` is read";
+
+/// Generalised forces, energies and powers as nodes of the whole.
+pub(super) struct Acts<'w> {
+    pub whole: &'w mut Whole,
+    /// Q_e + Q_v − M q̈.
+    pub by_q: Vec<Node>,
+    pub kinetic: Node,
+    /// dT/dt, by differentiating T.
+    pub rate: Node,
+    pub potential: Node,
+    /// The power of loads and of weight.
+    pub loads: Node,
+    /// The largest power of any of the forces on any coordinate.
+    pub largest: Node,
+}
+
+impl<'w> Acts<'w> {
+    /// All that has mass and acts in a system. Refuses by name what is not known as nodes.
+    pub(super) fn new(
+        whole: &'w mut Whole,
+        system: &System,
+        loads: &[(&str, Laid<'_>)],
+    ) -> Result<Self, Refusal> {
+        let zero = whole.graph.zero();
+        let (by_q, [kinetic, rate, potential, powers, largest]) = (vec![zero; whole.n], [zero; 5]);
+        let mut acts = Acts { whole, by_q, kinetic, rate, potential, loads: powers, largest };
+        for (item, solid) in &system.loads.solids {
+            let Some(item) = system.layout().items.get(*item) else { continue };
+            let Some(count) = coordinates(item.kind) else { continue };
+            acts.body(solid, Vec3::from(system.loads.gravity), item.first, count);
+        }
+        let refused = |name: &str| {
+            let constraint = name.to_string();
+            move |reason| Refusal { constraint, reason }
+        };
+        for (name, point, mass) in &system.loads.points {
+            let rows = acts.whole.rows_of(system, point.as_ref()).map_err(refused(name))?;
+            acts.point(&rows, *mass, system.loads.gravity);
+        }
+        for (name, load) in loads {
+            acts.load(system, load).map_err(refused(name))?;
+        }
+        Ok(acts)
+    }
+
+    fn graph(&mut self) -> &mut Graph {
+        &mut self.whole.graph
+    }
+
+    /// Adds a generalised force on one coordinate.
+    fn act(&mut self, column: usize, force: Node) {
+        self.by_q[column] = self.whole.graph.add(self.by_q[column], force);
+    }
+
+    /// The power of a force along a rate, which may be the largest one.
+    fn power(&mut self, force: Node, rate: Node) -> Node {
+        let graph = &mut self.whole.graph;
+        let power = graph.mul(force, rate);
+        if !graph.is_zero(power) {
+            let size = graph.call(Function::Abs, power);
+            self.largest = graph.call2(Function2::Max, self.largest, size);
+        }
+        power
+    }
+
+    /// A body: m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it.
+    fn body(&mut self, solid: &Solid, gravity: Vec3, first: usize, count: usize) {
+        let graph = &mut self.whole.graph;
+        let orders = along_motion(graph, first, count);
+        let frame = Frame::new(graph, orders.each_ref().map(Vec::as_slice));
+        let c = graph.vector(centre(solid, count));
+        let turning = graph.cross(frame.omega, c);
+        let [along, inwards] = [graph.cross(frame.alpha, c), graph.cross(frame.omega, turning)];
+        let arm = graph.plus(along, inwards);
+        let arm = frame.global(graph, arm);
+        let a = graph.plus(frame.second, arm);
+        let [spin, rest] = [frame.omega, frame.alpha].map(|omega| graph.apply_numbers(solid.inertia, omega));
+        let gyroscopic = graph.cross(frame.omega, spin);
+        let torque = graph.plus(rest, gyroscopic);
+        let (moving, weight) = (graph.times(a, solid.mass), graph.vector(gravity * solid.mass));
+        let at_origin = |graph: &mut Graph, f, torque| {
+            let local = frame.local(graph, f);
+            let moment = graph.cross(c, local);
+            let torque = graph.plus(torque, moment);
+            frame.generalised(graph, f, torque)
+        };
+        let none = graph.vector(Vec3::zeros());
+        let (moving, weight) = (at_origin(graph, moving, torque), at_origin(graph, weight, none));
+        let [height, from] = [frame.global(graph, c), frame.r];
+        let at = graph.plus(from, height);
+        for k in 0..count {
+            let rate = orders[1][k];
+            let power = self.power(weight[k], rate);
+            self.loads = self.whole.graph.add(self.loads, power);
+            self.power(moving[k], rate);
+            let force = self.graph().sub(weight[k], moving[k]);
+            self.act(first + k, force);
+        }
+        let graph = self.graph();
+        let weight = graph.vector(gravity * -solid.mass);
+        let height = graph.dot(weight, at);
+        let [kinetic, rate] = kinetic(solid, count).map(|(own, node)| moved(graph, &own, node, first, count));
+        self.potential = self.whole.graph.add(self.potential, height);
+        self.kinetic = self.whole.graph.add(self.kinetic, kinetic);
+        self.rate = self.whole.graph.add(self.rate, rate);
+    }
+
+    /// A point with mass: Q = −m r_qᵀ (r̈ − g).
+    fn point(&mut self, rows: &[Row], mass: f64, gravity: [f64; 3]) {
+        for (row, g) in rows.iter().zip(gravity) {
+            let (rate, second) = (self.rate_of(row), self.second_of(row));
+            let graph = self.graph();
+            let [m, half, g, weight] = [mass, 0.5 * mass, g, mass * g].map(|x| graph.constant(x));
+            let free = graph.sub(g, second);
+            let force = graph.mul(m, free);
+            for (column, slope) in &row.slopes {
+                let own = self.graph().mul(force, *slope);
+                self.act(*column, own);
+            }
+            self.power(force, rate);
+            let graph = self.graph();
+            let (square, work) = (graph.mul(rate, rate), graph.mul(rate, second));
+            let [kinetic, growth] = [graph.mul(half, square), graph.mul(m, work)];
+            let [power, height] = [graph.mul(weight, rate), graph.mul(weight, row.residual)];
+            self.kinetic = self.whole.graph.add(self.kinetic, kinetic);
+            self.rate = self.whole.graph.add(self.rate, growth);
+            self.loads = self.whole.graph.add(self.loads, power);
+            self.potential = self.whole.graph.sub(self.potential, height);
+        }
+    }
+
+    /// C_q q̇ + C_t of a row.
+    fn rate_of(&mut self, row: &Row) -> Node {
+        self.along(row, row.by_time, |column| Input::Rate(column, SELF))
+    }
+
+    /// C_q q̈ − Q_d of a row.
+    fn second_of(&mut self, row: &Row) -> Node {
+        self.along(row, row.second, Input::Parameter)
+    }
+
+    fn along(&mut self, row: &Row, rest: Node, input: impl Fn(usize) -> Input) -> Node {
+        let graph = self.graph();
+        row.slopes.iter().fold(rest, |sum, (column, slope)| {
+            let rate = graph.input(input(*column));
+            let product = graph.mul(*slope, rate);
+            graph.add(sum, product)
+        })
+    }
+
+    /// A load; its parts act on a coordinate together.
+    fn load(&mut self, system: &System, load: &Laid<'_>) -> Result<(), &'static str> {
+        let zero = self.graph().zero();
+        let mut own = vec![zero; self.whole.n];
+        for part in &load.parts {
+            let forces: Vec<(usize, Node)> = match part {
+                Part::Potential(energy) => {
+                    let row = self.row(system, energy.constraint)?;
+                    self.potential = self.whole.graph.add(self.potential, row.residual);
+                    row.slopes.iter().map(|(j, slope)| (*j, self.graph().neg(*slope))).collect()
+                }
+                Part::Along(x, force) => {
+                    let row = self.row(system, x.constraint)?;
+                    let rate = self.rate_of(&row);
+                    let force = self.along_force(force, [row.residual, rate])?;
+                    row.slopes.iter().map(|(j, slope)| (*j, self.graph().mul(force, *slope))).collect()
+                }
+                Part::OnBody { on, first } => self.on_body(on, *first)?,
+            };
+            for (column, force) in forces {
+                own[column] = self.graph().add(own[column], force);
+            }
+        }
+        for (column, force) in own.into_iter().enumerate().filter(|(_, force)| *force != zero) {
+            let rate = self.graph().input(Input::Rate(column, SELF));
+            let power = self.power(force, rate);
+            self.loads = self.whole.graph.add(self.loads, power);
+            self.act(column, force);
+        }
+        Ok(())
+    }
+
+    /// The one row of an energy, of a length or an angle.
+    fn row(&mut self, system: &System, constraint: &dyn Constraint) -> Result<Row, &'static str> {
+        self.whole.rows_of(system, constraint)?.into_iter().next().ok_or(UNREAD)
+    }
+
+    /// f(x, ẋ, t)
+    fn along_force(&mut self, force: &ForceAlong, of: [Node; 2]) -> Result<Node, &'static str> {
+        let ForceAlong::Written(force) = force else { return Err(CLOSURE) };
+        self.whole.value_of(force.as_ref(), &of)
+    }
+
+    /// Q of a force at a point and a torque.
+    fn on_body(&mut self, on: &OnBody, first: usize) -> Result<Vec<(usize, Node)>, &'static str> {
+        let graph = &mut self.whole.graph;
+        let orders = along_motion(graph, first, on.target.columns());
+        let frame = Frame::new(graph, orders.each_ref().map(Vec::as_slice));
+        let t = graph.input(Input::Time);
+        let mut at = |laws: &[Law; 3]| {
+            let mut nodes = [t; 3];
+            for (node, law) in nodes.iter_mut().zip(laws) {
+                *node = self.whole.law_at(law.clone(), t, 0).ok_or(UNREAD)?;
+            }
+            Ok::<_, &'static str>(nodes)
+        };
+        let (force, torque) = (at(&on.force)?, at(&on.torque)?);
+        let graph = &mut self.whole.graph;
+        let [global, local, torque] = match on.fixed {
+            true => [frame.global(graph, force), force, torque],
+            false => [force, frame.local(graph, force), frame.local(graph, torque)],
+        };
+        let u = graph.vector(Vec3::from(on.point));
+        let moment = graph.cross(u, local);
+        let torque = graph.plus(torque, moment);
+        Ok((first..).zip(frame.generalised(graph, global, torque)).collect())
+    }
+}
+
+/// The centre of a solid; in the plane z does not count.
+fn centre(solid: &Solid, count: usize) -> Vec3 {
+    let c = solid.centre;
+    if count == 3 { Vec3::new(c.x, c.y, 0.0) } else { c }
+}
+
+/// T and dT/dt of a body in graphs of its own: coordinates are states, their rates the states behind them, so
+/// that T is differentiated by both.
+fn kinetic(solid: &Solid, count: usize) -> [(Graph, Node); 2] {
+    let mut graph = Graph::default();
+    let [q, qd] = [0, count].map(|first| {
+        (first..first + count).map(|k| graph.input(Input::State(k, SELF))).collect::<Vec<Node>>()
+    });
+    let frame = Frame::new(&mut graph, [&q, &qd, &qd]);
+    let c = graph.vector(centre(solid, count));
+    let turning = graph.cross(frame.omega, c);
+    let turning = frame.global(&mut graph, turning);
+    let v = graph.plus(frame.rate, turning);
+    let spin = graph.apply_numbers(solid.inertia, frame.omega);
+    let [square, turning] = [graph.dot(v, v), graph.dot(frame.omega, spin)];
+    let [m, half] = [0.5 * solid.mass, 0.5].map(|x| graph.constant(x));
+    let [moving, turning] = [graph.mul(m, square), graph.mul(half, turning)];
+    let kinetic = graph.add(moving, turning);
+    let rate = Jets::default().of(&mut graph, kinetic).first;
+    [(graph.clone(), kinetic), (graph, rate)]
+}
+
+/// A node of such a graph in that of the whole.
+fn moved(graph: &mut Graph, own: &Graph, node: Node, first: usize, count: usize) -> Node {
+    let found = copied(own, node, graph, &nothing_outside, &mut |graph, input| match input {
+        Input::State(k, _) if k < count => Some(graph.input(Input::State(first + k, SELF))),
+        Input::State(k, _) | Input::Rate(k, _) if k >= count => match input {
+            Input::State(..) => Some(graph.input(Input::Rate(first + k - count, SELF))),
+            _ => Some(graph.input(Input::Parameter(first + k - count))),
+        },
+        Input::Rate(k, _) => Some(graph.input(Input::Rate(first + k, SELF))),
+        _ => None,
+    });
+    found.unwrap_or_else(|| graph.constant(f64::NAN))
+}
