@@ -6,13 +6,14 @@ use kin::constraint::{Attached, Attachment, Constraint, Facts, Parameters, Parts
 use kin::coordinates::{Argument, Coordinate, Target, Trig};
 use kin::data::{Datum, Describer};
 use kin::emitted::graph::{Dual3_64, Given, Table, give_law};
-use kin::emitted::{Bindings, Refuses, refusal};
+use kin::emitted::{Bindings, Numbers, Refuses, refusal};
 use kin::state::{At, Rates};
 use kin::{Axis, Law, PlanarBody, SpatialBody, Vec3};
 use kin_graph::Node;
 use kin_language::parse::Shape;
 use serde_json::Value;
 
+use crate::equation::numbers_of;
 use crate::read::{Asked, Condition, Read};
 use crate::signature::ParameterKind;
 use crate::stage::{Seen, Stage};
@@ -200,6 +201,14 @@ impl Parameters for ReadConstraint {
     }
 
     fn set_parameter(&mut self, name: &str, value: f64) -> bool {
+        for parameter in &self.read.signature.parameters {
+            let ParameterKind::Axis { first } = parameter.kind else { continue };
+            let mut axis = self.axis(first);
+            if axis.set(&parameter.name, name, value) {
+                self.numbers[first..first + 9].copy_from_slice(&numbers_of(&axis));
+                return true;
+            }
+        }
         if let Some(k) = self.read.signature.number(name) {
             self.numbers[k] = value;
             return true;

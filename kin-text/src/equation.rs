@@ -142,12 +142,12 @@ impl Making {
                 (ParameterKind::Law(_), Parameter::Numbers(all)) if all.len() == 1 => {
                     laws.push(parameter(Law::constant(all[0]), name, &mut bindings));
                 }
-                (ParameterKind::Axis { .. }, Parameter::Numbers(all)) if all.iter().any(hangs) => {
-                    return Err(format!("its parameter `{name}` is an axis, which follows no dimensions"));
-                }
-                (ParameterKind::Axis { first }, Parameter::Numbers(all)) if all.len() == 3 => {
-                    let along = Axis::along([all[0], all[1], all[2]].map(Dimension::value));
-                    put(&mut numbers, *first, &axis(&along).map(Dimension::from));
+                (ParameterKind::Axis { first }, Parameter::Numbers(all))
+                    if all.len() == 3 || all.len() == 9 && all.iter().any(hangs) =>
+                {
+                    // The third of its vectors follows from the others.
+                    let made = bindings.axis(name, &all[..all.len().min(6)]);
+                    put(&mut numbers, *first, &numbers_of(&made).map(Dimension::from));
                 }
                 (ParameterKind::Axis { first }, Parameter::Numbers(all)) if all.len() == 9 => {
                     put(&mut numbers, *first, all);
@@ -283,7 +283,8 @@ parameters! {
     EulerParameters, |p| [p.e0, p.e1, p.e2, p.e3];
     Mat2, |a| [a.m11, a.m12, a.m21, a.m22];
     Mat3, |a| [a.m11, a.m12, a.m13, a.m21, a.m22, a.m23, a.m31, a.m32, a.m33];
-    Axis, |a| axis(&a);
+    Axis, |a| numbers_of(&a);
+    Axis<Dimension>, |a| [a.h, a.f, a.g].into_iter().flat_map(Vec3::to_array);
 }
 
 impl<N: IntoNumber, const LENGTH: usize> From<[N; LENGTH]> for Parameter {
@@ -322,7 +323,8 @@ impl From<Law> for Parameter {
     }
 }
 
-fn axis(axis: &Axis) -> [f64; 9] {
+/// The nine numbers of an axis.
+pub(crate) fn numbers_of(axis: &Axis) -> [f64; 9] {
     let (h, f, g) = (axis.h, axis.f, axis.g);
     [h.x, h.y, h.z, f.x, f.y, f.z, g.x, g.y, g.z]
 }

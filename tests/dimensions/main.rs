@@ -1,5 +1,6 @@
 //! Named dimensions: numbers that others hang on.
 
+mod axes;
 #[path = "../data/engines.rs"]
 mod engines;
 mod files;

@@ -75,7 +75,7 @@ fn spatial_motion(
     [x, y, z]: [Law; 3],
     [yaw, pitch, roll]: [Law; 3],
 ) -> kin::joints::drivers::spatial::drive_motion {
-    let p = EulerParameters::default();
+    let p = EulerParameters::identity();
     spatial::drive_motion(body, ground, o, o, p, p, x, y, z, yaw, pitch, roll)
 }
 

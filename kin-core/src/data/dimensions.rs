@@ -1,18 +1,21 @@
 //! Dimensions in mechanism files: the named numbers, and expressions of them where numbers stand.
 
 mod number;
+mod texts;
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use super::expression;
 use super::names::plain;
 use crate::model::constraint::Constraint;
-use crate::model::dimension::{Bound, Dimension, Distribution, Entry, text_of};
+use crate::model::dimension::{Dimension, Distribution, Entry, Of, text_of};
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::Mechanism;
+use crate::numbers::algebra::Axis;
 
 pub use number::NumberData;
+pub(super) use texts::Texts;
 
 /// A dimension as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,60 +43,9 @@ pub struct DimensionData {
     pub clearance: Option<String>,
 }
 
-/// The numbers of a mechanism that hang on dimensions, as text.
-pub(super) struct Texts(Vec<(Bound, String)>);
-
-impl Texts {
-    /// Errors: an expression that is too long to be written.
-    pub(super) fn of(mechanism: &Mechanism) -> Result<Texts> {
-        let Some(shared) = &mechanism.dimensions else { return Ok(Texts(Vec::new())) };
-        let store = shared.store();
-        let text = |hung: &crate::model::dimension::Hung| {
-            let text = text_of(&store.graph, &store.entries, hung.node).ok_or_else(too_long)?;
-            Ok((hung.at.clone(), text))
-        };
-        Ok(Texts(mechanism.hung.iter().map(text).collect::<Result<_>>()?))
-    }
-
-    /// A number that may hang on dimensions.
-    pub(super) fn number(&self, at: Bound, value: f64) -> NumberData {
-        match self.0.iter().find(|(known, _)| *known == at) {
-            Some((_, text)) => NumberData::Expression(text.clone()),
-            None => NumberData::Number(value),
-        }
-    }
-
-    /// Puts the expressions into the parameters of constraint number `number`.
-    pub(super) fn put(&self, number: usize, of: &dyn Constraint, parameters: &mut Map<String, Value>) {
-        for (at, text) in &self.0 {
-            let Bound::Parameter { constraint, name, .. } = at else { continue };
-            if *constraint == number
-                && let Some(place) = place_of(of, parameters, name)
-            {
-                *place = Value::String(text.clone());
-            }
-        }
-    }
-}
-
 fn too_long() -> Error {
     let reason = "an expression of them is too long to be written; give parts of it a name of their own";
     Error::Data { place: "dimensions".to_string(), reason: reason.to_string() }
-}
-
-/// The place of a numeric parameter in the data of its constraint.
-fn place_of<'a>(
-    of: &dyn Constraint,
-    parameters: &'a mut Map<String, Value>,
-    name: &str,
-) -> Option<&'a mut Value> {
-    let key = parameters.keys().find(|key| is_of(name, key))?.clone();
-    let value = parameters.get_mut(&key)?;
-    if value.is_object() {
-        return in_law(value, name.get(key.len() + 1..)?);
-    }
-    let number = names(of, &key).iter().position(|known| known == name)?;
-    leaf(value, &mut { number })
 }
 
 /// True if a numeric parameter is one of the parameter of the function that is called `key`.
@@ -112,32 +64,6 @@ fn names(of: &dyn Constraint, key: &str) -> Vec<String> {
     names
 }
 
-/// The number of that name in the data of a law.
-fn in_law<'a>(law: &'a mut Value, name: &str) -> Option<&'a mut Value> {
-    let law = law.as_object_mut()?;
-    if law.get("numbers").and_then(|numbers| numbers.get(name)).is_some() {
-        return law.get_mut("numbers")?.get_mut(name);
-    }
-    let parts = law.get_mut("parts")?.as_object_mut()?;
-    let within = |part: &str| name.strip_prefix(part).and_then(|rest| rest.strip_prefix('.'));
-    let (part, rest) = parts.keys().find_map(|part| Some((part.clone(), within(part)?)))?;
-    in_law(parts.get_mut(&part)?, rest)
-}
-
-/// The number of a list of lists that so many others come before.
-fn leaf<'a>(value: &'a mut Value, number: &mut usize) -> Option<&'a mut Value> {
-    match value {
-        Value::Array(parts) => parts.iter_mut().find_map(|part| leaf(part, number)),
-        value => match number.checked_sub(1) {
-            Some(less) => {
-                *number = less;
-                None
-            }
-            None => Some(value),
-        },
-    }
-}
-
 /// An expression in the data of a constraint, in place of a number.
 pub(super) struct Found {
     /// The parameter of the function.
@@ -154,7 +80,8 @@ enum Within {
     Law(String),
 }
 
-/// The value with numbers in place of expressions, which are noted. Errors: one that cannot be read.
+/// The value with numbers in place of expressions, which are noted, and the numbers of a list beside them as
+/// constants. Errors: one that cannot be read.
 pub(super) fn without_expressions(
     mechanism: &Mechanism,
     key: &str,
@@ -162,8 +89,11 @@ pub(super) fn without_expressions(
     found: &mut Vec<Found>,
 ) -> std::result::Result<Value, String> {
     let mut value = value.clone();
-    let mut note = |place: Within, text: &str| {
-        let number = mechanism.read_expression(text)?;
+    let mut note = |place: Within, known: Known<'_>| {
+        let number = match known {
+            Known::Number(x) => x.into(),
+            Known::Text(text) => mechanism.read_expression(text)?,
+        };
         found.push(Found { key: key.to_string(), place, number });
         Ok(serde_json::Number::from_f64(number.value()).map_or(Value::Null, Value::Number))
     };
@@ -174,17 +104,26 @@ pub(super) fn without_expressions(
     Ok(value)
 }
 
-type Note<'a> = dyn FnMut(Within, &str) -> std::result::Result<Value, String> + 'a;
+type Note<'a> = dyn FnMut(Within, Known<'_>) -> std::result::Result<Value, String> + 'a;
+
+/// A number, or the text in its place.
+enum Known<'a> {
+    Number(f64),
+    Text(&'a str),
+}
 
 fn replace(value: &mut Value, number: &mut usize, note: &mut Note<'_>) -> std::result::Result<(), String> {
     match value {
         Value::Array(parts) => parts.iter_mut().try_for_each(|part| replace(part, number, note)),
         Value::String(text) => {
-            *value = note(Within::List(*number), text)?;
+            *value = note(Within::List(*number), Known::Text(text))?;
             *number += 1;
             Ok(())
         }
-        _ => {
+        value => {
+            if let Some(x) = value.as_f64() {
+                note(Within::List(*number), Known::Number(x))?;
+            }
             *number += 1;
             Ok(())
         }
@@ -196,7 +135,7 @@ fn replace_in_law(law: &mut Value, before: &str, note: &mut Note<'_>) -> std::re
     if let Some(Value::Object(numbers)) = law.get_mut("numbers") {
         for (name, value) in numbers {
             if let Value::String(text) = value {
-                *value = note(Within::Law(format!("{before}{name}")), text)?;
+                *value = note(Within::Law(format!("{before}{name}")), Known::Text(text))?;
             }
         }
     }
@@ -227,13 +166,19 @@ pub(super) fn bound(
     let parameter = |Found { key, place, number }: Found| {
         let own = names(of, &key);
         let name = match place {
+            // An axis is told from a vector by its numbers that are not shown.
+            Within::List(k) if k < 6 && of.clone_boxed().set_parameter(&Axis::name_of(&key, k), 1.0) => {
+                Some(Axis::name_of(&key, k))
+            }
             Within::List(k) => own.get(k).cloned(),
             Within::Law(name) => own.into_iter().find(|known| *known == format!("{key}.{name}")),
         };
         let name = name.ok_or_else(|| format!("its parameter `{key}`: an expression cannot stand there"))?;
         Ok((name, number))
     };
-    found.into_iter().map(parameter).collect()
+    let hangs = |key: &str| found.iter().any(|one| one.key == key && one.number.of() != Of::Nothing);
+    let keys: Vec<String> = found.iter().map(|one| one.key.clone()).filter(|key| hangs(key)).collect();
+    found.into_iter().filter(|one| keys.contains(&one.key)).map(parameter).collect()
 }
 
 impl Mechanism {

@@ -131,6 +131,9 @@ pub struct BodyData {
     /// Length between the pins of a link.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<NumberData>,
+    /// The points that a spatial body is drawn between, of which its guess then is worked out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between: Option<[[NumberData; 3]; 2]>,
 }
 
 /// Kinds of bodies.

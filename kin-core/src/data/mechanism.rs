@@ -15,6 +15,7 @@ use crate::model::dimension::{Bound, Dimension};
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::layout::{Kind, Place};
+use crate::model::mechanism::place::between;
 use crate::model::mechanism::{ConstraintId, Limit, Mechanism};
 use crate::model::units::Units;
 
@@ -100,6 +101,7 @@ impl Mechanism {
                 guess: guess.collect(),
                 preferred,
                 length,
+                between: texts.between(item.first),
             }
         });
         body.collect()
@@ -244,7 +246,30 @@ impl Mechanism {
             }
             self.preferred.push((first + axis, value));
         }
+        if let Some(points) = &body.between {
+            self.draw_between(&body.name, (kind, first), points)?;
+        }
         length.map_or(Ok(()), |length| self.note_length(&body.name, Some(index), length))
+    }
+
+    /// Draws a spatial body, whose coordinates begin there, between two points.
+    fn draw_between(
+        &mut self,
+        name: &str,
+        (kind, first): (Kind, usize),
+        points: &[[NumberData; 3]; 2],
+    ) -> Result<()> {
+        let place = format!("body `{name}`");
+        let numbers = points.as_flattened().iter().map(|number| self.number(&place, number));
+        let numbers = numbers.collect::<Result<Vec<Dimension>>>()?;
+        let pose = between(numbers.iter().map(|x| x.value())).coordinates().map(Dimension::value);
+        if kind != Kind::Spatial || pose.iter().any(|x| !x.is_finite()) {
+            let reason = "`between` is two points in space that a spatial body is drawn between".to_string();
+            return Err(Error::Data { place, reason });
+        }
+        self.initial[first..first + pose.len()].copy_from_slice(&pose);
+        let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k| numbers[k]);
+        self.hang_between(name, first, [[a, b, c], [d, e, f]])
     }
 
     /// The planar body of that name.

@@ -95,6 +95,14 @@ fn body() -> Value {
                     "type": ["number", "string", "null"], "exclusiveMinimum": 0,
                 }),
             ),
+            (
+                "between",
+                json!({
+                    "description": "The points that a spatial body is drawn between, for a guess that hangs on dimensions.",
+                    "type": ["array", "null"], "minItems": 2, "maxItems": 2,
+                    "items": { "type": "array", "items": named("number"), "minItems": 3, "maxItems": 3 },
+                }),
+            ),
         ],
     )
 }

@@ -83,7 +83,31 @@ lists! {
     EulerParameters(e0, e1, e2, e3);
     Mat2(m11, m12, m21, m22);
     Mat3(m11, m12, m13, m21, m22, m23, m31, m32, m33);
-    Axis(h, f, g);
+}
+
+/// The vectors h, f and g; read also from h and f, or from h alone, as given to make one.
+impl Datum for Axis {
+    fn absent() -> Self {
+        Axis { h: Datum::absent(), f: Datum::absent(), g: Datum::absent() }
+    }
+
+    fn to_value(&self) -> Result<Value, String> {
+        [self.h, self.f, self.g].to_value()
+    }
+
+    fn from_value(value: &Value, registry: &Registry) -> Result<Self, String> {
+        match value.as_array().map(Vec::as_slice) {
+            Some([Value::Array(_), Value::Array(_)]) => {
+                let [h, f] = <[Vec3; 2]>::from_value(value, registry)?;
+                Ok(Axis::new(h, f))
+            }
+            Some([Value::Array(_), ..]) | None => {
+                let [h, f, g] = Datum::from_value(value, registry)?;
+                Ok(Axis { h, f, g })
+            }
+            Some(_) => Ok(Axis::along(Vec3::from_value(value, registry)?)),
+        }
+    }
 }
 
 macro_rules! tuples {

@@ -121,9 +121,7 @@ fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> Measu
 /// An error by name where a measure is one of the joint whose parameter that is.
 pub(super) fn refuse_own(system: &System, what: &dyn Measure, by: &str) -> Result<()> {
     let Some(place) = what.name().and_then(|name| system.place_of(name)) else { return Ok(()) };
-    let joint = system.equations().blocks[place.block].name.as_str();
-    let own = |by: &str| by.strip_prefix(joint).is_some_and(|rest| rest.starts_with('.'));
-    if own(by) || system.parameters_on(by)?.is_some_and(|all| all.iter().any(|(name, _)| own(name))) {
+    if system.moving_with(by)?.iter().any(|moved| moved.block == place.block) {
         let reason = "the measure is one of the joint whose parameter it is, and may read it itself; ask for a \
                       coordinate or a point instead";
         return Err(NoDerivative::error(by, reason));

@@ -78,6 +78,11 @@ pub fn parameter<T>(given: impl IntoParameter<T>, name: &str, bindings: &mut Bin
     given.into_parameter(&Name::Own(name), bindings)
 }
 
+/// An axis from what a constructor takes for one; what hangs on dimensions is noted.
+pub fn axis(given: impl crate::IntoAxis, name: &str, bindings: &mut Bindings) -> Axis {
+    given.into_axis(name, bindings)
+}
+
 /// The arguments of a constraint.
 pub fn arguments(all: &[Argument]) -> Vec<Argument> {
     all.to_vec()

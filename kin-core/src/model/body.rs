@@ -100,8 +100,8 @@ impl Body for PlanarBody {
 
 /// A link is followed as its body.
 macro_rules! as_its_body {
-    ([$($of:ident)?] $link:ty, $vector:ident, $body:ident) => {
-        impl$(<$of: Scalar>)? Body for $link {
+    ([$of:ident] $link:ty, $vector:ident, $body:ident) => {
+        impl<$of: Scalar> Body for $link {
             type Vector = $vector;
 
             fn target(self) -> Target {
@@ -124,7 +124,7 @@ macro_rules! as_its_body {
 }
 
 as_its_body!([L] Link<L>, Vec2, PlanarBody);
-as_its_body!([] SpatialLink, Vec3, SpatialBody);
+as_its_body!([L] SpatialLink<L>, Vec3, SpatialBody);
 
 impl Body for SpatialBody {
     type Vector = Vec3;

@@ -4,10 +4,14 @@ use std::sync::Arc;
 
 use super::System;
 use super::parameters::CasePlace;
-use crate::model::dimension::{Bound, DimensionError, Distribution, Entry, Snapshot};
+use crate::model::describer::Describer;
+use crate::model::dimension::{Bound, Dimension, DimensionError, Distribution, Entry, Snapshot};
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::admission::sensible_parameters;
+use crate::model::mechanism::place::between;
+use crate::numbers::algebra::Axis;
 use crate::numbers::enclosure::Series;
+use crate::numbers::real::{Dual64, Real};
 
 /// The dimensions of a system, and their values.
 #[derive(Clone)]
@@ -24,6 +28,17 @@ pub(crate) struct Toleranced {
     pub tolerance: f64,
     pub distribution: Option<Distribution>,
     pub clearance: Option<String>,
+}
+
+/// A number of a constraint that moves with what derivatives are asked by.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Moved {
+    /// The constraint.
+    pub block: usize,
+    /// Its name there: that of a parameter, or of one of the nine numbers of an axis.
+    pub name: String,
+    /// Its derivative.
+    pub slope: f64,
 }
 
 impl System {
@@ -144,6 +159,7 @@ impl System {
         self.forget();
         let mut done = true;
         for number in all.on(k) {
+            let together = || all.with(number).into_iter().map(|other| numbers[other]);
             let value = numbers[number];
             match &all.hung[number].at {
                 Bound::Parameter { constraint, index, .. } => {
@@ -151,6 +167,17 @@ impl System {
                 }
                 Bound::Guess(column) => self.initial[*column] = value,
                 Bound::Length(link) => self.lengths[*link].1 = value,
+                Bound::Axis { constraint, name, .. } => {
+                    let axis = Axis::given(&together().collect::<Vec<f64>>()).numbers();
+                    let Some(block) = self.equations.blocks.get_mut(*constraint) else { continue };
+                    for (part, value) in axis.into_iter().enumerate() {
+                        done &= block.constraint.set_parameter(&Axis::name_of(name, part), value);
+                    }
+                }
+                Bound::Between { first, .. } => {
+                    let pose = between(together()).coordinates().map(Dimension::value);
+                    self.initial[*first..first + 7].copy_from_slice(&pose);
+                }
             }
         }
         self.links = self.layout.planar(&self.lengths);
@@ -176,7 +203,7 @@ impl System {
                     let (item, length) = self.lengths[*link];
                     return Err(Error::InvalidLength { link: self.layout.items[item].name.clone(), length });
                 }
-                Bound::Guess(_) if !found.is_finite() => {
+                Bound::Guess(_) | Bound::Between { .. } if !found.is_finite() => {
                     return Err(DimensionError::invalid(name, format!("with {value} a guess is {found}")));
                 }
                 _ => {}
@@ -194,26 +221,78 @@ impl System {
         all.into_iter().flat_map(move |all| {
             let on: Vec<usize> = all.on(k).collect();
             let block = |number: usize| match &all.hung[number].at {
-                Bound::Parameter { constraint, .. } => Some(*constraint),
+                Bound::Parameter { constraint, .. } | Bound::Axis { constraint, .. } => Some(*constraint),
                 _ => None,
             };
             on.into_iter().filter_map(block).collect::<Vec<_>>()
         })
     }
 
-    /// The parameters that hang on the dimension of that name, each with its derivative by it; `None` if
-    /// there is no dimension of that name. Errors: an expression with a name.
-    pub(crate) fn parameters_on(&self, name: &str) -> Result<Option<Vec<(String, f64)>>> {
-        let Some(k) = self.dimension_number(name) else { return Ok(None) };
-        self.settable_dimension(k)?;
-        let Some(Dimensions { all, values }) = &self.dimensions else { return Ok(None) };
-        let slopes = all.slopes(values, k);
-        let parameter = |number: usize| match &all.hung[number].at {
-            Bound::Parameter { constraint, name, .. } => {
-                Some((format!("{}.{name}", self.equations.blocks[*constraint].name), slopes[number]))
-            }
-            _ => None,
+    /// The numbers of constraints that move with the dimension or parameter of that name. Errors: an
+    /// expression with a name, a name that nothing has.
+    pub(crate) fn moving_with(&self, name: &str) -> Result<Vec<Moved>> {
+        let (Some(k), Some(Dimensions { all, values })) = (self.dimension_number(name), &self.dimensions)
+        else {
+            let (block, own, value) = self.find(name)?;
+            return Ok(self.moved_parameter(block, own, value));
         };
-        Ok(Some(all.on(k).filter_map(parameter).collect()))
+        self.settable_dimension(k)?;
+        let numbers = all.along(values, k);
+        let mut moved: Vec<Moved> = Vec::new();
+        for number in all.on(k) {
+            match &all.hung[number].at {
+                Bound::Parameter { constraint, name, .. } => {
+                    moved.push(Moved { block: *constraint, name: name.clone(), slope: numbers[number].0.eps })
+                }
+                Bound::Axis { constraint, name, .. } => {
+                    let together = all.with(number);
+                    // Once for all of its numbers.
+                    if all.on(k).find(|other| together.contains(other)) == Some(number) {
+                        let given: Vec<Real<Dual64>> = together.iter().map(|other| numbers[*other]).collect();
+                        moved.extend(Moved::axis(*constraint, name, Axis::given(&given)));
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(moved)
+    }
+
+    /// The numbers that move with a parameter: itself, or those of the axis whose direction it is one of.
+    fn moved_parameter(&self, block: usize, own: String, value: f64) -> Vec<Moved> {
+        let of_axis = own.split_once('.').and_then(|(axis, component)| {
+            let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
+            let mut given = self.directions_of(block, axis)?.map(|x| Real(Dual64::new(x, 0.0)));
+            given[k] = Real(Dual64::new(value, 1.0));
+            Some(Moved::axis(block, axis, Axis::given(&given)).collect())
+        });
+        of_axis.unwrap_or_else(|| vec![Moved { block, name: own, slope: 1.0 }])
+    }
+
+    /// h and f of the axis of that name; `None` if the parameter is none.
+    fn directions_of(&self, block: usize, name: &str) -> Option<[f64; 6]> {
+        let constraint = &self.equations.blocks[block].constraint;
+        if !constraint.clone_boxed().set_parameter(&Axis::name_of(name, 0), 1.0) {
+            return None;
+        }
+        let mut described = Describer::default();
+        constraint.describe(&mut described);
+        let mut numbers = described.parameters.get(name)?.as_array()?.iter().flat_map(|v| v.as_array());
+        let [h, f] = [numbers.next()?, numbers.next()?];
+        let mut all = h.iter().chain(f).filter_map(|x| x.as_f64());
+        let mut directions = [f64::NAN; 6];
+        directions.iter_mut().for_each(|to| *to = all.next().unwrap_or(f64::NAN));
+        Some(directions)
+    }
+}
+
+impl Moved {
+    fn axis(block: usize, name: &str, axis: Axis<Real<Dual64>>) -> impl Iterator<Item = Moved> {
+        let name = name.to_string();
+        (0..).zip(axis.numbers()).map(move |(part, x)| Moved {
+            block,
+            name: Axis::name_of(&name, part),
+            slope: x.0.eps,
+        })
     }
 }

@@ -141,7 +141,7 @@ impl System {
     }
 
     /// The constraint, the parameter's name in it, and its value; names may have dots themselves.
-    fn find(&self, name: &str) -> Result<(usize, String, f64)> {
+    pub(super) fn find(&self, name: &str) -> Result<(usize, String, f64)> {
         for (index, block) in self.equations.blocks.iter().enumerate() {
             let Some(wanted) = name.strip_prefix(block.name.as_str()).and_then(|rest| rest.strip_prefix('.'))
             else {

@@ -74,7 +74,7 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
         Kind::Planar => given("IntoPlanarBody", "into_planar_body"),
         Kind::Spatial => given("IntoSpatialBody", "into_spatial_body"),
         Kind::Coord => given("IntoCoordinate", "into_coordinate"),
-        Kind::Axis => given("IntoAxis", "into_axis"),
+        Kind::Axis => (given("IntoAxis", "into_axis").0, noted(name, "axis")),
         Kind::Numbers(Shape::Vector(n)) => {
             let n = proc_macro2::Literal::usize_unsuffixed(n);
             let given = quote!(impl ::kin::emitted::Components<#n, Scalar: ::kin::emitted::IntoNumber>);
@@ -98,7 +98,7 @@ fn noted(name: &proc_macro2::Ident, function: &str) -> TokenStream {
 
 /// True if any of them may hang on dimensions.
 fn may_hang<'a>(mut arguments: impl Iterator<Item = &'a Argument>) -> bool {
-    arguments.any(|argument| matches!(argument.kind, Kind::Numbers(_) | Kind::Law))
+    arguments.any(|argument| matches!(argument.kind, Kind::Numbers(_) | Kind::Law | Kind::Axis))
 }
 
 /// An argument that is called `L` is warned of once: in the function as it was written, not in the

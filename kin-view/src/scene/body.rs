@@ -49,8 +49,8 @@ impl From<SpatialBody> for Body {
     }
 }
 
-impl From<SpatialLink> for Body {
-    fn from(link: SpatialLink) -> Self {
+impl<L> From<SpatialLink<L>> for Body {
+    fn from(link: SpatialLink<L>) -> Self {
         Body(Kind::Spatial(link.into()))
     }
 }

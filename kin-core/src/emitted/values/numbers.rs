@@ -78,7 +78,7 @@ impl Numbers for Law {
 }
 
 /// The components of h. With one of them changed f and g are worked out anew, f as near to the old one as may
-/// be.
+/// be. Its nine numbers can be set as they are, too, under the names `NAME.h.x`, …, `NAME.g.z`.
 impl Numbers for Axis {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
         self.h.visit(name, visit);
@@ -91,7 +91,8 @@ impl Numbers for Axis {
             let chosen = Axis::new(h, self.f);
             *self = if chosen.is_sound() { chosen } else { Axis::along(h) };
         }
-        found
+        let own = |vector: &mut Vec3, of: &str| vector.set(&format!("{name}.{of}"), wanted, value);
+        found || own(&mut self.h, "h") || own(&mut self.f, "f") || own(&mut self.g, "g")
     }
 
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool {

@@ -100,7 +100,7 @@ pub fn drive_orientation(i: Spatial, j: Spatial, yaw: Law, pitch: Law, roll: Law
 /// those of the frames.    \[m, –\]
 ///
 /// Six rows. `u_i`, `p_i`, `u_j`, `p_j`: origin and Euler parameters of the frame in either body
-/// (`EulerParameters::default()`: the axes of the body itself). First roll about x, then pitch about y, then
+/// (`EulerParameters::identity()`: the axes of the body itself). First roll about x, then pitch about y, then
 /// yaw about z, all axes those of the frame in j; any number of turns. Another order of turns is this one
 /// between other frames. Shabana, *Computational Dynamics*, section 7.2.
 ///

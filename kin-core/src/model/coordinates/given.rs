@@ -3,7 +3,8 @@
 //! else is given.
 
 use super::{Coordinate, PlanarBody, SpatialBody};
-use crate::numbers::algebra::Axis;
+use crate::model::dimension::{Bindings, Dimension, IntoNumber};
+use crate::numbers::algebra::{Axis, Components, Vec3};
 
 /// Anything that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is
 /// `Into<PlanarBody>`.
@@ -63,20 +64,46 @@ impl<T: Into<Coordinate>> IntoCoordinate for T {
     }
 }
 
-/// Anything that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is `Into<Axis>`.
+/// Anything that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is `Into<Axis>`; the
+/// same made of [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "an axis is wanted here, but this is `{Self}`",
     label = "not an axis",
     note = "an axis of a spatial body is a vector along it, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector across it"
 )]
 pub trait IntoAxis {
-    /// The axis.
-    fn into_axis(self) -> Axis;
+    /// The axis; the directions that it was given by are noted under its name if they hang on dimensions.
+    fn into_axis(self, name: &str, to: &mut Bindings) -> Axis;
 }
 
 #[diagnostic::do_not_recommend]
 impl<T: Into<Axis>> IntoAxis for T {
-    fn into_axis(self) -> Axis {
+    fn into_axis(self, _: &str, _: &mut Bindings) -> Axis {
         self.into()
     }
+}
+
+#[diagnostic::do_not_recommend]
+impl IntoAxis for Axis<Dimension> {
+    fn into_axis(self, name: &str, to: &mut Bindings) -> Axis {
+        to.axis(name, &[self.h, self.f].map(Vec3::to_array).concat())
+    }
+}
+
+/// Directions with dimensions in them.
+macro_rules! directions {
+    ($($direction:ty)*) => {$(
+        #[diagnostic::do_not_recommend]
+        impl IntoAxis for $direction {
+            fn into_axis(self, name: &str, to: &mut Bindings) -> Axis {
+                to.axis(name, &self.components().map(IntoNumber::into_number))
+            }
+        }
+    )*};
+}
+
+directions! {
+    Vec3<Dimension> [Dimension; 3] (Dimension, Dimension, Dimension)
+    (Dimension, f64, f64) (f64, Dimension, f64) (f64, f64, Dimension)
+    (f64, Dimension, Dimension) (Dimension, f64, Dimension) (Dimension, Dimension, f64)
 }

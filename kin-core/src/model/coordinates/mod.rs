@@ -82,37 +82,38 @@ pub struct Link<L = f64> {
     pub(crate) length: L,
 }
 
-/// A spatial body between two joints, frame at the middle, x-axis from start to end.
+/// A spatial body between two joints, frame at the middle, x-axis from start to end. Its length is a number,
+/// or a [`crate::Dimension`], of which its joints then are expressions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpatialLink {
+pub struct SpatialLink<L = f64> {
     pub(crate) body: SpatialBody,
-    pub(crate) length: f64,
+    pub(crate) length: L,
 }
 
-impl SpatialLink {
+impl<L: Scalar> SpatialLink<L> {
     /// The body itself.
     pub fn body(self) -> SpatialBody {
         self.body
     }
 
     /// Length between the joints.   \[m\]
-    pub fn length(self) -> f64 {
+    pub fn length(self) -> L {
         self.length
     }
 
     /// Local position of the first joint, (−l/2, 0, 0).   \[m\]
-    pub fn start(self) -> Vec3 {
-        Vec3::new(-0.5 * self.length, 0.0, 0.0)
+    pub fn start(self) -> Vec3<L> {
+        Vec3::new(L::from(-0.5) * self.length, L::from(0.0), L::from(0.0))
     }
 
     /// Local position of the second joint, (l/2, 0, 0).   \[m\]
-    pub fn end(self) -> Vec3 {
-        Vec3::new(0.5 * self.length, 0.0, 0.0)
+    pub fn end(self) -> Vec3<L> {
+        Vec3::new(L::from(0.5) * self.length, L::from(0.0), L::from(0.0))
     }
 }
 
-impl From<SpatialLink> for SpatialBody {
-    fn from(link: SpatialLink) -> Self {
+impl<L> From<SpatialLink<L>> for SpatialBody {
+    fn from(link: SpatialLink<L>) -> Self {
         link.body
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Dimension, IntoNumber, Of};
+use crate::numbers::algebra::Axis;
 
 /// The name of a number in a constraint: written only where it is asked for.
 pub enum Name<'a> {
@@ -56,6 +57,15 @@ impl Bindings {
         let own = Name::Own(name);
         let numbers = numbers.enumerate();
         numbers.map(|(k, number)| self.note(&Name::Index(&own, first + k), number.into_number())).collect()
+    }
+
+    /// The axis that is given by the components of its direction, after which those of a second one may
+    /// follow. They are noted if any of them hangs on dimensions, each as `NAME.h.x`, …, `NAME.f.z`.
+    pub fn axis(&mut self, name: &str, given: &[Dimension]) -> Axis {
+        if given.iter().any(|number| number.of() != Of::Nothing) {
+            self.0.extend((0..).zip(given).map(|(part, number)| (Axis::name_of(name, part), *number)));
+        }
+        Axis::given(&given.iter().map(|number| number.value()).collect::<Vec<f64>>())
     }
 
     /// Those there are, which are then no longer there.

@@ -95,6 +95,23 @@ macro_rules! constants {
 
 constants!(Mat2 Mat3 EulerParameters);
 
+/// The same made of dimensions.
+macro_rules! components {
+    ($($ty:ident { $($c:ident),* })*) => {$(
+        impl IntoParameter<$ty> for $ty<Dimension> {
+            fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> $ty {
+                $ty { $($c: to.note(&Name::Field(name, stringify!($c)), self.$c)),* }
+            }
+        }
+    )*};
+}
+
+components! {
+    Mat2 { m11, m12, m21, m22 }
+    Mat3 { m11, m12, m13, m21, m22, m23, m31, m32, m33 }
+    EulerParameters { e0, e1, e2, e3 }
+}
+
 impl IntoParameter<Law> for Law {
     fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> Law {
         self.each_hung(&mut |own, number| {

@@ -33,6 +33,30 @@ pub(crate) enum Bound {
     Guess(usize),
     /// The length of a link, by its number among those that have one.
     Length(usize),
+    /// A component of the direction that an axis was given by, and after three of those one of the second
+    /// direction. The axis is worked out of all of them together.
+    Axis { constraint: usize, name: String, part: usize },
+    /// A component of the first point that a spatial body is drawn between, and after three of those one of
+    /// the second. The guess of the body, whose coordinates begin there, is worked out of all of them.
+    Between { first: usize, part: usize },
+}
+
+impl Bound {
+    /// True of the guess of a coordinate.
+    pub(crate) fn is_guess(&self) -> bool {
+        matches!(self, Bound::Guess(_) | Bound::Between { .. })
+    }
+
+    /// True if both are numbers of one axis, or of one pair of points.
+    fn is_with(&self, other: &Bound) -> bool {
+        match (self, other) {
+            (Bound::Axis { constraint, name, .. }, Bound::Axis { constraint: c, name: n, .. }) => {
+                (constraint, name) == (c, n)
+            }
+            (Bound::Between { first, .. }, Bound::Between { first: other, .. }) => first == other,
+            _ => false,
+        }
+    }
 }
 
 impl Snapshot {
@@ -50,7 +74,7 @@ impl Snapshot {
 
     /// The same where no guess hangs on them.
     pub(crate) fn without_guesses(&self) -> Snapshot {
-        let hung = self.hung.iter().filter(|hung| !matches!(hung.at, Bound::Guess(_)));
+        let hung = self.hung.iter().filter(|hung| !hung.at.is_guess());
         Snapshot::new(&self.graph, &self.entries, hung.cloned().collect())
     }
 
@@ -62,6 +86,12 @@ impl Snapshot {
     /// The numbers, by their place among [`Snapshot::hung`], that hang on dimension k.
     pub(crate) fn on(&self, k: usize) -> impl Iterator<Item = usize> {
         (0..self.hung.len()).filter(move |number| self.behind[*number].contains(&k))
+    }
+
+    /// The numbers, by their place, that an axis or a pose is worked out of together with this one.
+    pub(crate) fn with(&self, number: usize) -> Vec<usize> {
+        let Some(Hung { at, .. }) = self.hung.get(number) else { return Vec::new() };
+        (0..self.hung.len()).filter(|other| self.hung[*other].at.is_with(at)).collect()
     }
 
     /// The values of all numbers that hang on dimensions of these values.
@@ -76,9 +106,9 @@ impl Snapshot {
         nodes.iter().map(|node| results.number(*node).unwrap_or(f64::NAN)).collect()
     }
 
-    /// The derivatives of all numbers by dimension k.
-    pub(crate) fn slopes(&self, values: &[f64], k: usize) -> Vec<f64> {
-        self.walk(&Along { values, k }).into_iter().map(|Real(x)| x.eps).collect()
+    /// All numbers as they move with dimension k.
+    pub(crate) fn along(&self, values: &[f64], k: usize) -> Vec<Real<Dual64>> {
+        self.walk(&Along { values, k })
     }
 
     /// Bounds of all numbers where dimensions are these, as they move.

@@ -2,7 +2,7 @@
 
 use crate::model::body::Body;
 use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
-use crate::numbers::algebra::{EulerParameters, Mat3, Vec2, Vec3};
+use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 
 /// Mass, centre of mass and inertia of a body. Shapes are made of their sizes and their density, are placed
 /// by [`Solid::at`] and [`Solid::turned`], and are put together by [`Solid::and`] and [`Solid::without`]:
@@ -142,8 +142,8 @@ pub trait Massive: Body {
 
 /// A body in the plane takes a number for its inertia.
 macro_rules! planar {
-    ($($body:ident),*) => {$(
-        impl Massive for $body {
+    ($($body:ident $(<$of:ident>)?),*) => {$(
+        impl$(<$of: Scalar>)? Massive for $body$(<$of>)? {
             type Inertia = f64;
 
             fn solid(mass: f64, centre: Vec2, inertia: f64) -> Solid {
@@ -157,8 +157,8 @@ macro_rules! planar {
 
 /// A body in space takes a tensor.
 macro_rules! spatial {
-    ($($body:ident),*) => {$(
-        impl Massive for $body {
+    ($($body:ident $(<$of:ident>)?),*) => {$(
+        impl$(<$of: Scalar>)? Massive for $body$(<$of>)? {
             type Inertia = Mat3;
 
             fn solid(mass: f64, centre: Vec3, inertia: Mat3) -> Solid {
@@ -168,8 +168,8 @@ macro_rules! spatial {
     )*};
 }
 
-planar!(PlanarBody, Link);
-spatial!(SpatialBody, SpatialLink);
+planar!(PlanarBody, Link<L>);
+spatial!(SpatialBody, SpatialLink<L>);
 
 #[cfg(test)]
 mod tests {

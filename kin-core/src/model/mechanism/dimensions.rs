@@ -1,6 +1,6 @@
 //! Named dimensions of a mechanism, and the numbers that hang on them.
 
-use kin_graph::{Input, Op};
+use kin_graph::{Input, Node, Op};
 
 use super::Mechanism;
 use crate::model::constraint::Constraint;
@@ -9,7 +9,7 @@ use crate::model::dimension::{
 };
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
-use crate::numbers::algebra::Vec2;
+use crate::numbers::algebra::{Axis, Vec2};
 
 impl Mechanism {
     /// A named number that others hang on, with its nominal value: a length, an angle, a rate. See
@@ -106,7 +106,11 @@ impl Mechanism {
 
     /// The guesses of these coordinates are given anew, and no longer hang on dimensions.
     pub(super) fn free_guesses(&mut self, columns: std::ops::Range<usize>) {
-        self.hung.retain(|hung| !matches!(hung.at, Bound::Guess(column) if columns.contains(&column)));
+        self.hung.retain(|hung| match hung.at {
+            Bound::Guess(column) => !columns.contains(&column),
+            Bound::Between { first, .. } => columns.end <= first || first + 7 <= columns.start,
+            _ => true,
+        });
     }
 
     /// Notes which parameters of the constraint that is to be added hang on dimensions.
@@ -124,18 +128,54 @@ impl Mechanism {
         let mut hung = Vec::new();
         for (name, number) in bound {
             self.check_origin(place, number)?;
-            let Some(index) = names.iter().position(|known| *known == name) else {
-                return Err(DimensionError::invalid(
-                    place,
-                    format!("it has no parameter `{name}` that can be set"),
-                ));
+            let constraint = self.constraints.len();
+            let at = match (names.iter().position(|known| *known == name), axis_part(of, &name)) {
+                (Some(index), _) => Bound::Parameter { constraint, index, name },
+                (None, Some((name, part))) => Bound::Axis { constraint, name, part },
+                (None, None) => {
+                    let reason = format!("it has no parameter `{name}` that can be set");
+                    return Err(DimensionError::invalid(place, reason));
+                }
             };
-            let at = Bound::Parameter { constraint: self.constraints.len(), index, name };
-            if let Of::Expression(_, node) = number.of() {
+            if let Some(node) = self.node_for(&at, number) {
                 hung.push(Hung { at, node });
             }
         }
         self.hung.extend(hung);
+        Ok(())
+    }
+
+    /// The expression of a number, if it is to be noted: all numbers of an axis or a pose are, also those
+    /// that are constants.
+    fn node_for(&self, at: &Bound, number: Dimension) -> Option<Node> {
+        match (number.of(), at) {
+            (Of::Expression(_, node), _) => Some(node),
+            (_, Bound::Axis { .. } | Bound::Between { .. }) => {
+                let shared = self.dimensions.as_ref()?;
+                Some(shared.store().graph.raw(Op::Constant(number.value().to_bits())))
+            }
+            _ => None,
+        }
+    }
+
+    /// Notes that the guess of a spatial body hangs on the points that it is drawn between.
+    pub(crate) fn hang_between(
+        &mut self,
+        place: &str,
+        first: usize,
+        points: [[Dimension; 3]; 2],
+    ) -> Result<()> {
+        let all = points.concat();
+        all.iter().try_for_each(|number| self.check_origin(place, *number))?;
+        if all.iter().all(|number| number.of() == Of::Nothing) {
+            return Ok(());
+        }
+        for (part, number) in all.into_iter().enumerate() {
+            let at = Bound::Between { first, part };
+            if let Some(node) = self.node_for(&at, number) {
+                self.hung.push(Hung { at, node });
+            }
+        }
         Ok(())
     }
 
@@ -183,6 +223,13 @@ impl Mechanism {
             false => Ok(()),
         }
     }
+}
+
+/// The axis of a constraint that a name stands for a number of (`h_i.f.x`), and the number of that.
+fn axis_part(of: &dyn Constraint, name: &str) -> Option<(String, usize)> {
+    let axis = name.get(..name.len().checked_sub(4)?)?;
+    let part = (0..9).find(|part| Axis::name_of(axis, *part) == name)?;
+    of.clone_boxed().set_parameter(name, 1.0).then(|| (axis.to_string(), part))
 }
 
 impl Entry {

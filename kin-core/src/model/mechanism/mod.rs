@@ -6,7 +6,7 @@ mod dimensions;
 mod friction;
 mod limit;
 mod loads;
-mod place;
+pub(crate) mod place;
 mod pose;
 mod preference;
 mod units;

@@ -46,6 +46,15 @@ impl<B: Body> Marker<B> {
     }
 }
 
+/// Frame at the middle between two global points in space, x-axis from the first to the second, by their six
+/// components.
+pub(crate) fn between(components: impl Iterator<Item = f64>) -> SpatialPose {
+    let mut all = [f64::NAN; 6];
+    all.iter_mut().zip(components).for_each(|(to, x)| *to = x);
+    let (a, b) = (Vec3::new(all[0], all[1], all[2]), Vec3::new(all[3], all[4], all[5]));
+    SpatialPose::facing((a + b) * 0.5, b - a)
+}
+
 impl Mechanism {
     /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or given
     /// since.   \[m\]
@@ -99,22 +108,30 @@ impl Mechanism {
     }
 
     /// A spatial body between two joints at the global points `a` and `b`: their distance is its length,
-    /// frame at the middle, x-axis from `a` to `b`.   \[m\]
+    /// frame at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them length and guess hang
+    /// on it.   \[m\]
     ///
-    /// Errors: points that coincide or are not finite, name empty or taken.
-    pub fn spatial_link_between(
+    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another mechanism.
+    pub fn spatial_link_between<S: Scalar + Mix<T>, T: Scalar>(
         &mut self,
         name: &str,
-        a: impl Into<Vec3>,
-        b: impl Into<Vec3>,
-    ) -> Result<SpatialLink> {
-        let (a, b) = (a.into(), b.into());
-        let length = (b - a).norm();
-        if !(length.is_finite() && length > 0.0) {
-            return Err(Error::InvalidLength { link: name.to_string(), length });
+        a: impl Components<3, Scalar = S>,
+        b: impl Components<3, Scalar = T>,
+    ) -> Result<SpatialLink<Mixed<S, T>>>
+    where
+        Mixed<S, T>: IntoNumber,
+    {
+        let a: [Mixed<S, T>; 3] = a.components().map(|x| <Mixed<S, T> as From<S>>::from(x));
+        let b: [Mixed<S, T>; 3] = b.components().map(|x| <Mixed<S, T> as From<T>>::from(x));
+        let length = (Vec3::from(b) - Vec3::from(a)).norm();
+        let number = self.check_length(name, length.into_number())?;
+        let points = [a, b].map(|point| point.map(IntoNumber::into_number));
+        points.as_flattened().iter().try_for_each(|x| self.check_origin(name, *x))?;
+        let body = self.spatial(name, between(points.as_flattened().iter().map(|x| x.value())))?;
+        self.note_length(name, body.index, number)?;
+        if let Some(index) = body.index {
+            self.hang_between(name, self.layout.items[index].first, points)?;
         }
-        let body = self.spatial(name, SpatialPose::facing((a + b) * 0.5, b - a))?;
-        self.layout.links.extend(body.index.map(|index| (index, length)));
         Ok(SpatialLink { body, length })
     }
 

@@ -1,7 +1,7 @@
 //! Poses of bodies, and small helpers for the numbers of a model.
 
 use crate::model::dimension::{Dimension, IntoNumber};
-use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat3, Scalar, Vec2, Vec3};
+use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3};
 
 /// Position and angle of a planar body: (R_x, R_y, θ). Each of them is a number, or a
 /// [`crate::Dimension`].   \[m, m, rad\]
@@ -53,20 +53,24 @@ impl SpatialPose {
 
     /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero
     /// axis turns nothing.   \[m, rad\]
-    pub fn turned<R: Scalar, P: Scalar>(
+    pub fn turned<R: Scalar, P: Scalar + Mix<A>, A: Scalar>(
         r: impl Components<3, Scalar = R>,
-        axis: impl Into<Vec3>,
+        axis: impl Components<3, Scalar = A>,
         angle: P,
-    ) -> SpatialPose<R, P> {
-        let axis = axis.into();
-        let largest = axis.x.abs().max(axis.y.abs()).max(axis.z.abs());
+    ) -> SpatialPose<R, Mixed<P, A>> {
+        let axis = axis.components();
+        let largest = axis.iter().fold(0.0_f64, |m, x| m.max(x.value().abs()));
         if largest == 0.0 {
-            return SpatialPose::new(r, EulerParameters::new(1.0, 0.0, 0.0, 0.0).map(P::from));
+            return SpatialPose::new(
+                r,
+                EulerParameters::new(1.0, 0.0, 0.0, 0.0).map(<Mixed<P, A> as From<f64>>::from),
+            );
         }
-        let (x, y, z) = (axis.x / largest, axis.y / largest, axis.z / largest);
+        let [x, y, z] = axis.map(|x| x / largest);
         let (sin, cos) = (angle * 0.5).sin_cos();
         let share = sin / (x * x + y * y + z * z).sqrt();
-        SpatialPose::new(r, EulerParameters { e0: cos, e1: share * x, e2: share * y, e3: share * z })
+        let [e1, e2, e3] = [x, y, z].map(|x| share * <Mixed<P, A> as From<A>>::from(x));
+        SpatialPose::new(r, EulerParameters { e0: cos.into(), e1, e2, e3 })
     }
 
     /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r,

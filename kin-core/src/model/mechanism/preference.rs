@@ -54,7 +54,7 @@ impl Preferred<EulerParameters> for SpatialBody {
     }
 }
 
-impl Preferred<EulerParameters> for SpatialLink {
+impl<L: Scalar> Preferred<EulerParameters> for SpatialLink<L> {
     fn wish(self, value: EulerParameters) -> Wish {
         Wish::Turn(self.body(), value)
     }
@@ -66,7 +66,7 @@ impl Preferred<SpatialPose> for SpatialBody {
     }
 }
 
-impl Preferred<SpatialPose> for SpatialLink {
+impl<L: Scalar> Preferred<SpatialPose> for SpatialLink<L> {
     fn wish(self, value: SpatialPose) -> Wish {
         Wish::Pose(self.body(), value)
     }

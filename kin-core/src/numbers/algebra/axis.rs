@@ -1,6 +1,6 @@
 //! An axis of a spatial body, with the directions across it.
 
-use super::{Scalar, Vec3};
+use super::{Components, Mix, Mixed, Scalar, Vec3};
 
 /// A direction in a spatial body with two others across it: unit vectors h, f and g = h × f, all local to the
 /// body.   \[–\]
@@ -21,23 +21,25 @@ pub struct Axis<T = f64> {
 impl Axis {
     /// The axis along `h`; `f` is made perpendicular to it. A direction that is zero, or an `f` along `h`,
     /// gives vectors that are not numbers, which a mechanism refuses by name.
-    pub fn new(h: impl Into<Vec3>, f: impl Into<Vec3>) -> Self {
-        let (h, f) = (unit(h.into()), unit(f.into()));
-        let f = across(h, f);
-        Axis { h, f, g: h.cross(f) }
+    pub fn new<S: Scalar + Mix<T>, T: Scalar>(
+        h: impl Components<3, Scalar = S>,
+        f: impl Components<3, Scalar = T>,
+    ) -> Axis<Mixed<S, T>> {
+        let h: [Mixed<S, T>; 3] = h.components().map(|x| <Mixed<S, T> as From<S>>::from(x));
+        let f: [Mixed<S, T>; 3] = f.components().map(|x| <Mixed<S, T> as From<T>>::from(x));
+        Axis::of(h.into(), f.into())
     }
 
     /// The axis along `h`, with an f of Kin's choice: across h, nearest to the axis of the body's frame that
     /// follows h's largest component.
     pub fn along(h: impl Into<Vec3>) -> Self {
-        let h = unit(h.into());
-        let [x, y, z] = h.to_array().map(f64::abs);
-        let after_the_largest = match (x > y, y > z, z >= x) {
-            (true, _, false) => Vec3::y(),
-            (false, true, _) => Vec3::z(),
-            _ => Vec3::x(),
-        };
-        Axis::new(h, after_the_largest)
+        Axis::of_direction(h.into())
+    }
+
+    /// The name of number `part` of the nine of an axis: `NAME.h.x`, …, `NAME.g.z`.
+    pub(crate) fn name_of(name: &str, part: usize) -> String {
+        let pick = |of: [&'static str; 3], k: usize| of.get(k).copied().unwrap_or_default();
+        format!("{name}.{}.{}", pick(["h", "f", "g"], part / 3), pick(["x", "y", "z"], part % 3))
     }
 
     /// True if the vectors are numbers: the directions that made the axis were neither zero nor parallel.
@@ -68,6 +70,41 @@ impl<T: Scalar> Vec3<T> {
 }
 
 impl<T: Scalar> Axis<T> {
+    /// [`Axis::along`] of any numbers; f is chosen by their values.
+    fn of_direction(h: Vec3<T>) -> Self {
+        let h = unit(h);
+        let [x, y, z] = h.to_array().map(|x| x.value().abs());
+        let after_the_largest = match (x > y, y > z, z >= x) {
+            (true, _, false) => Vec3::y(),
+            (false, true, _) => Vec3::z(),
+            _ => Vec3::x(),
+        };
+        Axis::of(h, after_the_largest.map(T::from))
+    }
+
+    /// The axis by three components of h, or by three of h and three of f.
+    pub(crate) fn given(components: &[T]) -> Self {
+        let vector = |from: usize| components.get(from..).and_then(|rest| rest.first_chunk::<3>()).copied();
+        match (vector(0), vector(3)) {
+            (Some(h), Some(f)) => Axis::of(h.into(), f.into()),
+            (Some(h), None) => Axis::of_direction(h.into()),
+            (None, _) => Axis::of_direction([T::from(f64::NAN); 3].into()),
+        }
+    }
+
+    /// [`Axis::new`] of numbers of one kind.
+    pub(crate) fn of(h: Vec3<T>, f: Vec3<T>) -> Self {
+        let (h, f) = (unit(h), unit(f));
+        let f = across(h, f);
+        Axis { h, f, g: h.cross(f) }
+    }
+
+    /// Its nine numbers in the order of their names.
+    pub(crate) fn numbers(self) -> [T; 9] {
+        let Axis { h, f, g } = self;
+        [h.x, h.y, h.z, f.x, f.y, f.z, g.x, g.y, g.z]
+    }
+
     /// An axis of other numbers.
     pub(crate) fn map<S>(self, number: impl Fn(Vec3<T>) -> Vec3<S>) -> Axis<S> {
         Axis { h: number(self.h), f: number(self.f), g: number(self.g) }
@@ -81,16 +118,16 @@ impl<V: Into<Vec3>> From<V> for Axis {
 }
 
 /// v/|v|, whatever its size; not a number if it is zero.
-fn unit(v: Vec3) -> Vec3 {
-    let largest = v.to_array().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let v = v / largest;
+fn unit<T: Scalar>(v: Vec3<T>) -> Vec3<T> {
+    let largest = v.to_array().iter().fold(0.0_f64, |m, x| m.max(x.value().abs()));
+    let v = v / T::from(largest);
     v / v.norm()
 }
 
 /// The part of a unit vector `f` across the unit vector `h`, of length one; not a number if there is none.
-fn across(h: Vec3, f: Vec3) -> Vec3 {
+fn across<T: Scalar>(h: Vec3<T>, f: Vec3<T>) -> Vec3<T> {
     let part = f - h * h.dot(f);
-    if part.norm() > 1e-9 { unit(part) } else { part / 0.0 }
+    if part.norm().value() > 1e-9 { unit(part) } else { part / T::from(0.0) }
 }
 
 #[cfg(test)]

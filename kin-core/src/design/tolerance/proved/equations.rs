@@ -52,7 +52,14 @@ impl<'a> Equations<'a> {
             moves.iter_mut().zip(moved).for_each(|(moves, (_, x))| *moves |= !x.is_constant());
         }
         for (number, (at, value)) in now.iter().enumerate().filter(|(number, _)| moves[*number]) {
-            let Bound::Parameter { constraint, name, .. } = at else { continue };
+            let (constraint, name) = match at {
+                Bound::Parameter { constraint, name, .. } => (constraint, name),
+                Bound::Axis { constraint, name, .. } => {
+                    let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
+                    return Err(refused(&own, "is an axis that hangs on dimensions, which has no bounds"));
+                }
+                _ => continue,
+            };
             let part = &equations.bounds.parts[*constraint];
             let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
             let found = parameter(part, name, value).map_err(|reason| refused(&own, reason))?;

@@ -1,0 +1,132 @@
+//! The numbers of a mechanism that hang on dimensions, as its file has them.
+
+use serde_json::{Map, Value};
+
+use super::{NumberData, is_of, names, too_long};
+use crate::model::constraint::Constraint;
+use crate::model::dimension::{Bound, text_of};
+use crate::model::error::Result;
+use crate::model::mechanism::Mechanism;
+
+/// The numbers of a mechanism that hang on dimensions, as text.
+pub(in crate::data) struct Texts(Vec<(Bound, String)>);
+
+impl Texts {
+    /// Errors: an expression that is too long to be written.
+    pub(in crate::data) fn of(mechanism: &Mechanism) -> Result<Texts> {
+        let Some(shared) = &mechanism.dimensions else { return Ok(Texts(Vec::new())) };
+        let store = shared.store();
+        let text = |hung: &crate::model::dimension::Hung| {
+            let text = text_of(&store.graph, &store.entries, hung.node).ok_or_else(too_long)?;
+            Ok((hung.at.clone(), text))
+        };
+        Ok(Texts(mechanism.hung.iter().map(text).collect::<Result<_>>()?))
+    }
+
+    /// A number that may hang on dimensions.
+    pub(in crate::data) fn number(&self, at: Bound, value: f64) -> NumberData {
+        match self.text(&at) {
+            Some(text) => NumberData::Expression(text.to_string()),
+            None => NumberData::Number(value),
+        }
+    }
+
+    /// Puts the expressions into the parameters of constraint number `number`. An axis becomes the directions
+    /// that it was given by.
+    pub(in crate::data) fn put(
+        &self,
+        number: usize,
+        of: &dyn Constraint,
+        parameters: &mut Map<String, Value>,
+    ) {
+        for (at, text) in &self.0 {
+            match at {
+                Bound::Parameter { constraint, name, .. } if *constraint == number => {
+                    if let Some(place) = place_of(of, parameters, name) {
+                        *place = Value::String(text.clone());
+                    }
+                }
+                Bound::Axis { constraint, name, part: 0 } if *constraint == number => {
+                    let own = |part: usize| Bound::Axis { constraint: number, name: name.clone(), part };
+                    parameters.insert(name.clone(), self.directions(own));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The components of one direction, or lists of those of two.
+    fn directions(&self, at: impl Fn(usize) -> Bound) -> Value {
+        let all: Vec<Value> = (0..6).map_while(|part| self.text(&at(part))).map(value_of).collect();
+        match all.as_chunks::<3>().0 {
+            [one] => one.to_vec().into(),
+            several => several.iter().map(|one| Value::from(one.to_vec())).collect(),
+        }
+    }
+
+    /// The points that the spatial body is drawn between whose coordinates begin there, if they hang on
+    /// dimensions.
+    pub(in crate::data) fn between(&self, first: usize) -> Option<[[NumberData; 3]; 2]> {
+        let number = |part: usize| Some(number_of(self.text(&Bound::Between { first, part })?));
+        let point = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
+        Some([point(0)?, point(3)?])
+    }
+
+    fn text(&self, at: &Bound) -> Option<&str> {
+        self.0.iter().find(|(known, _)| known == at).map(|(_, text)| text.as_str())
+    }
+}
+
+/// The number that a text says, or the expression.
+fn number_of(text: &str) -> NumberData {
+    text.parse().map_or_else(|_| NumberData::Expression(text.to_string()), NumberData::Number)
+}
+
+/// The same as JSON.
+fn value_of(text: &str) -> Value {
+    match number_of(text) {
+        NumberData::Number(x) => x.into(),
+        NumberData::Expression(text) => text.into(),
+    }
+}
+
+/// The place of a numeric parameter in the data of its constraint.
+fn place_of<'a>(
+    of: &dyn Constraint,
+    parameters: &'a mut Map<String, Value>,
+    name: &str,
+) -> Option<&'a mut Value> {
+    let key = parameters.keys().find(|key| is_of(name, key))?.clone();
+    let value = parameters.get_mut(&key)?;
+    if value.is_object() {
+        return in_law(value, name.get(key.len() + 1..)?);
+    }
+    let number = names(of, &key).iter().position(|known| known == name)?;
+    leaf(value, &mut { number })
+}
+
+/// The number of that name in the data of a law.
+fn in_law<'a>(law: &'a mut Value, name: &str) -> Option<&'a mut Value> {
+    let law = law.as_object_mut()?;
+    if law.get("numbers").and_then(|numbers| numbers.get(name)).is_some() {
+        return law.get_mut("numbers")?.get_mut(name);
+    }
+    let parts = law.get_mut("parts")?.as_object_mut()?;
+    let within = |part: &str| name.strip_prefix(part).and_then(|rest| rest.strip_prefix('.'));
+    let (part, rest) = parts.keys().find_map(|part| Some((part.clone(), within(part)?)))?;
+    in_law(parts.get_mut(&part)?, rest)
+}
+
+/// The number of a list of lists that so many others come before.
+fn leaf<'a>(value: &'a mut Value, number: &mut usize) -> Option<&'a mut Value> {
+    match value {
+        Value::Array(parts) => parts.iter_mut().find_map(|part| leaf(part, number)),
+        value => match number.checked_sub(1) {
+            Some(less) => {
+                *number = less;
+                None
+            }
+            None => Some(value),
+        },
+    }
+}
