@@ -70,6 +70,10 @@ impl Fault {
     /// An error about something that the command line names.
     pub fn asked(error: Error) -> Fault {
         match error {
+            // The sentence lists eight of them.
+            Error::UnknownName { ref known, .. } if known.len() > 8 => {
+                Fault::Usage(format!("{error}; `kin check FILE --names` lists all"))
+            }
             Error::UnknownName { .. }
             | Error::ParameterNotFinite { .. }
             | Error::InvalidParameters { .. }

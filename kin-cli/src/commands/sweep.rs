@@ -63,9 +63,14 @@ fn cases(file: &str) -> Result<Cases, Fault> {
     if names.iter().all(String::is_empty) {
         return Err(fail("its first line names no parameter".to_string()));
     }
+    if let Some(name) =
+        names.iter().enumerate().find_map(|(k, name)| names[..k].contains(name).then_some(name))
+    {
+        return Err(fail(format!("its first line names `{name}` twice")));
+    }
     let mut rows = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| fail(error.to_string()))?;
+        let record = record.map_err(|error| fail(unread(&error)))?;
         let line = record.position().map_or(0, csv::Position::line);
         let number = |(name, text): (&String, &str)| {
             let parsed = crate::times::number(text);
@@ -74,6 +79,17 @@ fn cases(file: &str) -> Result<Cases, Fault> {
         rows.push(names.iter().zip(&record).map(number).collect::<Result<_, _>>()?);
     }
     Ok(Cases { names, rows })
+}
+
+/// The reason why a line is no case.
+fn unread(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            format!("line {line} has {len} numbers, where the first line names {expected_len}")
+        }
+        _ => error.to_string(),
+    }
 }
 
 /// An error for names that the mechanism does not have, before anything is computed.

@@ -162,9 +162,9 @@ fn spoilt_files_are_read_or_refused_by_name() {
             .and_then(|data| Mechanism::from_data(&data, &kin_text::registry())?.build());
         let time = begun.elapsed();
         if let Err(error) = &made {
-            // Either a place of the text, or the name of a part of the mechanism.
+            // A place of the text, the name of a part of the mechanism, or the one member without a name.
             let told = error.to_string();
-            let is_placed = told.contains(" at line ") || told.contains('`');
+            let is_placed = [" at line ", "`", "mechanism: format "].iter().any(|place| told.contains(place));
             assert!(is_placed, "{told}\n{text}");
         }
         campaign::One { read: made.is_ok(), time, text }

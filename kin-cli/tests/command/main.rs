@@ -11,6 +11,7 @@ mod import;
 #[path = "../../../tests/data/own.rs"]
 mod own;
 mod pages;
+mod programs;
 mod questions;
 mod shell;
 mod streams;
