@@ -162,3 +162,40 @@ fn what_is_not_finite_is_told_as_by_the_walk() {
     assert!(told[0].contains("force of `rope`") && told[0].contains("t = 0.36"), "{told:?}");
     assert!(told[1] == told[0] && told[2] == told[0], "{told:?}");
 }
+
+/// Each case has the forces of its own mechanism, and its own error: of a crank that locks, of a rope that is
+/// torn.
+#[test]
+fn cases_of_a_sweep_have_their_own_forces_and_errors() {
+    let (mut m, crank) = four_bar();
+    let along = strut(m.ground(), crank, vec2(2.0, 0.0), crank.end());
+    m.load("rope", torn(along, 0.9)).expect("a load");
+    let mut system = m.build().expect("a system");
+    let cases: Vec<[f64; 2]> = [0.55, 0.6, 0.15, 0.65, 0.5].iter().map(|u| [-u, *u]).collect();
+    let times = linspace(0.0, 0.8, 81);
+    let names = ["A.u_j.x", "B.u_i.x"];
+    let keep = |_: usize, forces: kin::Result<Forces<'_>>| {
+        forces.map(|forces| told(&forces)).map_err(|error| error.to_string())
+    };
+    let swept = system.sweep(names).expect("a sweep").forces(&cases, &times, keep).expect("a sweep");
+    assert!(swept.iter().filter(|found| found.is_ok()).count() == 4 && swept[2].is_err());
+    for (case, found) in cases.iter().zip(swept) {
+        names.iter().zip(case).for_each(|(name, x)| system.set(name, *x).map(|_| ()).expect("a parameter"));
+        let own = system.run(&times).and_then(|motion| {
+            let forces = system.forces_by(&motion, Engine::Plain)?;
+            Ok(told(&forces))
+        });
+        match (found, own) {
+            (Ok(found), Ok(own)) => {
+                for (found, own) in found.iter().zip(&own) {
+                    let most = own.iter().fold(1e-3_f64, |m, x| m.max(x.abs()));
+                    let far = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-9 * most;
+                    assert!(!found.iter().zip(own).any(far), "{case:?}");
+                }
+            }
+            // That of a run tells more: what is wrong with the mechanism there.
+            (Err(found), Err(own)) => assert_eq!(found.lines().next(), own.to_string().lines().next()),
+            (found, own) => panic!("{case:?}: {found:?} {own:?}"),
+        }
+    }
+}

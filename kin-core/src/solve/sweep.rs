@@ -139,6 +139,16 @@ impl<'a> Sweep<'a> {
         times: impl AsRef<[f64]>,
         keep: impl Fn(usize, Result<Motion>) -> R + Sync,
     ) -> Result<Vec<R>> {
+        self.run_each(cases, times, |case, _, motion| keep(case, motion))
+    }
+
+    /// The same, with the system of each case: the one with its numbers.
+    pub(crate) fn run_each<R: Send>(
+        &self,
+        cases: &[impl AsRef<[f64]> + Sync],
+        times: impl AsRef<[f64]>,
+        keep: impl Fn(usize, &System, Result<Motion>) -> R + Sync,
+    ) -> Result<Vec<R>> {
         let times = times.as_ref();
         self.options.check()?;
         newton::run::check(times)?;
@@ -195,7 +205,7 @@ struct Job<'j, 'a, C, K> {
     done: Mutex<usize>,
 }
 
-impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> Job<'_, '_, C, K> {
+impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R + Sync> Job<'_, '_, C, K> {
     /// Each case by itself.
     fn one_by_one(&self) -> Result<Vec<R>> {
         self.check_memory(1)?;
@@ -204,7 +214,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
             |system, first, cases| {
                 let run = |(k, case): (usize, &C)| {
                     self.sweep.set(system, case.as_ref());
-                    (self.keep)(first + k, self.alone(system))
+                    (self.keep)(first + k, system, self.alone(system))
                 };
                 cases.iter().enumerate().map(run).collect()
             },
@@ -274,8 +284,11 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
         let results = motions
             .into_iter()
             .zip(systems.iter())
-            .map(|(motion, system)| motion.map_or_else(|| self.alone(system), Ok));
-        results.enumerate().map(|(lane, motion)| (self.keep)(first + lane, motion)).collect()
+            .map(|(motion, system)| (system, motion.map_or_else(|| self.alone(system), Ok)));
+        results
+            .enumerate()
+            .map(|(lane, (system, motion))| (self.keep)(first + lane, system, motion))
+            .collect()
     }
 
     /// The motions of one group of lanes; none for those that fail.
@@ -316,7 +329,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> 
 /// The systems of all lanes, and their common steps.
 type Worker<'o, S> = (Vec<System>, Lockstep<'o, S>);
 
-impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, Result<Motion>) -> R + Sync> WithLevel
+impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R + Sync> WithLevel
     for &Job<'_, '_, C, K>
 {
     type Output = Result<Vec<R>>;

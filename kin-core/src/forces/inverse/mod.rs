@@ -6,6 +6,7 @@
 //! small beside that of the first one, or anything is not finite.
 
 mod acting;
+mod cases;
 mod frame;
 #[cfg(test)]
 mod tests;
