@@ -62,7 +62,7 @@ pub(crate) fn program(system: &System, pose: Pose<'_>) -> Result<Program, Refusa
     let order = substitute(&mut whole, &slopes, pose.sizes);
     let (mut reduced, values) = Reduced::new(&whole, &order);
     let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
-    Ok(finished(&whole, &order, (reduced, values), &elimination))
+    Ok(finished(&whole, &order, (reduced, values), [&elimination; 3]))
 }
 
 /// The elimination of what is left where rows give what they give.
@@ -81,12 +81,13 @@ pub(super) fn eliminated<'o>(
     Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
 }
 
-/// All stages by an elimination; `values` are the nodes of coordinates.
+/// All stages by the elimination, told once for each of its right sides: those of corrections, q̇ and q̈;
+/// `values` are the nodes of coordinates.
 pub(super) fn finished(
     whole: &Whole,
     order: &Order,
     (mut reduced, values): (Reduced<'_>, Vec<Node>),
-    elimination: &Elimination<'_>,
+    [elimination, of_rates, of_second_rates]: [&Elimination<'_>; 3],
 ) -> Program {
     // Given rows are met by what they give.
     let zero = reduced.graph.zero();
@@ -98,10 +99,10 @@ pub(super) fn finished(
     let left = order.rows.iter().map(|row| b[*row]).collect();
     let corrections = elimination.solve(&mut reduced.graph, &b);
     let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.by_time));
-    let rates = elimination.solve(&mut reduced.graph, &b);
+    let rates = of_rates.solve(&mut reduced.graph, &b);
     rates.iter().enumerate().for_each(|(column, rate)| reduced.put(Input::Rate(column, SELF), *rate));
     let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.second));
-    let second_rates = elimination.solve(&mut reduced.graph, &b);
+    let second_rates = of_second_rates.solve(&mut reduced.graph, &b);
     let columns: Vec<Node> = (0..whole.n).map(|column| reduced.graph.input(Input::Column(column))).collect();
     reduced.rewrite(columns.iter().enumerate().map(|(column, node)| (Input::State(column, SELF), *node)));
     let verify = whole.rows.iter().map(|row| reduced.of(row.residual)).collect();

@@ -2,11 +2,12 @@
 
 use kin_graph::{Graph, Node};
 
-use crate::program::eliminate::Elimination;
+use crate::program::cofactors::Cofactors;
+use crate::program::eliminate::{Elimination, Pivot};
 use crate::program::gather::{Refusal, Whole, gather};
 use crate::program::reduce::Reduced;
 use crate::program::stages::{Pose, Program, eliminated, finished, slopes};
-use crate::program::substitute::{Order, substitute};
+use crate::program::substitute::{Explicit, Order, substitute};
 use crate::system::System;
 
 /// The pass that makes a fault.
@@ -15,10 +16,15 @@ pub(crate) enum Pass {
     Gather,
     Substitute,
     Eliminate,
+    /// The elimination, for q̇ alone.
+    Rates,
+    /// The elimination, for q̈ alone.
+    SecondRates,
 }
 
 /// Every pass.
-pub(crate) const PASSES: [Pass; 3] = [Pass::Gather, Pass::Substitute, Pass::Eliminate];
+pub(crate) const PASSES: [Pass; 5] =
+    [Pass::Gather, Pass::Substitute, Pass::Eliminate, Pass::Rates, Pass::SecondRates];
 
 /// The change of a node, or of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,10 +37,15 @@ pub(crate) enum Wrong {
     Lost,
     /// It stands in the place of its neighbour, and that in its own: another column, row, or order.
     Place,
+    /// A pivot, or a row that gives a coordinate, is recorded with the row of the next one.
+    Row,
+    /// The same with the column.
+    Column,
 }
 
 /// Every change.
-pub(crate) const WRONGS: [Wrong; 4] = [Wrong::Sign, Wrong::Slight, Wrong::Lost, Wrong::Place];
+pub(crate) const WRONGS: [Wrong; 6] =
+    [Wrong::Sign, Wrong::Slight, Wrong::Lost, Wrong::Place, Wrong::Row, Wrong::Column];
 
 /// The program of a system, with place number k of what a pass hands on made wrong; `None` where there is no
 /// such place.
@@ -46,12 +57,7 @@ pub(crate) fn with_fault(
 ) -> Option<Result<Program, Refusal>> {
     let mut whole = gather(system).expect("gathers");
     if pass == Pass::Gather {
-        let Whole { graph, rows, .. } = &mut whole;
-        let nodes = rows.iter_mut().flat_map(|row| {
-            let own = [&mut row.residual, &mut row.by_time, &mut row.second];
-            own.into_iter().chain(row.slopes.iter_mut().map(|(_, slope)| slope))
-        });
-        change(graph, nodes.collect(), wrong, k)?;
+        miscopy(&mut whole, wrong, k)?;
     }
     let values = slopes(&whole, pose);
     let mut order = substitute(&mut whole, &values, pose.sizes);
@@ -59,21 +65,73 @@ pub(crate) fn with_fault(
         misgive(&mut whole.graph, &mut order, wrong, k)?;
     }
     let (mut reduced, values) = Reduced::new(&whole, &order);
-    let mut elimination = match eliminated(&mut reduced, &whole, &order, pose) {
-        Ok(elimination) => elimination,
-        Err(reason) => return Some(Err(Refusal { constraint: String::new(), reason })),
+    let [right, mut spoilt] = match [(); 2].map(|()| eliminated(&mut reduced, &whole, &order, pose)) {
+        [Ok(right), Ok(same)] => [right, same],
+        [Err(reason), _] | [_, Err(reason)] => {
+            return Some(Err(Refusal { constraint: String::new(), reason }));
+        }
     };
-    if pass == Pass::Eliminate {
-        spoil(&mut reduced.graph, &mut elimination, wrong, k)?;
+    if !matches!(pass, Pass::Gather | Pass::Substitute) {
+        spoil(&mut reduced.graph, &mut spoilt, wrong, k)?;
     }
-    Some(Ok(finished(&whole, &order, (reduced, values), &elimination)))
+    let stages = match pass {
+        Pass::Gather | Pass::Substitute => [&right; 3],
+        Pass::Eliminate => [&spoilt; 3],
+        Pass::Rates => [&right, &spoilt, &right],
+        Pass::SecondRates => [&right, &right, &spoilt],
+    };
+    Some(Ok(finished(&whole, &order, (reduced, values), stages)))
+}
+
+/// The residuals of rows, their slopes and what time does to them; the rows and columns that are recorded.
+fn miscopy(whole: &mut Whole, wrong: Wrong, k: usize) -> Option<()> {
+    let Whole { graph, rows, .. } = whole;
+    match wrong {
+        Wrong::Row => {
+            let (row, next) = neighbours(rows, k)?;
+            std::mem::swap(&mut row.slopes, &mut next.slopes);
+            Some(())
+        }
+        Wrong::Column => exchange(rows.iter_mut().map(|row| columns(&mut row.slopes)).collect(), k),
+        _ => {
+            let nodes = rows.iter_mut().flat_map(|row| {
+                let own = [&mut row.residual, &mut row.by_time, &mut row.second];
+                own.into_iter().chain(row.slopes.iter_mut().map(|(_, slope)| slope))
+            });
+            change(graph, nodes.collect(), wrong, k)
+        }
+    }
+}
+
+fn columns(cells: &mut [(usize, Node)]) -> Vec<&mut usize> {
+    cells.iter_mut().map(|(column, _)| column).collect()
+}
+
+/// Number k and the next one.
+fn neighbours<T>(all: &mut [T], k: usize) -> Option<(&mut T, &mut T)> {
+    let (first, rest) = all.split_at_mut_checked(k + 1)?;
+    Some((first.last_mut()?, rest.first_mut()?))
+}
+
+/// Makes neighbours in one of these lists change places: number k of all such pairs.
+fn exchange(lists: Vec<Vec<&mut usize>>, mut k: usize) -> Option<()> {
+    for mut list in lists {
+        let pairs = list.len().saturating_sub(1);
+        if k < pairs {
+            let (one, next) = neighbours(&mut list, k)?;
+            std::mem::swap(*one, *next);
+            return Some(());
+        }
+        k -= pairs;
+    }
+    None
 }
 
 /// Makes number k of these nodes wrong.
 fn change(graph: &mut Graph, mut nodes: Vec<&mut Node>, wrong: Wrong, k: usize) -> Option<()> {
     if wrong == Wrong::Place {
-        let (first, rest) = nodes.split_at_mut_checked(k + 1)?;
-        std::mem::swap(*first.last_mut()?, *rest.first_mut()?);
+        let (node, next) = neighbours(&mut nodes, k)?;
+        std::mem::swap(*node, *next);
         return Some(());
     }
     let node = nodes.get_mut(k)?;
@@ -83,15 +141,21 @@ fn change(graph: &mut Graph, mut nodes: Vec<&mut Node>, wrong: Wrong, k: usize) 
             let factor = graph.constant(1.001);
             graph.mul(factor, **node)
         }
-        Wrong::Lost | Wrong::Place => graph.zero(),
+        _ => graph.zero(),
     };
     Some(())
 }
 
-/// The rows that give coordinates: their factors, then their rests; their order, and one that gives is left
-/// once more in place of another.
+/// The rows that give coordinates: their factors, then their rests; their order, their rows and columns, and
+/// one that gives is left once more in place of another.
 fn misgive(graph: &mut Graph, order: &mut Order, wrong: Wrong, k: usize) -> Option<()> {
     let given = order.explicit.len();
+    if matches!(wrong, Wrong::Row | Wrong::Column) {
+        let is_row = wrong == Wrong::Row;
+        let given = order.explicit.iter_mut();
+        let own = given.map(|Explicit { row, column, .. }| if is_row { row } else { column });
+        return exchange(vec![own.collect()], k);
+    }
     if wrong == Wrong::Place && k + 1 < given {
         order.explicit.swap(k, k + 1);
         return Some(());
@@ -112,8 +176,19 @@ fn misgive(graph: &mut Graph, order: &mut Order, wrong: Wrong, k: usize) -> Opti
     Some(())
 }
 
-/// The cells, multipliers, cofactors and pivots of an elimination; then the order of its pivots.
+/// The cells, multipliers, cofactors and pivots of an elimination; then the order of its pivots; the rows and
+/// columns that are recorded for them and for the cofactors.
 fn spoil(graph: &mut Graph, all: &mut Elimination<'_>, wrong: Wrong, k: usize) -> Option<()> {
+    if matches!(wrong, Wrong::Row | Wrong::Column) {
+        let lists = all.blocks.iter_mut().map(|block| {
+            let Cofactors { rows, columns, .. } = &mut block.cofactors;
+            let is_row = wrong == Wrong::Row;
+            let pivots = block.pivots.iter_mut();
+            let own = pivots.map(|Pivot { row, column, .. }| if is_row { row } else { column });
+            own.chain(if is_row { rows } else { columns }).collect()
+        });
+        return exchange(lists.collect(), k);
+    }
     let listed = all.given.iter_mut().chain(&mut all.multipliers).flatten().map(|(_, node)| node);
     let cells = all.cells.iter_mut().flat_map(|cells| cells.values_mut());
     let blocks = all.blocks.iter_mut().flat_map(|block| {
@@ -131,7 +206,6 @@ fn spoil(graph: &mut Graph, all: &mut Elimination<'_>, wrong: Wrong, k: usize) -
         return Some(());
     }
     let mut pivots: Vec<_> = all.blocks.iter_mut().flat_map(|block| &mut block.pivots).collect();
-    let (first, rest) = pivots.split_at_mut_checked((k + 1).checked_sub(count)? + 1)?;
-    std::mem::swap(*first.last_mut()?, *rest.first_mut().filter(|_| wrong == Wrong::Place)?);
-    Some(())
+    let (pivot, next) = neighbours(&mut pivots, (k + 1).checked_sub(count)?)?;
+    (wrong == Wrong::Place).then(|| std::mem::swap(*pivot, *next))
 }
