@@ -62,6 +62,22 @@ fn functions_that_only_rustc_reads_are_told() {
     assert!(text.contains("`motor`") && text.contains("only rustc can read"), "{text}");
 }
 
+/// √(1 + θ²) = 1.5 + t.
+#[constraint]
+fn by_a_function_of_its_angle(b: Planar, t: Time) -> f64 {
+    root(1.0 + b.theta * b.theta) - 1.5 - t
+}
+
+/// Such a function might jump too, but that is not the reason.
+#[test]
+fn functions_of_coordinates_that_only_rustc_reads_are_told_as_such() {
+    let (mut m, crank) = crank();
+    m.add("motor", by_a_function_of_its_angle(crank)).expect("adds");
+    m.prefer(crank, 1.0);
+    let text = refused(m);
+    assert!(text.contains("`motor`") && text.contains("only rustc can read"), "{text}");
+}
+
 #[test]
 fn options_that_a_program_does_not_know_are_told() {
     let (mut m, crank) = crank();

@@ -27,7 +27,7 @@ pub(super) struct KindRow {
 }
 
 /// Why an equation cannot be read as a graph.
-pub(super) const FOREIGN: &str = "a function that only rustc can read is asked for something that moves";
+pub(crate) const FOREIGN: &str = "a function that only rustc can read is asked for something that moves";
 const EMPTY: &str = "its equation is not known as a formula";
 
 impl Kind {

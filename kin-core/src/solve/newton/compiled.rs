@@ -13,12 +13,14 @@ pub(crate) mod programs;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use kin_graph::{Formula, Node, Op};
+
 use super::run::Run;
 use super::{Engine, Options, Stop};
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
-use crate::program::{REDUNDANT, Refusal, Tape, UNREAD};
+use crate::program::{FOREIGN, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
@@ -49,10 +51,20 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     {
         return Err(Refusal { constraint: block.name.clone(), reason: UNREAD });
     }
-    match equations.jumping().first() {
-        Some(block) => Err(Refusal { constraint: equations.blocks[*block].name.clone(), reason: JUMPS }),
-        None => Ok(()),
-    }
+    let Some(block) = equations.jumping().first().map(|block| &equations.blocks[*block]) else {
+        return Ok(());
+    };
+    // A function that nobody can read might jump too: that it cannot be read is the reason.
+    let is_foreign = block.constraint.formula(|table, _, _| asks_others(table.formula())).unwrap_or(false);
+    let reason = if is_foreign { FOREIGN } else { JUMPS };
+    Err(Refusal { constraint: block.name.clone(), reason })
+}
+
+/// True if functions that only rustc can read are asked for something that moves with coordinates.
+fn asks_others(formula: &Formula) -> bool {
+    let graph = &formula.graph;
+    let is_asked = |node: Node| matches!(graph.op(node), Op::Opaque(..)) && graph.depends(node).on_q;
+    graph.reachable(&formula.rows).into_iter().any(is_asked)
 }
 
 /// The error for a mechanism that cannot be compiled.
