@@ -1,7 +1,12 @@
 //! The points and directions that a constraint speaks of are known without being told.
 
+#[path = "data/engines.rs"]
+mod engines;
+
 use kin::prelude::*;
 use kin::{Attached, Parameters, any_planar, any_spatial, by_dual, vec2, vec3};
+
+use crate::engines::Engines;
 
 /// Pin in a slot at y = k, read through names, constants and a closure.      [m]
 #[constraint]
@@ -74,7 +79,7 @@ fn a_system_shows_its_bodies_its_constraints_and_its_condition() -> kin::Result<
         .map(|(name, c)| (name, c.facts().kind.to_string(), c.attachments().len()))
         .collect();
     assert_eq!(constraints, [("O", "revolute".to_string(), 2), ("motor", "drive_angle".to_string(), 0)]);
-    let condition = system.condition(&system.run(linspace(0.0, 1.0, 5))?)?;
+    let condition = system.condition(&system.run_both(linspace(0.0, 1.0, 5))?)?;
     assert!(condition.values().iter().all(|k| (1.0..10.0).contains(k)), "{condition:?}");
     Ok(())
 }

@@ -4,6 +4,10 @@
 use kin::prelude::*;
 use kin::{Entry, Facts, Options, Registry, Solution};
 
+use crate::engines::Engines;
+
+#[path = "data/engines.rs"]
+mod engines;
 #[path = "data/own.rs"]
 mod own;
 
@@ -15,7 +19,7 @@ fn with_jerk() -> Options {
 /// largest number of the jerk. Of two steps, h and 20 h, that counts which fits: near a singular position
 /// rounding asks for the longer one.
 fn worst(system: &System, times: &[f64], h: f64) -> f64 {
-    let motion = system.run_with(times, &with_jerk()).expect("runs");
+    let motion = system.run_both_with(times, &with_jerk()).expect("runs");
     assert!(motion.has_jerk());
     let mut off = 0.0_f64;
     for (k, t) in times.iter().enumerate() {
@@ -135,8 +139,8 @@ fn a_constraint_that_does_not_know_it_is_named() {
     m.add("upright", drive_angle(bead, Law::constant(0.0))).unwrap();
     m.add("motor", drive(bead.y(), Law::sine(0.5, 1.0, 0.0))).unwrap();
     let system = m.build().unwrap();
-    assert!(system.run([0.0, 0.1]).is_ok());
-    let error = system.run_with([0.0, 0.1], &with_jerk()).unwrap_err().to_string();
+    assert!(system.run_both([0.0, 0.1]).is_ok());
+    let error = system.run_both_with([0.0, 0.1], &with_jerk()).unwrap_err().to_string();
     assert_eq!(
         error,
         "`ring` (on_unit_circle): its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`"
@@ -194,7 +198,7 @@ fn a_point_against_differences_of_its_acceleration() {
     let h = 1e-4;
     let times: Vec<f64> =
         (0..40).flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s))).collect();
-    let motion = m.build().unwrap().run_with(times, &with_jerk()).unwrap();
+    let motion = m.build().unwrap().run_both_with(times, &with_jerk()).unwrap();
     let p = motion.point(plate, vec3(0.1, 0.2, -0.3)).unwrap();
     for k in (2..motion.len()).step_by(5) {
         let a = p.a();
@@ -220,7 +224,7 @@ fn at_a_break_it_is_that_of_the_right() {
     let mut m = Mechanism::new("slider");
     let x = m.length("x", 0.0).unwrap();
     m.add("motor", drive(x, law)).unwrap();
-    let motion = m.build().unwrap().run_with([0.5, 1.0, 1.5, 2.0, 2.5], &with_jerk()).unwrap();
+    let motion = m.build().unwrap().run_both_with([0.5, 1.0, 1.5, 2.0, 2.5], &with_jerk()).unwrap();
     let jerk = motion.coordinate(x).unwrap().third_rate;
     let [left, first, middle, second, right] = jerk.values() else { panic!("five times") };
     assert!((first - middle).abs() < 1e-12 && (second - right).abs() < 1e-12 && (left - first).abs() > 1.0);
@@ -231,7 +235,8 @@ fn at_a_break_it_is_that_of_the_right() {
 fn files_have_it_where_it_was_asked_for() {
     let system = three_cranks();
     let times = linspace(0.0, 1.0, 11);
-    let (plain, motion) = (system.run(&times).unwrap(), system.run_with(&times, &with_jerk()).unwrap());
+    let (plain, motion) =
+        (system.run_both(&times).unwrap(), system.run_both_with(&times, &with_jerk()).unwrap());
     assert!(
         !plain.has_jerk()
             && plain.qddd(3).is_empty()

@@ -6,6 +6,10 @@ use kin::prelude::*;
 use kin::{Error, Registry, vec2};
 use serde::{Deserialize, Serialize};
 
+use crate::engines::Engines;
+
+#[path = "data/engines.rs"]
+mod engines;
 #[path = "data/own.rs"]
 mod own;
 
@@ -154,7 +158,7 @@ fn a_mechanism_comes_back_and_moves_the_same_to_the_last_bit() -> kin::Result<()
     let (one, other) = (model()?.build()?, back.build()?);
     assert_eq!(one.parameters(), other.parameters());
     let times = linspace(0.0, 1.0, 21);
-    assert_eq!(one.run(&times)?.data(), other.run(&times)?.data());
+    assert_eq!(one.run_both(&times)?.data(), other.run_both(&times)?.data());
     Ok(())
 }
 
@@ -228,7 +232,7 @@ fn the_first_files_are_still_read() -> kin::Result<()> {
     for entry in std::fs::read_dir(folder.join("first_files")).unwrap() {
         let path = entry.unwrap().path();
         let run = |path: &std::path::Path| -> kin::Result<kin::data::MotionData> {
-            Ok(Mechanism::read_json(path, &registry)?.build()?.run(linspace(0.0, 0.5, 26))?.data())
+            Ok(Mechanism::read_json(path, &registry)?.build()?.run_both(linspace(0.0, 0.5, 26))?.data())
         };
         let today = folder.join("examples").join(path.file_name().unwrap());
         assert_eq!(run(&path)?, run(&today)?, "{}", path.display());
@@ -240,7 +244,7 @@ fn the_first_files_are_still_read() -> kin::Result<()> {
 
 #[test]
 fn a_motion_of_a_newer_format_is_told() -> kin::Result<()> {
-    let text = serde_json::to_string(&model()?.build()?.run([0.0])?.data()).unwrap();
+    let text = serde_json::to_string(&model()?.build()?.run_both([0.0])?.data()).unwrap();
     let read = |text: &str| MotionData::read(text).and_then(|data| kin::Motion::from_data(&data));
     assert!(read(&text).is_ok());
     let newer = text.replacen(r#""format":1"#, r#""format":7"#, 1);
@@ -267,7 +271,7 @@ fn what_cannot_be_written_is_told_by_name() -> kin::Result<()> {
 #[test]
 fn spoiled_files_are_errors_and_not_panics() -> kin::Result<()> {
     let system = model()?.build()?;
-    let text = serde_json::to_string(&system.run([0.0, 0.5])?.data()).unwrap();
+    let text = serde_json::to_string(&system.run_both([0.0, 0.5])?.data()).unwrap();
     for cut in (0..text.len()).filter(|cut| text.is_char_boundary(*cut)) {
         assert!(serde_json::from_str::<MotionData>(&text[..cut]).is_err());
     }

@@ -1,7 +1,12 @@
 //! Runs of more times than memory holds: refused before they begin, and possible in parts.
 
+#[path = "data/engines.rs"]
+mod engines;
+
 use kin::prelude::*;
 use kin::{Error, Event, Options};
+
+use crate::engines::Engines;
 
 /// A four-bar driven at a rate.
 fn four_bar(limited: bool) -> kin::Result<System> {
@@ -25,7 +30,7 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
     let system = four_bar(false).unwrap();
     let times: Vec<f64> = (0..10_000_000).map(|k| 1e-6 * f64::from(k)).collect();
     let begun = std::time::Instant::now();
-    let error = system.run(&times).expect_err("too much");
+    let error = system.run_both(&times).expect_err("too much");
     assert!(begun.elapsed().as_secs_f64() < 2.0);
     assert!(
         matches!(error, Error::NeedsMemory { motions: 1, times: 10_000_000, coordinates: 9, .. }),
@@ -38,8 +43,8 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
     );
     assert!(text.contains("System::run_in_parts") && text.contains("allow more"), "{text}");
     let few = Options { memory: 8 * 11 * (3 + 4 * 9), jerk: true, ..Options::default() };
-    assert!(system.run_with(linspace(0.0, 0.1, 11), &few).is_ok());
-    assert!(matches!(system.run_with(linspace(0.0, 0.1, 12), &few), Err(Error::NeedsMemory { .. })));
+    assert!(system.run_both_with(linspace(0.0, 0.1, 11), &few).is_ok());
+    assert!(matches!(system.run_both_with(linspace(0.0, 0.1, 12), &few), Err(Error::NeedsMemory { .. })));
     assert!(matches!(system.run_in_parts(times, 12, &few, |_| Ok(())), Err(Error::NeedsMemory { .. })));
 }
 
@@ -61,7 +66,7 @@ fn a_run_in_parts_is_the_run_in_one() {
     let system = four_bar(true).unwrap();
     let options = Options { jerk: true, ..Options::default() };
     let times = linspace(0.0, 4.2, 200);
-    let whole = system.run_with(&times, &options).unwrap();
+    let whole = system.run_both_with(&times, &options).unwrap();
     assert!(whole.events().len() >= 6 && whole.breaks().len() == 3, "{:?}", whole.events());
     for size in [1, 3, 64, 199, 200, 1000, 0] {
         let (mut all, mut parts, mut breaks, mut events) = (Vec::new(), 0, Vec::new(), Vec::new());
@@ -94,7 +99,7 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
     m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
     let system = m.build().unwrap();
     let times = linspace(0.0, 2.0, 101);
-    let whole = system.run(&times).expect_err("a toggle");
+    let whole = system.run_both(&times).expect_err("a toggle");
     let mut kept = 0;
     let error = system.run_in_parts(times, 10, &Options::default(), |part| {
         kept += part.len();
@@ -113,7 +118,7 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
     assert!(matches!(ended, Err(Error::EmptyName { .. })) && shown == 3);
     for times in [vec![], vec![0.0, 0.1, 0.1], vec![0.0, 0.1, 0.05], vec![0.0, f64::NAN], vec![f64::INFINITY]]
     {
-        let in_one = system.run(&times).expect_err("no times");
+        let in_one = system.run_both(&times).expect_err("no times");
         let in_parts = system
             .run_in_parts(times.iter().copied(), 2, &Options::default(), |_| Ok(()))
             .expect_err("no times");
@@ -132,7 +137,7 @@ fn redundant_mechanisms_run_in_parts_too() {
     m.add("y", drive(y, Law::constant(0.5))).unwrap();
     m.add("y again", drive(y, Law::constant(0.5))).unwrap();
     let system = m.build().unwrap();
-    let whole = system.run(linspace(0.0, 1.0, 50)).unwrap();
+    let whole = system.run_both(linspace(0.0, 1.0, 50)).unwrap();
     let mut all = Vec::new();
     let keep = |part: &Motion| {
         all.extend(numbers(part));
@@ -147,7 +152,7 @@ fn redundant_mechanisms_run_in_parts_too() {
 fn a_run_is_watched_and_stopped() {
     let system = four_bar(false).unwrap();
     let times = linspace(0.0, 3.0, 301);
-    let (mut seen, whole) = (Vec::new(), system.run(&times).unwrap());
+    let (mut seen, whole) = (Vec::new(), system.run_both(&times).unwrap());
     let watched = system.run_watched(&times, &Options::default(), |done| {
         seen.push(done);
         true

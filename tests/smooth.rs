@@ -2,10 +2,15 @@
 //! jerk, against 80-digit values (`data/smooth.py`). And the other way round: a slope that does not exist is
 //! told.
 
+#[path = "data/engines.rs"]
+mod engines;
+
 use kin::extend::{dual_terms, terms};
 use kin::prelude::*;
 use kin::{Error, any_coord};
 use serde_json::Value;
+
+use crate::engines::Engines;
 
 /// A function of one's own, which the compiler calls as it is.
 fn root<D: Dual>(x: Real<D>) -> Real<D> {
@@ -237,7 +242,7 @@ fn a_distance_of_zero_is_blamed_on_both_routes() {
         };
         // From this guess alone: the search for an assembly would begin elsewhere.
         let options = kin::Options { rescue: false, ..kin::Options::default() };
-        let error = m.build().unwrap().run_with([0.0], &options).expect_err("no slope");
+        let error = m.build().unwrap().run_both_with([0.0], &options).expect_err("no slope");
         let text = error.to_string();
         assert!(matches!(error, Error::NotFinite { quantity: "C_q", .. }), "{text}");
         assert!(text.contains("`(x * x).sqrt()` has no finite slope"), "{text}");
@@ -259,7 +264,7 @@ fn a_run_goes_on_where_the_side_is_not_taken() {
     m.add("motor", drive(x, Law::linear(0.5, 1.0))).unwrap();
     let system = m.build().unwrap();
     let options = kin::Options { jerk: true, ..kin::Options::default() };
-    let motion = system.run_with([0.75, 1.0, 2.0], &options).expect("smooth from 1.25 on");
+    let motion = system.run_both_with([0.75, 1.0, 2.0], &options).expect("smooth from 1.25 on");
     assert!((0..3).all(|k| motion.q(k)[1] == 0.0
         && motion.qd(k)[1] == 0.0
         && motion.qdd(k)[1] == 0.0

@@ -41,7 +41,7 @@ fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<
     let (m, rod) = slider(5.0)?;
     let system = m.build()?;
     let mut motion =
-        system.run_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
+        system.run_both_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
     motion.add_point("P", rod, rod.end())?;
     let headers = motion.headers();
     headers.iter().for_each(|header| no_metre(header));

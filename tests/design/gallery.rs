@@ -3,6 +3,8 @@
 use kin::Registry;
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 #[path = "../data/own.rs"]
 mod own;
 
@@ -26,7 +28,7 @@ fn differences(system: &System, times: &[f64], name: &str, h: f64) -> Option<[Ve
     let at = |step: f64| {
         let mut moved = system.clone();
         moved.set(name, value + step).ok()?;
-        moved.run(times).ok().map(|motion| orders(&motion))
+        moved.run_both(times).ok().map(|motion| orders(&motion))
     };
     let central = |h: f64| {
         let (plus, minus) = (at(h)?, at(-h)?);
@@ -71,7 +73,7 @@ fn derivatives_of_the_gallery_are_those_of_its_runs() {
         let seconds = SECONDS.iter().find(|(known, _)| *known == name).map_or(1.0, |(_, seconds)| *seconds);
         // Odd numbers, off the knots of splines and the dwells of cams.
         let times: Vec<f64> = (0..12).map(|k| seconds * (f64::from(k) + 0.137) / 12.3).collect();
-        let motion = system.run(&times).expect("a motion");
+        let motion = system.run_both(&times).expect("a motion");
         system.set_initial(motion.q(0)).expect("a pose");
         let parameters = system.parameters();
         let stride = (parameters.len() / 23).max(1);

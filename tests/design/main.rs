@@ -5,6 +5,8 @@
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]
 mod data;
+#[path = "../data/engines.rs"]
+mod engines;
 mod gallery;
 mod model;
 mod objective;
@@ -16,6 +18,8 @@ use kin::prelude::*;
 use kin::{Extreme, Measure, Options, Quantity, Stop};
 use model::{Model, model};
 use serde_json::Value;
+
+use crate::engines::Engines;
 
 const FILES: [&str; 8] = [
     "cam_knife",
@@ -37,7 +41,7 @@ const LIMITS: [f64; 3] = [1e-12, 1e-11, 1e-10];
 
 fn run(model: &Model, times: &[f64]) -> Motion {
     let stop = Stop::Converged { tolerance: 1e-15 };
-    model.system.run_with(times, &Options { stop, ..Options::default() }).expect("a motion")
+    model.system.run_both_with(times, &Options { stop, ..Options::default() }).expect("a motion")
 }
 
 /// The times with so many parts of each step.

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Break, LawFunction, Mechanism, by_dual};
 
+use crate::engines::Engines;
+
 /// A crank of length 1 with θ = the law.
 fn crank(law: Law) -> System {
     let mut m = Mechanism::new("crank");
@@ -14,7 +16,7 @@ fn crank(law: Law) -> System {
 
 /// The error of a derivative by that parameter, forward and backward alike.
 fn said(system: &System, times: &[f64], name: &str) -> String {
-    let motion = system.run(times).expect("a motion");
+    let motion = system.run_both(times).expect("a motion");
     let forward = system.sensitivities(&motion, [name]).err().expect("an error").to_string();
     let what = system.coordinate_names()[0].clone();
     let backward = system.gradient(&motion, [name], &what, |_| [1.0, 0.0, 0.0]).expect_err("an error");
@@ -68,7 +70,7 @@ fn a_redundant_mechanism_that_closes_at_one_value_only() {
 #[test]
 fn a_redundant_mechanism_has_the_derivatives_that_leave_it_closed() {
     let system = three_cranks();
-    let motion = system.run([0.0, 0.4]).unwrap();
+    let motion = system.run_both([0.0, 0.4]).unwrap();
     let found = system.sensitivities(&motion, ["motor.law.rate"]).unwrap();
     let [theta, beam] = ["second.theta", "beam.R_x"]
         .map(|name| system.coordinate_names().iter().position(|known| known == name).unwrap());
@@ -125,7 +127,7 @@ fn a_break_of_a_law_at_a_time_and_none_beside_it() {
     let system = crank(Law::new(Bent(3.0)));
     let text = said(&system, &[-0.5, 0.0, 0.5], "motor.law.scale");
     assert!(text.contains("at t = 0 s the law `law` of `motor` has a break"), "{text}");
-    let motion = system.run([-0.5, 0.5]).unwrap();
+    let motion = system.run_both([-0.5, 0.5]).unwrap();
     let found = system.sensitivities(&motion, ["motor.law.scale"]).unwrap();
     assert_eq!([0, 1].map(|k| found.all()[0].q(k)[2]), [-0.125, 0.125]);
 }

@@ -4,6 +4,8 @@
 use kin::prelude::*;
 use kin::{Follow, Options, SingularPosition};
 
+use crate::engines::Engines;
+
 /// A four-bar that its crank drives to where coupler and rocker are in line: θ = 0.4 + 0.7 t.
 fn four_bar() -> System {
     let mut m = Mechanism::new("four-bar");
@@ -23,7 +25,7 @@ fn four_bar() -> System {
 
 /// The toggle at which a run ends.
 fn toggle(system: &System) -> SingularPosition {
-    let error = system.run(linspace(0.0, 4.0, 81)).expect_err("a toggle");
+    let error = system.run_both(linspace(0.0, 4.0, 81)).expect_err("a toggle");
     let motion = error.motion().expect("a motion");
     motion.singular_positions().last().expect("a singular position").clone()
 }
@@ -71,14 +73,14 @@ fn said(system: &System, motion: &Motion, name: &str) -> String {
 #[test]
 fn there_is_no_gradient_at_a_toggle() {
     let system = four_bar();
-    let error = system.run(linspace(0.0, 4.0, 81)).expect_err("a toggle");
+    let error = system.run_both(linspace(0.0, 4.0, 81)).expect_err("a toggle");
     let told = said(&system, error.motion().expect("a motion"), "a");
     assert!(told.contains("`a`: the motion meets a singular position at t = 1.604"), "{told}");
     // Nor at the pose itself, which a run may begin at.
     let found = toggle(&system);
     let mut there = system.clone();
     there.set_initial(&found.q).expect("a pose");
-    match there.run([found.t]) {
+    match there.run_both([found.t]) {
         Err(error) => assert!(error.to_string().contains("A toggle or change point"), "{error}"),
         Ok(motion) => assert!(said(&there, &motion, "a").contains("singular")),
     }
@@ -102,7 +104,7 @@ fn there_is_no_gradient_through_a_change_of_branch() {
     let system = parallelogram();
     for follow in [Follow::Smooth, Follow::Turning(vec![0])] {
         let options = Options { follow, ..Options::default() };
-        let motion = system.run_with(linspace(0.0, 4.0, 41), &options).expect("a motion");
+        let motion = system.run_both_with(linspace(0.0, 4.0, 41), &options).expect("a motion");
         let told = said(&system, &motion, "P.u_i.x");
         assert!(told.contains("`P.u_i.x`: the motion meets a singular position at t = 2.14"), "{told}");
         // Nor has the change point a time that would go on with the dimensions.
@@ -142,10 +144,10 @@ fn there_is_no_gradient_at_a_jump() {
         m.add("jump", counted(crank, other, 2.0)).expect("adds");
     });
     // At the jump, alone or among other times, and beside it.
-    let motion = system.run([1.0]).expect("a pose");
+    let motion = system.run_both([1.0]).expect("a pose");
     let told = said(&system, &motion, "jump.k");
     assert!(told.contains("no derivative by `jump.k`: at t = 1 s `jump` jumps; ask other times"), "{told}");
-    let motion = system.run([1.25, 1.5]).expect("a motion");
+    let motion = system.run_both([1.25, 1.5]).expect("a motion");
     let by = system.sensitivities(&motion, ["jump.k"]).expect("derivatives");
     let theta = system.coordinate_names().iter().position(|name| name == "other.theta").expect("theta");
     assert!((by.all()[0].q(0)[theta] - 1.0).abs() < 1e-14);
@@ -157,11 +159,11 @@ fn there_is_no_gradient_at_a_kink() {
         m.add("kink", bounced(crank, other, 2.0)).expect("adds");
     });
     for times in [vec![1.0], vec![0.5, 1.0, 1.5], vec![1.0, 1.5], vec![0.5, 1.0]] {
-        let motion = system.run(&times).expect("a motion");
+        let motion = system.run_both(&times).expect("a motion");
         let told = said(&system, &motion, "kink.k");
         assert!(told.contains("no derivative by `kink.k`: at t = 1 s there is a kink of `kink`"), "{told}");
     }
-    let motion = system.run([0.5, 1.5]).expect("a motion");
+    let motion = system.run_both([0.5, 1.5]).expect("a motion");
     assert!(system.sensitivities(&motion, ["kink.k"]).is_ok());
 }
 
@@ -176,7 +178,7 @@ fn extremes_and_tolerances_are_refused_at_a_kink_too() {
     m.add("motor", drive_angle(crank, Law::ramp(1.0))).expect("adds");
     m.add("kink", bounced(crank, other, k)).expect("adds");
     let system = m.build().expect("a system");
-    let motion = system.run([0.25, 0.75, 1.25, 1.75]).expect("a motion");
+    let motion = system.run_both([0.25, 0.75, 1.25, 1.75]).expect("a motion");
     let told = system.tolerance_of(&motion, other.theta(), 1.0).expect_err("a kink").to_string();
     assert!(told.contains("at t = 1 s there is a kink of `kink`"), "{told}");
     assert!(system.tolerance_of(&motion, other.theta(), 1.25).is_ok());

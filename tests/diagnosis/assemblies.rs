@@ -4,6 +4,7 @@ use kin::algebra::Vec3;
 use kin::prelude::*;
 use kin::{AssemblyOptions, Label};
 
+use crate::engines::Engines;
 use crate::models::*;
 
 #[test]
@@ -28,7 +29,7 @@ fn four_bar_has_two_assemblies() {
     let again = system.assembly(0.0, &label).unwrap();
     assert_eq!(again, all[1]);
     system.set_initial(&again.q).unwrap();
-    let motion = system.run([0.0, 0.01]).unwrap();
+    let motion = system.run_both([0.0, 0.01]).unwrap();
     assert!((motion.coordinate(rocker.theta()).unwrap().value.values()[0] - again.q[8]).abs() < 1e-9);
     assert!(
         system

@@ -7,6 +7,7 @@ use kin::prelude::*;
 use kin::state::{At, Rates};
 use kin::{AssemblyOptions, Entry, Error, Facts, Options, SearchOptions};
 
+use crate::engines::Engines;
 use crate::models::*;
 
 /// The four-bar with a motor that asks for what cannot be reached.
@@ -24,7 +25,7 @@ fn limits_of_zero_are_refused() {
         SearchOptions { steps: 0, ..SearchOptions::default() },
     ] {
         let options = Options { search: search.clone(), ..Options::default() };
-        assert!(matches!(system.run_with([0.0], &options), Err(Error::InvalidOptions { .. })));
+        assert!(matches!(system.run_both_with([0.0], &options), Err(Error::InvalidOptions { .. })));
         assert!(matches!(system.position_with(0.0, &options), Err(Error::InvalidOptions { .. })));
         let options = DiagnosisOptions { search, ..DiagnosisOptions::default() };
         assert!(matches!(system.diagnose_with(0.0, &options), Err(Error::InvalidOptions { .. })));
@@ -58,7 +59,10 @@ fn gaps_tell_how_many_starts_were_tried() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     assert!(
-        m.build().unwrap().run_with([0.0, 0.1], &Options { search: at_once, ..Options::default() }).is_ok()
+        m.build()
+            .unwrap()
+            .run_both_with([0.0, 0.1], &Options { search: at_once, ..Options::default() })
+            .is_ok()
     );
 }
 

@@ -2,6 +2,7 @@ use kin::diagnosis::{Change, Class, Diagnosis, How, Level, Persistence};
 use kin::prelude::*;
 use kin::{Error, linspace};
 
+use crate::engines::Engines;
 use crate::models::*;
 
 fn report(found: &Diagnosis) {
@@ -35,7 +36,7 @@ fn parallelogram_runs_through_whole_turns() {
     p.mechanism.add("motor", drive_angle(p.cranks[0], Law::linear(1.0, 2.0))).unwrap();
     let coupler = p.coupler;
     let times = linspace(0.0, 7.0, 701);
-    let motion = p.mechanism.build().unwrap().run(&times).unwrap();
+    let motion = p.mechanism.build().unwrap().run_both(&times).unwrap();
     let x = motion.coordinate(coupler.x()).unwrap();
     let theta = motion.coordinate(coupler.theta()).unwrap();
     for (k, t) in times.iter().enumerate() {
@@ -51,7 +52,7 @@ fn parallelogram_runs_through_whole_turns() {
 fn contradictory_third_crank_is_named_with_its_gap() {
     let mut p = parallelogram(1.1, 1.0);
     p.mechanism.add("motor", drive_angle(p.cranks[0], Law::linear(1.0, 1.0))).unwrap();
-    let error = p.mechanism.build().unwrap().run([0.0, 0.1]).unwrap_err();
+    let error = p.mechanism.build().unwrap().run_both([0.0, 0.1]).unwrap_err();
     let found = error.diagnosis().unwrap();
     report(found);
     let [gap] = &found.gaps[..] else { panic!("{found}") };
@@ -84,7 +85,7 @@ fn slider_in_two_guides_repeats_one_of_them() {
         assert!(dependency.terms[1..].iter().all(|term| term.constraint == "guide 1"), "{found}");
     }
     assert_eq!(found.changes, [Change::Remove { constraint: "guide 2".into(), or: vec![] }].to_vec());
-    let motion = system.run(linspace(0.0, 6.0, 61)).unwrap();
+    let motion = system.run_both(linspace(0.0, 6.0, 61)).unwrap();
     let x = motion.coordinate(slider.x()).unwrap();
     assert!(
         x.second_rate
@@ -100,7 +101,7 @@ fn two_drivers_that_contradict_in_position() {
     let (mut m, [crank, _, rocker]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     m.add("motor 2", drive_angle(rocker, Law::constant(2.0))).unwrap();
-    let error = m.build().unwrap().run([0.0]).unwrap_err();
+    let error = m.build().unwrap().run_both([0.0]).unwrap_err();
     let found = error.diagnosis().unwrap();
     report(found);
     assert_eq!((found.coordinates, found.equations, found.rank), (9, 10, 9));
@@ -143,7 +144,7 @@ fn two_drivers_that_contradict_in_velocity_only() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     m.add("motor 2", drive_angle(crank, Law::linear(1.0, 1.5))).unwrap();
-    let error = m.build().unwrap().run([0.0, 0.1]).unwrap_err();
+    let error = m.build().unwrap().run_both([0.0, 0.1]).unwrap_err();
     let found = error.diagnosis().unwrap();
     report(found);
     assert!(found.gaps.is_empty());
@@ -158,7 +159,7 @@ fn two_drivers_that_contradict_in_acceleration_only() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     m.add("motor 2", drive_angle(crank, Law::polynomial(&[1.0, 1.0, 0.25]))).unwrap();
-    let error = m.build().unwrap().run([0.0, 0.1]).unwrap_err();
+    let error = m.build().unwrap().run_both([0.0, 0.1]).unwrap_err();
     let found = error.diagnosis().unwrap();
     let [only] = &found.dependencies[..] else { panic!("{found}") };
     let Class::Contradictory { level: Level::Acceleration, residual } = only.class else { panic!("{found}") };
@@ -272,7 +273,7 @@ fn toggle_is_singular_only_here() {
 fn run_beyond_a_toggle_ends_with_what_is_asked_and_what_can_be() {
     let (mut m, [_, _, rocker]) = four_bar();
     m.add("motor", drive_angle(rocker, Law::linear(2.2, -1.0))).unwrap();
-    let error = m.build().unwrap().run(linspace(0.0, 2.0, 201)).unwrap_err();
+    let error = m.build().unwrap().run_both(linspace(0.0, 2.0, 201)).unwrap_err();
     println!("{error}");
     let found = error.diagnosis().unwrap();
     let motion = error.motion().unwrap();
@@ -301,7 +302,7 @@ fn loop_that_cannot_close_is_told_with_its_gap() {
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
     m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::constant(0.5))).unwrap();
-    let error = m.build().unwrap().run([0.0]).unwrap_err();
+    let error = m.build().unwrap().run_both([0.0]).unwrap_err();
     println!("{error}");
     let found = error.diagnosis().unwrap();
     let [gap] = &found.gaps[..] else { panic!("{found}") };

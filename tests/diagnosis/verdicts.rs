@@ -165,20 +165,20 @@ fn third_rod_of_ordinary_accuracy_is_allowed_on_request() {
         let closure = advised(error.diagnosis().unwrap());
         assert!(closure > off / 3.0 && closure < 10.0 * off, "{closure} for {off}");
         assert!(error.to_string().contains(&format!("Options::closure({closure:e})")), "{error}");
-        let motion = system.run_with(&times, &Options::closure(closure)).unwrap();
+        let motion = system.run_both_with(&times, &Options::closure(closure)).unwrap();
         assert!(motion.misfit() > 0.01 * off && motion.misfit() <= closure, "{} for {off}", motion.misfit());
         assert!(motion.summary().contains("contradict one another by"), "{}", motion.summary());
         let x = motion.named("coupler.R_x").unwrap();
         let exact = times.iter().map(|t| (1.0 + 2.0 * t).cos());
         assert!(x.value.values().iter().zip(exact).all(|(x, exact)| (x - exact).abs() < 2.0 * off));
         // The half of it is too little, and so is what is allowed without being asked.
-        assert!(system.run_with(&times, &Options::closure(0.05 * closure)).is_err());
+        assert!(system.run_both_with(&times, &Options::closure(0.05 * closure)).is_err());
     }
     assert!(matches!(
         parallelogram(1.0, 1.0)
             .mechanism
             .diagnose(0.0)
-            .and_then(|_| flat(1.0, 0.0).build()?.run_with([0.0], &Options::closure(-1.0))),
+            .and_then(|_| flat(1.0, 0.0).build()?.run_both_with([0.0], &Options::closure(-1.0))),
         Err(Error::InvalidOptions { .. })
     ));
 }
@@ -199,7 +199,7 @@ fn imported_assembly_is_allowed_on_request() {
     m.add("motor", drivers::drive_turn(door, m.ground(), z, z, Law::ramp(1.0))).unwrap();
     let system = m.build().unwrap();
     let closure = advised(system.run_both([0.0, 0.1]).unwrap_err().diagnosis().unwrap());
-    let motion = system.run_with(linspace(0.0, 6.0, 61), &Options::closure(closure)).unwrap();
+    let motion = system.run_both_with(linspace(0.0, 6.0, 61), &Options::closure(closure)).unwrap();
     assert!(motion.misfit() > 1e-10 && motion.misfit() < 2e-8, "{}", motion.misfit());
     assert!(system.run_both(linspace(0.0, 6.0, 61)).is_err());
 }

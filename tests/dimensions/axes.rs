@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{Axis, Dimension, IntoAxis, IntoNumber, Mechanism, Registry};
 
+use crate::engines::Engines;
 use crate::{apart, same_bits, times};
 
 const FROM: [f64; 2] = [0.2, 1.0];
@@ -57,12 +58,12 @@ fn an_axis_hangs_on_dimensions() -> kin::Result<()> {
     for chosen in [false, true] {
         let m = with_dimensions(|along| Axis::new(along, across), chosen)?;
         let mut system = m.clone().build()?;
-        let nominal = system.run(times())?;
+        let nominal = system.run_both(times())?;
         set(&mut system, ["x", "z"], TO);
-        let moved = system.run(times())?;
+        let moved = system.run_both(times())?;
         assert!(apart(&moved, &nominal) > 0.1);
         let built = plain(|along| Axis::new(along, across), TO, chosen)?;
-        let expected = built.run(times())?;
+        let expected = built.run_both(times())?;
         assert!(apart(&moved, &expected) < 1e-13, "{}", apart(&moved, &expected));
         // Angles count from the same direction.
         let angle = |system: &System, motion: &Motion| system.measure(motion, "hinge.angle").unwrap();
@@ -73,7 +74,7 @@ fn an_axis_hangs_on_dimensions() -> kin::Result<()> {
         for mut other in [m.clone().build()?, through_a_file(&m).build()?] {
             set(&mut other, ["z", "x"], [3.0, 0.1]);
             set(&mut other, ["z", "x"], [TO[1], TO[0]]);
-            assert!(same_bits(&other.run(times())?, &moved));
+            assert!(same_bits(&other.run_both(times())?, &moved));
         }
         let keep = |_: usize, motion: kin::Result<Motion>| motion.unwrap();
         let sweep = m.build()?.sweep(["x", "z"])?.lanes(kin::extend::Lanes::Off).run(&[TO], times(), keep)?;
@@ -102,7 +103,7 @@ fn a_spatial_link_between_points_hangs_on_them() -> kin::Result<()> {
     let built = built.build()?;
     assert_eq!(system.initial(), built.initial());
     assert!((system.parameter("O.u_j.x")? - built.parameter("O.u_j.x")?).abs() < 1e-16);
-    assert!(apart(&system.run(times())?, &built.run(times())?) < 1e-13);
+    assert!(apart(&system.run_both(times())?, &built.run(times())?) < 1e-13);
     let mut again = through_a_file(&m).build()?;
     set(&mut again, ["y", "x"], [0.7, 0.2]);
     assert_eq!((again.initial(), again.parameters()), (system.initial(), system.parameters()));
@@ -120,14 +121,14 @@ fn a_spatial_link_between_points_hangs_on_them() -> kin::Result<()> {
 #[test]
 fn derivatives_by_an_axis_are_those_of_systems_set_there() -> kin::Result<()> {
     let system = with_dimensions(|along| Axis::new(along, [0.3, 1.0, 0.0]), true)?.build()?;
-    let motion = system.run(times())?;
+    let motion = system.run_both(times())?;
     let names = ["x", "z", "hinge.h_i.x", "hinge.h_j.y", "hinge.h_i.y"];
     let all = system.sensitivities(&motion, names)?;
     for name in names {
         let at = |off: f64| -> kin::Result<Vec<f64>> {
             let mut moved = system.clone();
             moved.set(name, system.parameter(name)? + off)?;
-            let motion = moved.run(times())?;
+            let motion = moved.run_both(times())?;
             Ok((0..motion.len()).flat_map(|k| motion.q(k).to_vec()).collect())
         };
         let difference = |h: f64| -> kin::Result<Vec<f64>> {
@@ -155,7 +156,7 @@ fn euler_parameters_of_a_joint_hang_on_dimensions() -> kin::Result<()> {
     m.add("held", spatial::fixed(plate, (0.0, 0.0, 0.0), turn))?;
     let mut system = m.build()?;
     system.set("angle", 1.0)?;
-    let p = &system.run([0.0])?.q(0)[3..7].to_vec();
+    let p = &system.run_both([0.0])?.q(0)[3..7].to_vec();
     let expected = [0.5_f64.cos(), 0.0, 0.6 * 0.5_f64.sin(), 0.8 * 0.5_f64.sin()];
     assert!(p.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15), "{p:?}");
     Ok(())

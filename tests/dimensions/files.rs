@@ -5,6 +5,7 @@ use kin::data::MechanismData;
 use kin::prelude::*;
 
 use super::{NOMINAL, SliderCrank, same_bits, times};
+use crate::engines::Engines;
 
 fn through_text(m: &Mechanism) -> Mechanism {
     let text = serde_json::to_string_pretty(&m.data().unwrap()).unwrap();
@@ -28,7 +29,7 @@ fn a_mechanism_comes_back_with_what_hangs_on_its_dimensions() {
             system.set("speed", speed).unwrap();
         }
         assert_eq!(one.parameters(), other.parameters());
-        assert!(same_bits(&one.run(times()).unwrap(), &other.run(times()).unwrap()));
+        assert!(same_bits(&one.run_both(times()).unwrap(), &other.run_both(times()).unwrap()));
     }
     assert!(other.set("crank", 0.3).unwrap_err().to_string().contains("beyond its range"));
 }
@@ -47,7 +48,7 @@ fn distributions_and_clearances_come_back() {
     }
     let (one, other) = (m.clone().build().unwrap(), through_text(&m).build().unwrap());
     let tolerance = |system: &System| {
-        let motion = system.run([0.5]).unwrap();
+        let motion = system.run_both([0.5]).unwrap();
         system.tolerance(&motion, "crank.R_x").unwrap()
     };
     assert_eq!(tolerance(&one), tolerance(&other));

@@ -4,6 +4,7 @@ use kin::prelude::*;
 use kin::{DimensionError, Error};
 
 use super::NOMINAL;
+use crate::engines::Engines;
 
 /// A crank on a dimension, and the message of what goes wrong.
 fn told(change: impl FnOnce(&mut Mechanism, Dimension) -> kin::Result<()>) -> String {
@@ -113,7 +114,7 @@ fn a_dimension_of_another_mechanism_is_told_wherever_it_is_given() {
     // Nothing of what was refused is left behind.
     m.add("pin", revolute(body, Ground, (own, 0.0), (0.0, 0.0))).unwrap();
     m.add("motor", drive_angle(body, Law::ramp(1.0))).unwrap();
-    assert!(m.build().unwrap().run([0.0, 1.0]).is_ok());
+    assert!(m.build().unwrap().run_both([0.0, 1.0]).is_ok());
 }
 
 #[test]

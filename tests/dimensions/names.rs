@@ -3,6 +3,7 @@
 use kin::prelude::*;
 
 use super::{apart, same_bits, times};
+use crate::engines::Engines;
 
 /// The slider-crank with dimensions of these names, in one order or the other, lengths times `scale`; its
 /// motion, and its tolerance by position.
@@ -33,7 +34,7 @@ fn made(names: [&str; 3], backwards: bool, scale: f64) -> (Motion, Vec<(String, 
     m.add("motor", drive_angle(crank, Law::linear(0.3, 2.0))).expect("adds");
     let mut system = m.build().expect("a system");
     system.set(names[0], 0.11 * scale).expect("sets");
-    let motion = system.run(times()).expect("a motion");
+    let motion = system.run_both(times()).expect("a motion");
     let by = system.sensitivities(&motion, names).expect("derivatives");
     let slopes = by.all().iter().map(|one| (one.name().to_string(), one.qdd(7)[6])).collect();
     let tolerance = system.tolerance(&motion, slider.x()).expect("a tolerance");

@@ -4,6 +4,7 @@
 use kin::prelude::*;
 use kin::{Mechanism, Registry};
 
+use crate::engines::Engines;
 use crate::{apart, times};
 
 /// A door of two hinges whose frame is `out` from the axis, told by its pose: set by dimensions, or built.
@@ -30,7 +31,7 @@ fn the_pose_of_a_spatial_body_hangs_on_dimensions() -> kin::Result<()> {
     let built = plain.build()?;
     let off = system.initial().iter().zip(built.initial()).map(|(a, b)| (a - b).abs());
     assert!(off.fold(0.0, f64::max) < 1e-15, "{:?} {:?}", system.initial(), built.initial());
-    assert!(apart(&system.run(times())?, &built.run(times())?) < 1e-13);
+    assert!(apart(&system.run_both(times())?, &built.run_both(times())?) < 1e-13);
     // A file carries the expressions.
     let mut again = Mechanism::from_data(&m.data()?, &Registry::new())?.build()?;
     again.set("out", 0.55)?;
@@ -108,7 +109,7 @@ fn a_link_between_points_hangs_on_them() -> kin::Result<()> {
     let mut plain = Mechanism::new("four-bar");
     drawn(&mut plain, [0.34, 0.22])?;
     let built = plain.build()?;
-    assert!(apart(&system.run(times())?, &built.run(times())?) < 1e-13);
+    assert!(apart(&system.run_both(times())?, &built.run_both(times())?) < 1e-13);
     let names: Vec<String> = system.parameters().into_iter().map(|(name, _)| name).collect();
     for name in ["A.u_j.x", "B.u_i.x", "B.u_j.x", "C.u_j.x"] {
         assert!(names.iter().any(|known| known == name), "{names:?}");

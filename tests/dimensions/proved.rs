@@ -4,6 +4,8 @@
 use kin::prelude::*;
 use kin::{Coordinate, Distribution, Feature, Sampling, Tolerance};
 
+use crate::engines::Engines;
+
 const UNIFORM: Sampling = Sampling { count: 1500, seed: 3, distribution: Distribution::Uniform };
 
 /// Checks a bound against samples of the whole box, and gives how far they are apart beside the bound.
@@ -57,7 +59,7 @@ fn between(mu: Coord, coupler: Planar, rocker: Planar) -> f64 {
 #[test]
 fn bounds_hold_every_sample_and_are_hardly_wider() {
     let (system, [_, rocker], mu) = four_bar();
-    let motion = system.run(linspace(0.0, 4.0, 81)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 4.0, 81)).expect("a motion");
     holds_samples(&system, &motion, rocker.theta(), 0.7);
     let extremes = system.extremes(&motion, mu).expect("extremes");
     let least = holds_samples(&system, &motion, mu, extremes.min());
@@ -86,7 +88,7 @@ fn the_least_transmission_angle_as_a_coordinate() {
     m.add("between", between(mu, coupler, rocker)).expect("adds");
     m.prefer(rocker, 0.9);
     let system = m.build().expect("a four-bar");
-    let motion = system.run(linspace(0.0, 1.0, 21)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 1.0, 21)).expect("a motion");
     let least = system.extremes(&motion, mu).expect("extremes").min();
     let found = system.tolerance_proved(&motion, mu, least).expect("a proof");
     let proved = found.proved.expect("bounds");
@@ -115,7 +117,7 @@ fn bounds_of_what_is_not_linear_at_all() {
             m.add("root", root(x, p)).expect("adds");
         }
         let system = m.build().expect("a system");
-        let motion = system.run([0.0]).expect("a pose");
+        let motion = system.run_both([0.0]).expect("a pose");
         system.tolerance_proved(&motion, x, 0.0).expect("a proof").proved.expect("bounds")
     };
     for (bowl, low, high) in [(false, 0.1_f64.sqrt(), 1.9_f64.sqrt()), (true, 1.0, 2.0)] {
@@ -147,7 +149,7 @@ fn reach(h: f64) -> (System, Motion, PlanarBody) {
     m.add("upright", drive_angle(slider, Law::constant(0.0))).expect("adds");
     m.add("height", level(slider, h)).expect("adds");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0]).expect("a motion");
+    let motion = system.run_both([0.0]).expect("a motion");
     (system, motion, slider)
 }
 
@@ -188,7 +190,7 @@ fn odd<D: kin::Dual>(p: kin::Real<D>) -> kin::Real<D> {
 #[test]
 fn of_what_no_bounds_are_known_there_is_no_proof() {
     let (system, [coupler, rocker], _) = four_bar();
-    let motion = system.run(linspace(0.0, 1.0, 21)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 1.0, 21)).expect("a motion");
     let x = vec2(1.0, 0.0);
     let angle = |motion: &Motion| motion.transmission_angle((coupler, x), (rocker, x));
     let told = system.tolerance_proved(&motion, angle, 0.5).expect_err("a function").to_string();
@@ -199,7 +201,7 @@ fn of_what_no_bounds_are_known_there_is_no_proof() {
         let x = m.length("x", 1.0).expect("a length");
         of(&mut m, x, p);
         let system = m.build().expect("a system");
-        let motion = system.run([0.0]).expect("a pose");
+        let motion = system.run_both([0.0]).expect("a pose");
         system.tolerance_proved(&motion, x, 0.0).expect_err("no proof").to_string()
     };
     let law = told(&|m, x, p| {

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Coordinate, Distribution, Sampling, Tolerance};
 
+use crate::engines::Engines;
+
 /// A link that hangs from the origin on another one: its end is at (a, b).
 fn square(of: impl Fn(Dimension) -> Dimension) -> (System, [Coordinate; 2]) {
     let mut m = Mechanism::new("square");
@@ -29,7 +31,7 @@ fn each_distribution_is_the_one_that_it_is_called() {
         (Distribution::Uniform, 3.0_f64.sqrt().recip(), 0.995..1.0),
     ] {
         let (system, [x, y]) = square(|a| a.distributed(distribution));
-        let motion = system.run([0.0]).expect("a motion");
+        let motion = system.run_both([0.0]).expect("a motion");
         let found = system.samples(&motion, x, 0.0, &SAMPLING).expect("samples");
         assert_eq!((found.values().len(), found.missing(), found.sampling()), (4000, 0, &SAMPLING));
         assert!((found.mean() - 1.0).abs() < 5.0 * 0.01 * sigma / 4000_f64.sqrt());
@@ -49,7 +51,7 @@ fn each_distribution_is_the_one_that_it_is_called() {
 #[test]
 fn a_seed_gives_the_same_samples() {
     let (system, [x, _]) = square(|a| a);
-    let motion = system.run([0.0]).expect("a motion");
+    let motion = system.run_both([0.0]).expect("a motion");
     let of = |seed: u64| {
         let sampling = Sampling { count: 300, seed, ..Sampling::default() };
         system.samples(&motion, x, 0.0, &sampling).expect("samples").values().to_vec()
@@ -71,7 +73,7 @@ fn a_fifth_of_a_box_that_cannot_be_assembled_is_told_with_its_share() {
     m.add("upright", drive_angle(slider, Law::constant(0.0))).expect("adds");
     m.add("height", drive(slider.y(), Law::constant(h))).expect("adds");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0]).expect("a motion");
+    let motion = system.run_both([0.0]).expect("a motion");
     let count = 4000;
     let found = system.samples(&motion, slider.x(), 0.0, &sampling(count, Distribution::Uniform));
     let found = found.expect("samples");
@@ -104,7 +106,7 @@ fn the_clearance_of_a_joint_is_one_dimension() {
     m.add("O", revolute(crank, Ground, crank.start(), gap)).expect("adds");
     m.add("motor", drive_angle(crank, Law::constant(0.0))).expect("adds");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0]).expect("a motion");
+    let motion = system.run_both([0.0]).expect("a motion");
     // Along (3, 4)/5 the pin is off by its radius at most.
     let along = |motion: &Motion| Ok(motion.point(crank, (0.1, 0.0))?.along((0.6, 0.8)));
     let found = system.tolerance(&motion, along).expect("a tolerance");
@@ -157,7 +159,7 @@ fn clearances_and_distributions_that_make_no_sense_are_told_by_name() {
     assert!(unused.contains("gap.y"), "{unused}");
     let count = |count: usize| {
         let (system, [x, _]) = square(|a| a);
-        let motion = system.run([0.0]).expect("a motion");
+        let motion = system.run_both([0.0]).expect("a motion");
         system.samples(&motion, x, 0.0, &sampling(count, Distribution::Normal)).expect_err("none").to_string()
     };
     assert!(count(0).contains("0 samples") && count(usize::MAX).contains("samples"));

@@ -4,6 +4,7 @@ use kin::constraint::Constraint;
 use kin::prelude::*;
 
 use super::{NOMINAL, SliderCrank, apart, same_bits, times};
+use crate::engines::Engines;
 
 const OTHER: SliderCrank = SliderCrank { crank: 0.13, rod: 0.39, offset: -0.01, speed: 2.5 };
 
@@ -17,14 +18,14 @@ fn set(system: &mut System, order: [usize; 3]) {
 #[test]
 fn set_equals_a_mechanism_built_with_that_number() {
     let mut system = NOMINAL.described().unwrap().build().unwrap();
-    let nominal = system.run(times()).unwrap();
-    assert!(apart(&nominal, &NOMINAL.plain().unwrap().build().unwrap().run(times()).unwrap()) < 1e-13);
+    let nominal = system.run_both(times()).unwrap();
+    assert!(apart(&nominal, &NOMINAL.plain().unwrap().build().unwrap().run_both(times()).unwrap()) < 1e-13);
     set(&mut system, [0, 1, 2]);
-    let moved = system.run(times()).unwrap();
+    let moved = system.run_both(times()).unwrap();
     assert!(apart(&moved, &nominal) > 0.01);
     for built in [OTHER.plain(), OTHER.described()] {
         let built = built.unwrap().build().unwrap();
-        assert!(apart(&moved, &built.run(times()).unwrap()) < 1e-13);
+        assert!(apart(&moved, &built.run_both(times()).unwrap()) < 1e-13);
     }
     // The length that pictures and scales go by, too.
     let link = system.bodies()[1].1;
@@ -36,25 +37,25 @@ fn any_way_there_gives_the_same_bits() {
     let fresh = || NOMINAL.described().unwrap().build().unwrap();
     let mut straight = fresh();
     set(&mut straight, [0, 1, 2]);
-    let expected = straight.run(times()).unwrap();
+    let expected = straight.run_both(times()).unwrap();
     // In another order, and by detours.
     let mut other = fresh();
     other.set("crank", 0.09).unwrap();
     set(&mut other, [2, 1, 0]);
-    assert!(same_bits(&other.run(times()).unwrap(), &expected));
+    assert!(same_bits(&other.run_both(times()).unwrap(), &expected));
     // Parameter by parameter, on the same system.
     let mut each = fresh();
     each.set_initial(straight.initial()).unwrap();
     for (name, value) in straight.parameters() {
         each.set(&name, value).unwrap();
     }
-    assert!(same_bits(&each.run(times()).unwrap(), &expected));
+    assert!(same_bits(&each.run_both(times()).unwrap(), &expected));
     // And back again.
     let mut back = straight;
     for (name, value) in fresh().dimensions() {
         back.set(&name, value).unwrap();
     }
-    assert!(same_bits(&back.run(times()).unwrap(), &fresh().run(times()).unwrap()));
+    assert!(same_bits(&back.run_both(times()).unwrap(), &fresh().run_both(times()).unwrap()));
 }
 
 #[test]
@@ -70,7 +71,7 @@ fn sweeps_name_dimensions() {
         let mut alone = system.clone();
         alone.set("crank", case[0]).unwrap();
         alone.set("offset", case[1]).unwrap();
-        let alone = alone.run(times()).unwrap();
+        let alone = alone.run_both(times()).unwrap();
         assert!(same_bits(&single, &alone), "{case:?}");
         assert!(apart(&wide, &alone) < 1e-10, "{case:?}");
     }

@@ -167,7 +167,7 @@ fn positions_of_a_slider_crank() {
             let degrees: f64 = degrees.parse().expect("degrees");
             let law = Law::constant(degrees.to_radians());
             let (system, slider) = slider_crank(&case, law, degrees).expect("a slider-crank");
-            let motion = system.run([0.0]).expect("a motion");
+            let motion = system.run_both([0.0]).expect("a motion");
             compare(&system.tolerance(&motion, slider.x()).expect("a tolerance"), &case);
             compare_all(&system, &motion, slider.x(), 0.0, &case);
             count += 1;
@@ -231,7 +231,7 @@ fn the_stroke_of_a_slider_crank() {
     let all = cases("slider_crank");
     let case = all.iter().find(|case| case["id"] == "slider_crank_stroke").expect("a case");
     let (system, slider) = slider_crank(case, Law::linear(-0.5, 1.0), -28.0).expect("a slider-crank");
-    let motion = system.run(linspace(0.0, 6.5, 66)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 6.5, 66)).expect("a motion");
     let extremes = system.extremes(&motion, slider.x()).expect("extremes");
     compare_all(&system, &motion, slider.x(), &extremes, case);
     let told = system.tolerance_of(&motion, slider.x(), &extremes).expect("a tolerance").to_string();
@@ -261,7 +261,7 @@ fn the_stroke_of_a_crank_shaper() {
         kin::Result::Ok((m.build()?, ram))
     };
     let (system, ram) = build().expect("a shaper");
-    let motion = system.run(linspace(0.0, 6.3, 127)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 6.3, 127)).expect("a motion");
     let extremes = system.extremes(&motion, ram.x()).expect("extremes");
     compare_all(&system, &motion, ram.x(), &extremes, case);
 }
@@ -306,7 +306,7 @@ fn the_clutch_is_told_to_mislead_the_stack() {
 #[test]
 fn the_second_order_of_the_clutch() {
     let (system, phi) = clutch();
-    let found = system.tolerance(&system.run([0.0]).expect("a motion"), phi).expect("a tolerance");
+    let found = system.tolerance(&system.run_both([0.0]).expect("a motion"), phi).expect("a tolerance");
     let second = found.second_order.as_ref().expect("a second order");
     let place = |name: &str| second.names.iter().position(|own| own == name).expect("a dimension");
     let (hub, cage) = (place("hub"), place("cage"));

@@ -234,7 +234,7 @@ fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
         let system = stewart(&mut random).unwrap();
         let points = random.0.usize(8..20);
         let (coarse, fine) = (
-            system.run(linspace(0.0, 8.0, points + 1)),
+            system.run_both(linspace(0.0, 8.0, points + 1)),
             system.run_compiled(linspace(0.0, 8.0, 50 * points + 1)),
         );
         let (coarse, fine) = match (&coarse, &fine) {

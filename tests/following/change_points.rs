@@ -69,7 +69,7 @@ fn slider_crank_with_equal_links_at_90_degrees() {
             // a grid that straddles the position, and one that has it among its times
             for times in [linspace(0.0, 1.9, points), linspace(0.0, 2.0 * at, 2 * points + 1)] {
                 let motion = system
-                    .run_with(times.iter().filter(|t| **t < 2.0).copied().collect::<Vec<_>>(), &options)
+                    .run_both_with(times.iter().filter(|t| **t < 2.0).copied().collect::<Vec<_>>(), &options)
                     .unwrap();
                 let [found] = motion.singular_positions() else {
                     panic!("{:?}", motion.singular_positions())
@@ -131,7 +131,7 @@ fn jerk_at_a_change_point_is_that_of_its_branch() {
     let system = slider_crank(1.0, 1.0, law, 0.0).unwrap();
     let crossing = system.run_both([0.0, 1.5]).unwrap().singular_positions()[0].t;
     let times = [0.0, crossing - 0.2, crossing, crossing + 0.2];
-    let motion = system.run_with(times, &Options { jerk: true, ..Options::default() }).unwrap();
+    let motion = system.run_both_with(times, &Options { jerk: true, ..Options::default() }).unwrap();
     // The rod turns as much as the crank: φ = −θ, and the slider is at 2 cos θ.
     let qddd = motion.qddd(2);
     let (theta, rate, second, third) = (motion.q(2)[2], motion.qd(2)[2], motion.qdd(2)[2], 0.6);
@@ -149,7 +149,7 @@ fn parallelogram_becomes_an_antiparallelogram_where_it_is_asked_to() {
     let start = 0.3;
     let (system, _) = PARALLELOGRAM.system(Law::linear(start, TAU), start, 1.0).unwrap();
     for points in [31, 97, 721] {
-        let motion = system.run_with(linspace(0.0, 2.5, points), &turning(&[0, 2])).unwrap();
+        let motion = system.run_both_with(linspace(0.0, 2.5, points), &turning(&[0, 2])).unwrap();
         let found = motion.singular_positions();
         assert_eq!(found.len(), 5);
         (1..=5).zip(found).for_each(|(k, found)| is_crossing(found, (f64::from(k) * PI - start) / TAU));

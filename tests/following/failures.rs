@@ -22,7 +22,7 @@ fn an_iterate_that_goes_astray_does_not_make_later_positions_look_singular() {
         m.add("first", spatial::drive_turn(a, Ground, z, z, Law::ramp(rates[0]))).unwrap();
         m.add("second", spatial::drive_turn(b, a, z, z, Law::ramp(rates[1]))).unwrap();
         let system = m.build().unwrap();
-        let (coarse, fine) = (system.run_both([0.0, 1.0]), system.run(linspace(0.0, 1.0, 101)).unwrap());
+        let (coarse, fine) = (system.run_both([0.0, 1.0]), system.run_both(linspace(0.0, 1.0, 101)).unwrap());
         let coarse = coarse.unwrap_or_else(|error| panic!("{rates:?}: {error}"));
         let off = coarse.q(1).iter().zip(fine.q(100)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         assert!(off < 1e-9, "{rates:?}: {off:e}");
@@ -43,7 +43,7 @@ fn halvings_without_end_come_to_one() {
     for halvings in [0, 12, 60, 200, u32::MAX] {
         for times in [vec![0.0, 2.0], vec![-1e9, 2.0], vec![0.0, 1.0, 1.0 + 1e-12]] {
             let options = Options { halvings, follow: Follow::Unchecked, ..Options::default() };
-            let Err(error) = system.run_with(&times, &options) else { panic!("{halvings} {times:?}") };
+            let Err(error) = system.run_both_with(&times, &options) else { panic!("{halvings} {times:?}") };
             assert!(matches!(error, Error::NoConvergence { .. } | Error::SingularAt { .. }), "{error}");
         }
     }
@@ -72,7 +72,7 @@ fn a_last_correction_over_a_jump_is_not_taken() {
             };
             let system = m.build().unwrap();
             for options in [Options::default(), Options { predict: false, ..Options::default() }] {
-                let motion = system.run_with([0.0, 1.0], &options).unwrap();
+                let motion = system.run_both_with([0.0, 1.0], &options).unwrap();
                 for k in 0..2 {
                     let q = motion.q(k);
                     assert_eq!(q[1], q[0].floor(), "{guess:e}: {q:?}");

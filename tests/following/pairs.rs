@@ -243,7 +243,7 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
     let each = fine() / steps;
     let fine_times = linspace(0.0, 1.0, steps * each + 1);
     let coarse_times: Vec<f64> = fine_times.iter().step_by(each).copied().collect();
-    let (coarse, fine) = (system.run(&coarse_times), system.run_compiled(&fine_times));
+    let (coarse, fine) = (system.run_both(&coarse_times), system.run_compiled(&fine_times));
     let error = |coarse: &Motion, fine: &Motion| {
         let off = |k: usize| {
             coarse.q(k).iter().zip(fine.q(k * each)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))
@@ -264,7 +264,7 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
         }
         (Err(error), Ok(_)) => {
             let finer: Vec<f64> = linspace(0.0, 1.0, 2 * steps + 1).to_vec();
-            assert!(error.to_string().contains("t = ") && system.run(&finer).is_ok(), "{name}: {error}");
+            assert!(error.to_string().contains("t = ") && system.run_both(&finer).is_ok(), "{name}: {error}");
             tally.refused.push(format!("{name}: {error}"));
         }
         (Ok(_), Err(error)) => panic!("{name}: passed in silence: {error}"),

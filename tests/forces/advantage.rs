@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Error, Load, Mechanism};
 
+use crate::both::Engines;
+
 const ZERO: Vec2 = Vec2::new(0.0, 0.0);
 
 /// A slider-crank in millimetres.
@@ -26,7 +28,7 @@ fn press(load: f64) -> (System, PlanarBody) {
 fn a_slider_crank_gives_force_by_torque() {
     let (r, l, load) = (30.0, 100.0, 250.0);
     let (system, ram) = press(load);
-    let motion = system.run(linspace(0.0, 1.7, 35)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 1.7, 35)).expect("a motion");
     let advantage = system.mechanical_advantage(&motion, "motor", ram.x()).expect("an advantage");
     assert_eq!((advantage.name(), advantage.unit()), ("motor.advantage on ram.R_x", "1/mm"));
     let forces = system.forces(&motion).expect("forces");
@@ -55,7 +57,7 @@ fn a_toggle_press_gives_force_by_force() {
     m.add("pull", drive_point_along(lower, lower.end(), vec2(1.0, 0.0), law)).expect("a driver");
     m.prefer(lower, deg(60.0));
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(-1.0, 1.5, 26)).expect("a motion");
+    let motion = system.run_both(linspace(-1.0, 1.5, 26)).expect("a motion");
     assert!(motion.qd(10).iter().all(|rate| rate.abs() < 1e-12), "it stands still at t = 0");
     let advantage = system.mechanical_advantage(&motion, "pull", "ram.R_y").expect("an advantage");
     assert_eq!(advantage.unit(), "-");
@@ -76,7 +78,7 @@ fn of_several_drives_the_others_stand_still() {
     m.add("motor 1", drive_angle(upper, Law::linear(0.2, 0.7))).expect("a driver");
     m.add("motor 2", drive_relative_angle(fore, upper, Law::linear(0.4, -1.1))).expect("a driver");
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 0.5, 6)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 0.5, 6)).expect("a motion");
     for (drive, by) in [("motor 1", true), ("motor 2", false)] {
         let on_turn = system.mechanical_advantage(&motion, drive, fore.theta()).expect("an advantage");
         assert!(on_turn.values().iter().all(|x| (x - 1.0).abs() < 1e-12));
@@ -108,7 +110,7 @@ fn of_redundant_mechanisms_too() {
     m.add("guide", spatial::prismatic(ram, Ground, o, o, x, EulerParameters::identity())).expect("a guide");
     m.add("motor", spatial::drive_turn(crank, Ground, z, z, Law::linear(phi, 1.0))).expect("a driver");
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 1.0, 6)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 1.0, 6)).expect("a motion");
     assert!(system.n_equations() > system.n_coordinates());
     let advantage = system.mechanical_advantage(&motion, "motor", "ram.R_x").expect("an advantage");
     for (t, found) in motion.times().iter().zip(advantage.values()) {
@@ -121,7 +123,7 @@ fn of_redundant_mechanisms_too() {
 #[test]
 fn mistakes_are_told_by_name() {
     let (system, ram) = press(1.0);
-    let motion = system.run([0.0, 0.1]).expect("a motion");
+    let motion = system.run_both([0.0, 0.1]).expect("a motion");
     let told = |drive: &str, output: &str| {
         system.mechanical_advantage(&motion, drive, output).expect_err("a mistake").to_string()
     };
@@ -136,7 +138,7 @@ fn mistakes_are_told_by_name() {
     m.add("point", moving_point(Ground, plate, x, y, ZERO)).expect("a driver");
     m.add("turn", drive_angle(plate, Law::ramp(0.1))).expect("a driver");
     let two = m.build().expect("a system");
-    let motion = two.run([0.0, 0.1]).expect("a motion");
+    let motion = two.run_both([0.0, 0.1]).expect("a motion");
     match two.mechanical_advantage(&motion, "point", plate.x()) {
         Err(Error::InvalidParameters { constraint, reason, .. }) => {
             assert!(constraint == "point" && reason.contains("2 numbers"), "{reason}");

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Ends, Load, Mechanism, by_dual, loads};
 
+use crate::both::Engines;
+
 /// A strut whose damper works by the square of the rate, with a force by time in it.      [N]
 #[force]
 fn strut(x: Coord, rate: Rate, t: Time, k: f64, free: f64, c: f64) -> f64 {
@@ -83,7 +85,7 @@ fn spatial_motion(
 fn on_first(mut m: Mechanism, body: PlanarBody, load: impl kin::IntoLoad) -> (Vec<[f64; 3]>, Motion) {
     m.load("load", load).expect("a load");
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(body).expect("its body").at(U[0]);
     let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
@@ -185,7 +187,7 @@ fn in_space(
     let (mut m, [a, b]) = spatial();
     m.load("load", load(a, b)).expect("a load");
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(a).expect("its body").at(u[0]);
     let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
@@ -245,7 +247,7 @@ fn a_torsion_spring_in_space_is_one_in_the_plane_where_axes_are_held_parallel() 
     m.load("closer", loads::spatial::torsion_spring(door, ground, z, z, 7.0, 0.2)).expect("a load");
     m.load("brake", loads::viscous(loads::spatial::turn(door, ground, z, z), 3.0)).expect("a load");
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 3.0, 7)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 7)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     for (t, effort) in motion.times().iter().zip(forces.drive("motor").expect("a driver").effort().values()) {
         assert!((effort - (7.0 * (0.5 * t - 0.2) + 1.5)).abs() < 1e-13, "{t}: {effort}");
@@ -272,7 +274,7 @@ fn with_everything() -> Mechanism {
 
 fn efforts(m: Mechanism) -> Vec<Vec<f64>> {
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 3.0, 7)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 7)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let effort = |name: &str| forces.drive(name).expect("a driver").effort().values().to_vec();
     forces.drives().into_iter().map(effort).collect()

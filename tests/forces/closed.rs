@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Load, Mechanism};
 
+use crate::both::Engines;
+
 const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
 const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
@@ -35,7 +37,7 @@ fn hookes_joint() {
         m.add("motor", spatial::drive_turn(first, ground, X, X, Law::ramp(3.0))).expect("a driver");
         m.load("brake", Load::torque(second, out * -brake)).expect("a load");
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 2.2, 45)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 2.2, 45)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         let effort = forces.drive("motor").expect("a driver").effort().values().to_vec();
         let torque =
@@ -75,7 +77,7 @@ fn a_top_that_is_led_round() {
         m.mass(top, mass, vec3(0.0, 0.0, h), inertia).expect("a mass");
         m.gravity(vec3(0.0, 0.0, -g));
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 3.0, 61)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 3.0, 61)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         // The yoke carries the opposite, in whose axes the line across is y.
         let on_yoke = forces.reaction("bearing").expect("a joint").on(yoke).expect("on it").in_body();

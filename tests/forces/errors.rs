@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Load, Mechanism};
 
+use crate::both::Engines;
+
 fn arm() -> (Mechanism, Link) {
     let mut m = Mechanism::new("arm");
     let arm = m.link("arm", 0.5).expect("a link");
@@ -98,14 +100,14 @@ fn gravity_that_is_not_finite_is_told_at_build() {
 fn forces_of_nothing_and_names_that_nothing_has() {
     let (m, _) = arm();
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     assert!(told(system.forces(&motion)).contains("nothing has mass and nothing acts"));
     let (mut m, arm) = self::arm();
     m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
     let free = m.planar("weight", pose(1.0, 0.0, 0.0)).expect("a body");
     m.add("floor", fixed(free, vec2(1.0, 0.0), 0.0)).expect("a joint");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     assert!(told(forces.reaction("A").map(|_| ())).contains("there is no constraint `A`"));
     assert!(told(forces.drive("O")).contains("there is no driver `O`"));
@@ -122,7 +124,7 @@ fn a_law_that_is_not_a_number_is_told_with_its_time() {
     m.load("push", Load::along(drive_angle(arm, Law::constant(0.0)), |x, _, _| (1.0 - x).sqrt()))
         .expect("a load");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let told = told(system.forces(&motion));
     assert!(told.contains("force of `push`") && told.contains("t = 1 s"), "{told}");
 }
@@ -134,7 +136,7 @@ fn units_of_forces_are_told() {
     m.mass(arm, 1.0, vec2(100.0, 0.0), 0.1).expect("a mass");
     m.gravity(vec2(0.0, -9810.0));
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     assert_eq!(forces.drive("motor").expect("a driver").effort().unit(), "N mm");
     let on = forces.reaction("O").expect("a joint").on(arm).expect("its body");

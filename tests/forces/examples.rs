@@ -2,6 +2,8 @@
 
 use kin::prelude::*;
 
+use crate::both::Engines;
+
 #[path = "../../examples/25_arm_torque.rs"]
 mod arm;
 #[path = "../../examples/27_digging.rs"]
@@ -23,7 +25,7 @@ fn apart<const N: usize>(found: &[[f64; N]], exact: &[[f64; N]]) -> [f64; 2] {
 fn the_arm_has_the_torques_of_lagrange() -> kin::Result<()> {
     let (m, links, solids) = arm::arm()?;
     let system = m.build()?;
-    let motion = system.run(linspace(0.0, 4.0, 1601))?;
+    let motion = system.run_both(linspace(0.0, 4.0, 1601))?;
     let forces = system.forces(&motion)?;
     let (shoulder, elbow) = (forces.drive("shoulder motor")?, forces.drive("elbow motor")?);
     let torques = [shoulder.effort(), elbow.effort()];
@@ -41,7 +43,7 @@ fn the_engine_shakes_and_is_driven_as_by_hand() -> kin::Result<()> {
     for counterweight in [false, true] {
         let engine::Engine { mechanism, solids, .. } = engine::engine(counterweight)?;
         let system = mechanism.build()?;
-        let motion = system.run(linspace(0.0, 40.0, 1441))?;
+        let motion = system.run_both(linspace(0.0, 40.0, 1441))?;
         let forces = system.forces(&motion)?;
         let (force, moment) = engine::shaking(&forces)?;
         let effort = forces.drive("turning")?.effort().values().to_vec();
@@ -74,7 +76,7 @@ fn the_engine_shakes_and_is_driven_as_by_hand() -> kin::Result<()> {
 fn the_cylinders_of_the_excavator_push_as_virtual_power_says() -> kin::Result<()> {
     let digging::Digger { mechanism, bodies, solids } = digging::digger()?;
     let system = mechanism.build()?;
-    let motion = system.run(linspace(0.0, 9.0, 451))?;
+    let motion = system.run_both(linspace(0.0, 9.0, 451))?;
     let forces = system.forces(&motion)?;
     let mut found = vec![[0.0; 3]; motion.len()];
     for (k, name) in digging::CYLINDERS.into_iter().enumerate() {

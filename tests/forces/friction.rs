@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Error, Friction, Load, Mechanism};
 
+use crate::both::Engines;
+
 pub const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
 const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 pub const O: Vec2 = Vec2::new(0.0, 0.0);
@@ -26,7 +28,7 @@ fn a_journal_bearing_takes_the_radius_of_its_friction_circle() {
         m.load("belt", Load::force(drum, O, pull)).expect("a load");
         let ground = PlanarBody::from(m.ground());
         let system = m.build().expect("a system");
-        let motion = system.run([0.0, 0.7]).expect("a motion");
+        let motion = system.run_both([0.0, 0.7]).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         let due = share * mu * r * pull.x.hypot(30.0 * 9.81 + 30.0);
         near(forces.drive("motor").expect("a driver").effort().max(), due, "effort");
@@ -49,7 +51,7 @@ fn a_block_on_an_incline() {
     let (mu, beta, mass, acceleration) = (0.3, 0.4_f64, 7.0, 1.6);
     let (m, _) = inclined(mu, beta, mass, Law::polynomial(&[0.0, 1.0, 0.5 * acceleration]));
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 2.0, 21)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 2.0, 21)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let due = mass * (9.81 * (beta.sin() + mu * beta.cos()) + acceleration);
     let drive = forces.drive("winch").expect("a driver");
@@ -61,14 +63,14 @@ fn a_block_on_an_incline() {
     // Downwards friction is the other way.
     let (m, _) = inclined(mu, beta, mass, Law::ramp(-1.0));
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let due = mass * 9.81 * (beta.sin() - mu * beta.cos());
     near(forces.drive("winch").expect("a driver").effort().values()[1], due, "downwards");
     // At rest it holds nothing.
     let (m, _) = inclined(mu, beta, mass, Law::constant(0.0));
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let effort = system.forces(&motion).expect("forces").drive("winch").expect("a driver").effort().max();
     near(effort, mass * 9.81 * beta.sin(), "at rest");
 }
@@ -109,7 +111,7 @@ fn a_slider_crank_with_friction_in_pins_and_guide() {
     m.mass(piston, mass, O, 0.01).expect("a mass");
     m.load("work", Load::force(piston, O, vec2(-load, 0.0))).expect("a load");
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 0.9, 60)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 0.9, 60)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let effort = forces.drive("motor").expect("a driver").effort().values().to_vec();
     let [x, turn] =
@@ -182,7 +184,7 @@ fn a_block_jams_in_its_guide_from_the_angle_of_the_closed_form() {
         let jam = (0.5 / (mu * arm)).atan();
         let last = (jam - lean) / w;
         let system = pushed(mu, [length, width], off, [lean, w]).build().expect("a system");
-        let up_to = |t: f64| system.run(linspace(0.0, t, 8)).expect("a motion");
+        let up_to = |t: f64| system.run_both(linspace(0.0, t, 8)).expect("a motion");
         let before = up_to(last - 1e-8);
         let forces = system.forces(&before).expect("it still moves");
         let thrust = forces.reaction("rod").expect("a joint");
@@ -200,7 +202,7 @@ fn a_block_jams_in_its_guide_from_the_angle_of_the_closed_form() {
         assert!(jammed.share < 1.0 && jammed.share > 1.0 - 1e-6, "{}", jammed.share);
         // Further on less friction would do: the share with which the closed form jams.
         let lean_there = f64::min(jam + 0.2, 1.5);
-        let beyond = system.run(linspace(last + 0.01, (lean_there - lean) / w, 3)).expect("a motion");
+        let beyond = system.run_both(linspace(last + 0.01, (lean_there - lean) / w, 3)).expect("a motion");
         let Err(Error::Jammed(jammed)) = system.forces(&beyond).map(|_| ()) else { panic!("it moves") };
         assert_eq!(jammed.t, last + 0.01);
         let told = jammed.to_string();
@@ -255,7 +257,7 @@ fn a_crank_jams_near_its_dead_centre_by_its_friction_circle() {
     }
     let last = (from - far) / speed;
     let system = m.build().expect("a system");
-    let before = system.run(linspace(0.0, last - 1e-8, 30)).expect("a motion");
+    let before = system.run_both(linspace(0.0, last - 1e-8, 30)).expect("a motion");
     let forces = system.forces(&before).expect("it still moves");
     let push = forces.drive("foot").expect("a driver");
     for (k, t) in before.times().iter().enumerate() {
@@ -266,7 +268,7 @@ fn a_crank_jams_near_its_dead_centre_by_its_friction_circle() {
         let found = push.effort().values()[k];
         assert!((found - due).abs() < 1e-8 * (1.0 + due * due), "{x}: {found} {due}");
     }
-    let after = system.run(linspace(0.0, last + 1e-8, 30)).expect("a motion");
+    let after = system.run_both(linspace(0.0, last + 1e-8, 30)).expect("a motion");
     let Err(Error::Jammed(jammed)) = system.forces(&after).map(|_| ()) else { panic!("it moves") };
     assert_eq!((jammed.constraint.as_str(), jammed.drives.as_slice()), ("O", &["foot".to_string()][..]));
     assert_eq!(jammed.t, last + 1e-8);
@@ -291,7 +293,7 @@ fn a_long_bearing_and_a_twisted_carriage_in_space() {
         m.mass(fan, mass, vec3(0.4, 0.0, 0.0), inertia).expect("a mass");
         m.gravity(vec3(0.0, 0.0, -g));
         let system = m.build().expect("a system");
-        let motion = system.run([0.0, 0.3]).expect("a motion");
+        let motion = system.run_both([0.0, 0.3]).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         near(forces.drive("motor").expect("a driver").effort().values()[1], due, "motor");
         assert!(forces.balance().worst() < 1e-13);
@@ -308,7 +310,7 @@ fn a_long_bearing_and_a_twisted_carriage_in_space() {
     let load = Load::force(carriage, vec3(0.3, 0.0, 0.0), push).and(Load::torque(carriage, X * twist));
     m.load("work", load).expect("a load");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 0.3]).expect("a motion");
+    let motion = system.run_both([0.0, 0.3]).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     // N = −push; the moment about the middle is the load's, 0.3 push, and what friction has off the line.
     let arm = 0.3 + 0.5 * mu * width;
@@ -331,7 +333,7 @@ fn friction_of_a_force_that_is_not_unique_is_refused_by_name() {
     m.gravity(vec3(0.0, 0.0, -9.81));
     m.friction("hinge 2", Friction::pin(0.1, 0.01, 1e-3)).expect("friction");
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 0.5]).expect("a motion");
+    let motion = system.run_both([0.0, 0.5]).expect("a motion");
     let told = system.forces(&motion).map(|_| ()).unwrap_err().to_string();
     assert!(
         told.starts_with(

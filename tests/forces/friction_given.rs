@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{Friction, Registry};
 
+use crate::both::Engines;
 use crate::friction::{O, X, inclined, pushed};
 
 #[test]
@@ -37,7 +38,7 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
     assert!(told.contains("across its width: give one above zero"), "{told}");
     let (m, _) = inclined(0.1, 0.4, 1.0, Law::ramp(1.0));
     let system = m.build().expect("a system");
-    let motion = system.run([0.0, 1.0]).expect("a motion");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let told = system.forces(&motion).expect("forces").friction("winch").map(|_| ()).unwrap_err().to_string();
     assert_eq!(told, "there is no joint with friction `winch`; there are `incline`");
 }
@@ -77,7 +78,7 @@ fn friction_comes_back_from_a_file_and_stands_in_the_table() {
     assert_eq!(again, data);
     let columns = |m: Mechanism| {
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 0.5, 6)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 0.5, 6)).expect("a motion");
         system.forces(&motion).expect("forces").columns()
     };
     let back = columns(Mechanism::from_data(&again, &Registry::new()).expect("the same"));

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Ends, Load, Mechanism, by_dual, loads};
 
+use crate::both::Engines;
+
 /// A spring as an energy; its own, not the library's.      [J]
 #[potential]
 fn own_spring(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64, free: f64) -> f64 {
@@ -40,7 +42,7 @@ fn driven(
 
 /// The force on body i at its point and the torque there, at each time.
 fn on_first(system: &System, bodies: [PlanarBody; 2]) -> Vec<[f64; 3]> {
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]);
     let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
@@ -55,7 +57,7 @@ fn on_first(system: &System, bodies: [PlanarBody; 2]) -> Vec<[f64; 3]> {
 
 /// The same by hand: `push` is the force apart along the line between the points, from l and l̇.
 fn by_hand(system: &System, bodies: [PlanarBody; 2], push: impl Fn(f64, f64) -> f64) -> Vec<[f64; 3]> {
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let points = [0, 1].map(|k| motion.point(bodies[k], U[k]).expect("a point"));
     let at = |k: usize| {
         let (d, v) = (points[0].r()[k] - points[1].r()[k], points[0].v()[k] - points[1].v()[k]);
@@ -119,7 +121,7 @@ fn dampers_struts_and_gas_springs_push_along_their_lines() {
 #[test]
 fn torsion_springs_and_bushings_turn_back() {
     let (system, bodies) = driven(|m, i, j| m.load("load", loads::torsion_spring(i, j, 7.0, 0.2)));
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let torque =
         forces.load("load").expect("a load").on(bodies[1]).expect("its body").torque().expect("unique");
@@ -131,7 +133,7 @@ fn torsion_springs_and_bushings_turn_back() {
     let stiff = vec2(300.0, 500.0);
     let (system, bodies) =
         driven(|m, i, j| m.load("load", loads::bushing(i, j, U[0], U[1], stiff, 9.0, 0.1)));
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]);
     let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
@@ -153,7 +155,7 @@ fn forces_in_body_axes_turn_with_it() {
     let (system, bodies) = driven(|m, i, _| {
         m.load("load", Load::force_in_body(i, U[0], vec2(3.0, -2.0)).and(Load::torque_in_body(i, 0.5)))
     });
-    let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]).in_body();
     for (f, t) in acted.force().expect("unique").iter().zip(acted.torque().expect("unique")) {
@@ -196,7 +198,7 @@ fn a_point_with_mass_is_a_body_without_inertia() {
     assert_eq!(read.data().expect("data"), data);
     let efforts = [bare, m, read].map(|m| {
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 3.0, 31)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         assert_eq!(forces.drive("motor").expect("a driver").effort().unit(), "N m");
         let kinetic = forces.energy().kinetic.values().to_vec();
@@ -211,7 +213,7 @@ fn a_point_with_mass_is_a_body_without_inertia() {
 #[test]
 fn columns_and_files_have_names_and_units() {
     let (system, _) = driven(|m, i, j| m.load("load", loads::spring(i, j, U[0], U[1], 80.0, 0.4)));
-    let motion = system.run([0.0, 0.5]).expect("a motion");
+    let motion = system.run_both([0.0, 0.5]).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let names: Vec<String> =
         forces.columns().iter().map(|c| format!("{} [{}]", c.name(), c.unit())).collect();
@@ -238,7 +240,7 @@ fn columns_and_files_have_names_and_units() {
 #[test]
 fn given_states_are_refused_by_name_and_taken_as_they_are() {
     let (system, _) = driven(|m, i, j| m.load("load", loads::spring(i, j, U[0], U[1], 80.0, 0.4)));
-    let run = system.run(linspace(0.0, 1.0, 5)).expect("a motion");
+    let run = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");
     let rows = |of: &dyn Fn(usize) -> Vec<f64>| (0..5).map(of).collect::<Vec<_>>();
     let (q, qd, qdd) =
         (rows(&|k| run.q(k).to_vec()), rows(&|k| run.qd(k).to_vec()), rows(&|k| run.qdd(k).to_vec()));
@@ -273,7 +275,7 @@ fn masses_and_gravity_come_back_from_a_file_and_closures_are_refused() {
     assert_eq!(again.data().expect("data"), data);
     let peaks = [m.clone(), again].map(|m| {
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 1.0, 5)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");
         system.forces(&motion).expect("forces").drive("motor").expect("a driver").peak()
     });
     assert_eq!(peaks[0], peaks[1]);

@@ -2,6 +2,8 @@
 
 mod advantage;
 mod along;
+#[path = "../data/engines.rs"]
+mod both;
 mod chrono;
 mod closed;
 // Its mechanisms are those of other files.

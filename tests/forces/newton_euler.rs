@@ -8,6 +8,7 @@ use kin::{Forces, System};
 use super::data::{array, number, numbers, read, rows};
 use super::file::{Bodies, build, list};
 use super::own;
+use crate::both::Engines;
 
 /// The mass of a body as a test gives it.
 #[derive(Clone, Copy)]
@@ -188,7 +189,7 @@ fn every_body_of_the_files_is_in_balance_and_faults_show() {
         let file = read(&format!("forces/{name}"));
         let (mechanism, bodies) = build(&file).expect("a mechanism");
         let system = mechanism.build().expect("a system");
-        let motion = system.run(numbers(&file, "time")).expect("a motion");
+        let motion = system.run_both(numbers(&file, "time")).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         let masses = list(&file, "bodies");
         let off = |fault: Fault| match &bodies {
@@ -274,7 +275,8 @@ fn every_body_of_every_example_is_in_balance() {
         let g = vec3(0.4, -7.31, 0.0) * size;
         m.gravity(g);
         let system = m.build().expect("builds");
-        let motion = system.run(linspace(0.05, 1.95, 41)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let motion =
+            system.run_both(linspace(0.05, 1.95, 41)).unwrap_or_else(|error| panic!("{name}: {error}"));
         let forces = system.forces(&motion).unwrap_or_else(|error| panic!("{name}: {error}"));
         for off in [
             (!flat.is_empty()).then(|| planar(&forces, &system, &flat, vec2(g.x, g.y), Fault::None)),

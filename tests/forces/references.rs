@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::data::{numbers, read, rows};
 use super::file::{Bodies, build, find, text};
+use crate::both::Engines;
 
 /// Whatever differs is compared with this share of the largest number of its kind in the file.
 const FORCE: f64 = 1e-11;
@@ -71,7 +72,7 @@ fn check(name: &str) {
 
 fn check_built(file: &Value, mechanism: Mechanism, bodies: &Bodies, name: &str) {
     let system = mechanism.build().expect("a system");
-    let motion = system.run(numbers(file, "time")).expect("a motion");
+    let motion = system.run_both(numbers(file, "time")).expect("a motion");
     moves(&motion, file);
     let forces = system.forces(&motion).expect("forces");
     let reference = &file["reference"];

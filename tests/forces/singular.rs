@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Error, Growth, Load, Mechanism, SingularKind};
 
+use crate::both::Engines;
+
 /// A slider-crank that its slider drives, its crank of length 1 at the angle `start`, with a torque on it.
 struct Pump {
     rod: f64,
@@ -44,7 +46,7 @@ fn powers(growth: &[Growth]) -> Vec<(&str, f64)> {
 
 /// The motion before the toggle that ends a run.
 fn stopped(system: &System, times: &[f64]) -> (Motion, f64) {
-    match system.run(times).expect_err("a toggle") {
+    match system.run_both(times).expect_err("a toggle") {
         Error::Toggle { t, motion: Some(motion), .. } => (*motion, t),
         other => panic!("{other}"),
     }
@@ -76,7 +78,7 @@ fn a_dead_centre_that_is_driven_to() {
     // The same by forces at times that come near.
     let system = pump(0.0);
     for left in [1e-4_f64, 1e-6] {
-        let motion = system.run([0.0, dead - left]).expect("a motion");
+        let motion = system.run_both([0.0, dead - left]).expect("a motion");
         let push = system.forces(&motion).expect("forces").drive("push").expect("a driver");
         let share = push.effort().values()[1].abs() * (2.0 * speed * k * left).sqrt() / torque;
         assert!((share - 1.0).abs() < 2.0 * left.sqrt(), "{left}: {share}");
@@ -109,7 +111,7 @@ fn a_four_bar_at_its_dead_centre() {
     let growth = system.forces(&motion).expect("forces").growth().expect("growth");
     let expected = [("O", -0.5), ("A", -0.5), ("B", -0.5), ("C", -0.5), ("motor", -0.5)];
     assert_eq!(powers(&growth), expected);
-    let near = system.run([0.0, t - 4e-6, t - 1e-6]).expect("a motion");
+    let near = system.run_both([0.0, t - 4e-6, t - 1e-6]).expect("a motion");
     let forces = system.forces(&near).expect("forces");
     let coupler = forces.reaction("A").expect("a pin").on(b).expect("on it").magnitude().expect("unique");
     let slope = (coupler.values()[2] / coupler.values()[1]).ln() / 0.25_f64.ln();
@@ -126,7 +128,7 @@ fn a_dead_centre_that_is_passed() {
     };
     let system = pump(Law::constant(3.0));
     for points in [4, 20, 100] {
-        let motion = system.run(linspace(-0.5, 0.61, points)).expect("a motion");
+        let motion = system.run_both(linspace(-0.5, 0.61, points)).expect("a motion");
         let [found] = motion.singular_positions() else { panic!("{:?}", motion.singular_positions()) };
         assert_eq!(found.kind, SingularKind::Bifurcation);
         let forces = system.forces(&motion).expect("forces");
@@ -139,7 +141,7 @@ fn a_dead_centre_that_is_passed() {
         }
     }
     let system = pump(Law::linear(0.0, 3.0));
-    let motion = system.run(linspace(-0.5, 0.61, 20)).expect("a motion");
+    let motion = system.run_both(linspace(-0.5, 0.61, 20)).expect("a motion");
     assert_eq!(motion.singular_positions().len(), 1);
     assert_eq!(system.forces(&motion).expect("forces").growth().expect("growth"), []);
 }
@@ -149,7 +151,7 @@ fn a_dead_centre_that_is_passed() {
 fn forces_at_a_change_point_are_an_error_by_name() {
     let law = Law::sine(2.0, 1.0, 0.5 * PI);
     let system = Pump { rod: 1.0, start: -0.5, law, torque: Law::constant(3.0), mass: 0.0 }.system();
-    let motion = system.run(linspace(-0.5, 0.5, 11)).expect("a motion");
+    let motion = system.run_both(linspace(-0.5, 0.5, 11)).expect("a motion");
     assert_eq!(motion.times()[5], 0.0);
     match system.forces(&motion).map(|_| ()) {
         Err(error @ Error::Unbounded(_)) => {
@@ -166,6 +168,6 @@ fn forces_at_a_change_point_are_an_error_by_name() {
 fn a_regular_motion_has_no_growth() {
     let law = Law::linear(2.4, 0.4);
     let system = Pump { rod: 2.5, start: 1.2, law, torque: Law::constant(3.0), mass: 1.0 }.system();
-    let motion = system.run(linspace(0.0, 2.0, 21)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 2.0, 21)).expect("a motion");
     assert_eq!(system.forces(&motion).expect("forces").growth().expect("growth"), []);
 }

@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Forces, Mechanism, Sharing, System};
 
+use crate::both::Engines;
+
 const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
 fn tensor(x: f64, y: f64, z: f64) -> [[f64; 3]; 3] {
@@ -40,7 +42,7 @@ fn two_hinges_of_a_door_share_its_weight_in_every_unit_order_and_pose() {
         [(1.0, 0.0, false), (1000.0, 0.0, true), (0.001, 1.1, false), (1.0, 2.3, true)]
     {
         let (system, door) = door(scale, tilt, swapped);
-        let motion = system.run(linspace(0.0, 2.0, 11)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 2.0, 11)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         for hinge in ["hinge 1", "hinge 2"] {
             let acted = forces.reaction(hinge).expect("a hinge").on(door).expect("its door").in_body();
@@ -74,7 +76,7 @@ fn two_hinges_of_a_door_share_its_weight_in_every_unit_order_and_pose() {
 #[test]
 fn a_rule_that_is_asked_for_makes_numbers_and_keeps_all_balances() {
     let (system, door) = door(1.0, 0.0, false);
-    let motion = system.run(linspace(0.0, 2.0, 11)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 2.0, 11)).expect("a motion");
     let thrust = |forces: &Forces<'_>, hinge: &str| {
         let acted = forces.reaction(hinge).expect("a hinge").on(door).expect("its door");
         acted.component("F_z").expect("unique").values().to_vec()
@@ -159,7 +161,8 @@ fn a_planar_four_bar_in_space() {
     planar.gravity(vec2(0.0, -9.81));
     let (system, flat) = (m.build().expect("a system"), planar.build().expect("a system"));
     let times = linspace(0.0, 2.0, 21);
-    let (motion, flat_motion) = (system.run(&times).expect("a motion"), flat.run(&times).expect("a motion"));
+    let (motion, flat_motion) =
+        (system.run_both(&times).expect("a motion"), flat.run_both(&times).expect("a motion"));
     let (forces, flat_forces) =
         (system.forces(&motion).expect("forces"), flat.forces(&flat_motion).expect("forces"));
     let near = |a: &Series, b: &Series| {

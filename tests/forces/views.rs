@@ -3,6 +3,8 @@
 use kin::prelude::*;
 use kin::{Forces, Mechanism};
 
+use crate::both::Engines;
+
 const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
 fn tensor(x: f64, y: f64, z: f64) -> [[f64; 3]; 3] {
@@ -91,7 +93,7 @@ fn one_bennett(view: View) {
     let (m, bodies) = bennett(view);
     let ground = SpatialBody::from(m.ground());
     let system = m.build().expect("a system");
-    let motion = system.run(linspace(0.0, 1.0, 6)).expect("a motion");
+    let motion = system.run_both(linspace(0.0, 1.0, 6)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     assert!(forces.drive("drive").is_ok());
     for k in 0..4 {
@@ -164,7 +166,7 @@ fn sarrus_linkage() {
     View::all(|view| {
         let (m, platform, links) = sarrus(view);
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 1.0, 6)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 1.0, 6)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         for joint in ["A3", "B3"] {
             let acted = forces.reaction(joint).expect("a joint").on(platform).expect("on it").in_body();
@@ -219,7 +221,7 @@ fn a_third_crank() {
         let (m, cranks) = parallelogram(view);
         let ground = PlanarBody::from(m.ground());
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 0.5, 6)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 0.5, 6)).expect("a motion");
         let forces: Forces<'_> = system.forces(&motion).expect("forces");
         for (k, crank) in cranks.into_iter().enumerate() {
             for joint in ["O", "A"] {
@@ -288,7 +290,7 @@ fn a_flat_mechanism_in_space() {
         let (m, held) = flat_in_space(view);
         let ground = SpatialBody::from(m.ground());
         let system = m.build().expect("a system");
-        let motion = system.run(linspace(0.0, 0.8, 6)).expect("a motion");
+        let motion = system.run_both(linspace(0.0, 0.8, 6)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         for (name, body) in held {
             let acted = forces.reaction(&name).expect("a joint").on(body).expect("its body").in_body();

@@ -228,8 +228,9 @@ fn what_cannot_be_asked_is_told_by_name() {
 #[test]
 fn the_distance_of_two_points_is_a_measure() {
     let FourBar { system, crank, coupler, rocker, .. } = crank_rocker();
-    let motion =
-        system.run_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() }).unwrap();
+    let motion = system
+        .run_both_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() })
+        .unwrap();
     let (p, q) = (vec2(0.3, 0.4), (1.0, -0.7));
     let distance = motion.distance(coupler, p, rocker, q).unwrap();
     assert_eq!((distance.value.unit(), distance.third_rate.unit()), ("m", "m/s^3"));

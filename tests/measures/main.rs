@@ -145,7 +145,7 @@ fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way()
 fn angles_of_joints_count_turns() {
     let FourBar { system, crank, coupler, .. } = crank_rocker();
     let motion =
-        system.run_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() }).unwrap();
+        system.run_both_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() }).unwrap();
     let angle = system.measure(&motion, "O.angle").unwrap();
     near(angle.value.max(), 6.0 * PI, 1e-12);
     let relative = motion.relative_angle(crank, coupler).unwrap();
@@ -257,7 +257,7 @@ fn omega_of_a_precessing_body() {
     let mut motion = m
         .build()
         .unwrap()
-        .run_with(linspace(0.0, 5.0, 251), &Options { jerk: true, ..Options::default() })
+        .run_both_with(linspace(0.0, 5.0, 251), &Options { jerk: true, ..Options::default() })
         .unwrap();
     let rotation = motion.rotation(top).unwrap();
     for (k, &t) in motion.times().iter().enumerate() {

@@ -4,6 +4,8 @@
 use kin::prelude::*;
 use kin::{EulerParameters, Registry};
 
+use crate::engines::Engines;
+
 fn near(found: f64, exact: f64) {
     assert!((found - exact).abs() < 1e-9, "{found} instead of {exact}");
 }
@@ -36,7 +38,7 @@ fn angles() -> [f64; 2] {
 
 fn angle(m: Mechanism) -> f64 {
     let system = m.build().unwrap();
-    let motion = system.run([0.0]).unwrap();
+    let motion = system.run_both([0.0]).unwrap();
     system.measure(&motion, "hinge.angle").unwrap().value.values()[0]
 }
 
@@ -78,7 +80,7 @@ fn of_two_near_assemblies_the_nearer_is_taken() {
             m.add("guide", prismatic(slider, m.ground(), (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0)).unwrap();
             m.add("arm", distance(slider, m.ground(), (0.0, 0.0), (2.0, off), arm)).unwrap();
             m.prefer("guide.slide", 2.0 + sign * half);
-            let motion = m.build().unwrap().run([0.0]).unwrap();
+            let motion = m.build().unwrap().run_both([0.0]).unwrap();
             near(motion.q(0)[0], 2.0 + sign * half);
         }
     }
@@ -98,7 +100,7 @@ fn redundant_mechanisms_are_assembled_by_a_measure_too() {
         let bend = 2.0 * 0.6_f64.acos();
         m.prefer("elbow.angle", elbow * (bend + 0.4));
         let system = m.build().unwrap();
-        let motion = system.run([0.0]).unwrap();
+        let motion = system.run_both([0.0]).unwrap();
         let found = system.measure(&motion, "elbow.angle").unwrap().value.values()[0];
         near((found - elbow * bend).sin(), 0.0);
         near((found - elbow * bend).cos(), 1.0);
@@ -108,13 +110,13 @@ fn redundant_mechanisms_are_assembled_by_a_measure_too() {
 #[test]
 fn the_assembly_with_a_measure_nearest_a_value() {
     let system = rocker(|_, _| {}).build().unwrap();
-    let body = system.run([0.0]).unwrap().spatial_named("rocker").unwrap();
+    let body = system.run_both([0.0]).unwrap().spatial_named("rocker").unwrap();
     let ground = SpatialBody::from(Ground);
     for exact in angles() {
         let found = system.assembly_near(0.0, "hinge.angle", exact + 0.1).unwrap();
         let mut chosen = system.clone();
         chosen.set_initial(&found.q).unwrap();
-        let motion = chosen.run([0.0]).unwrap();
+        let motion = chosen.run_both([0.0]).unwrap();
         near(chosen.measure(&motion, "hinge.angle").unwrap().value.values()[0], exact);
         // the end of the rocker from a point of the ground, by a function of a motion
         let reach = ((exact.cos() - 2.0).powi(2) + exact.sin().powi(2)).sqrt();

@@ -80,10 +80,10 @@ fn corner(wrong: bool) -> Told {
 
 fn no_times(wrong: bool) -> Told {
     let system = driven([1.0, 3.5, 3.0], 4.0, 1.0).build().unwrap();
-    system.run(if wrong { vec![] } else { linspace(0.0, 1.0, 101) }).map_err(|error| error.to_string())
+    system.run_both(if wrong { vec![] } else { linspace(0.0, 1.0, 101) }).map_err(|error| error.to_string())
 }
 
 fn times_back(wrong: bool) -> Told {
     let system = driven([1.0, 3.5, 3.0], 4.0, 1.0).build().unwrap();
-    system.run(if wrong { [0.0, 0.2, 0.1] } else { [0.0, 0.1, 0.2] }).map_err(|error| error.to_string())
+    system.run_both(if wrong { [0.0, 0.2, 0.1] } else { [0.0, 0.1, 0.2] }).map_err(|error| error.to_string())
 }

@@ -4,6 +4,7 @@ use kin::Options;
 use kin::joints::drivers::spatial as drivers;
 
 use super::*;
+use crate::engines::Engines;
 
 const O: Vec3 = Vec3 { x: 0.0, y: 0.0, z: 0.0 };
 const X: Vec3 = Vec3 { x: 1.0, y: 0.0, z: 0.0 };
@@ -122,6 +123,6 @@ fn imported(wrong: bool) -> Told {
     m.add("motor", drive_angle(cranks[0], Law::linear(1.0, 1.0))).unwrap();
     let options = if wrong { Options::default() } else { Options::closure(6e-9) };
     m.build()
-        .and_then(|system| system.run_with(linspace(0.0, 6.0, 61), &options))
+        .and_then(|system| system.run_both_with(linspace(0.0, 6.0, 61), &options))
         .map_err(|error| error.to_string())
 }

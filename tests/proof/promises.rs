@@ -4,6 +4,8 @@
 use kin::prelude::*;
 use kin::{Doubt, Proof};
 
+use crate::engines::Engines;
+
 #[constraint]
 fn gated(x: Coord, f: Law, t: Time) -> f64 {
     (if x > 1.0 { x - 0.3 } else { x }) - f.at(t)
@@ -82,7 +84,7 @@ pub fn doubt(proof: &Proof, what: &str) -> Doubt {
 #[test]
 fn a_jump_beside_the_curve_within_the_tube() {
     let system = lengths([0.01], |m, [x]| m.add("c", gated(x, Law::linear(0.01, 0.94))).map(|_| ()));
-    let proof = system.prove(&system.run([0.0, 1.0]).unwrap()).unwrap();
+    let proof = system.prove(&system.run_both([0.0, 1.0]).unwrap()).unwrap();
     for step in proof.steps() {
         assert!(
             step.tube.as_ref().is_err() || step.tube.as_ref().is_ok_and(|tube| tube.alone[0] < 0.05),
@@ -98,7 +100,7 @@ fn a_condition_that_the_last_bit_decides() {
         m.add("x", square(x, 5.0))?;
         m.add("z", switched(x, z, 5_f64.sqrt())).map(|_| ())
     });
-    let motion = system.run([0.0]).unwrap();
+    let motion = system.run_both([0.0]).unwrap();
     let proof = system.prove(&motion).unwrap();
     assert!(motion.q(0)[1] == 1.0 && !proof.is_complete() && proof.error(0).is_none(), "{proof}");
 }
@@ -111,7 +113,7 @@ fn turned(y: Law, law: Law, of: Adds) -> Proof {
         m.add("y", drive(y_, y))?;
         of(m, [x, y_, z], law)
     });
-    system.prove(&system.run([-0.2, 0.2]).unwrap()).unwrap()
+    system.prove(&system.run_both([-0.2, 0.2]).unwrap()).unwrap()
 }
 
 /// y dips below zero within the step: the angle jumps by a whole turn, up or down, and the law does not
@@ -150,12 +152,12 @@ fn an_angle_over_its_cut_in_a_law_that_does_not_repeat() {
 #[test]
 fn constants_are_not_rounded_before_they_are_read() {
     let system = lengths([0.0], |m, [x]| m.add("c", folded(x)).map(|_| ()));
-    let motion = system.run([0.0]).unwrap();
+    let motion = system.run_both([0.0]).unwrap();
     let error = system.prove(&motion).unwrap().error(0).map_or(f64::INFINITY, |e| e[0]);
     assert!((motion.q(0)[0] - 1.0).abs() <= error, "x = {}, proved to {error:e}", motion.q(0)[0]);
     // x² + x = f has two solutions, and they meet at f = −1/4; folded it is x = f
     let system = lengths([0.0], |m, [x]| m.add("c", folded_away(x, Law::ramp(-1.0))).map(|_| ()));
-    let proof = system.prove(&system.run([0.0, 1.0]).unwrap()).unwrap();
+    let proof = system.prove(&system.run_both([0.0, 1.0]).unwrap()).unwrap();
     doubt(&proof, "a square that is folded away");
 }
 
@@ -163,12 +165,12 @@ fn constants_are_not_rounded_before_they_are_read() {
 #[test]
 fn decimals_are_not_the_nearest_numbers() {
     let system = lengths([0.3], |m, [x]| m.add("c", decimal(x)).map(|_| ()));
-    let motion = system.run([0.0]).unwrap();
+    let motion = system.run_both([0.0]).unwrap();
     let error = system.prove(&motion).unwrap().error(0).map_or(f64::INFINITY, |e| e[0]);
     let off = if motion.q(0)[0] == 0.3 { 1.11e-17 } else { 4.44e-17 };
     assert!(off <= error && error < 1e-15, "{error:e}");
     let system = lengths([3.0], |m, [x]| m.add("c", tripled(x)).map(|_| ()));
-    let motion = system.run([0.0]).unwrap();
+    let motion = system.run_both([0.0]).unwrap();
     let error = system.prove(&motion).unwrap().error(0).map_or(f64::INFINITY, |e| e[0]);
     // 10/3 is 1.5e-16 above the nearest number
     let off = (motion.q(0)[0] - 10.0 / 3.0 - 1.48e-16).abs();
@@ -204,7 +206,7 @@ fn a_jump_of_a_law_behind_the_bounds_of_a_sine() {
                 m.add("y", follows(x, y, law))?;
                 Ok(())
             });
-            let Ok(motion) = system.run([-1.0, 1.0]) else { continue };
+            let Ok(motion) = system.run_both([-1.0, 1.0]) else { continue };
             let proof = system.prove(&motion).unwrap();
             assert!(!proof.is_complete() || jump == 0.0 && omega < 1e9, "{omega} {jump}: {proof}");
         }
@@ -215,7 +217,7 @@ fn a_jump_of_a_law_behind_the_bounds_of_a_sine() {
 #[test]
 fn a_motion_without_times() {
     let system = lengths([0.0], |m, [x]| m.add("c", drive(x, Law::ramp(1.0))).map(|_| ()));
-    let mut data = system.run([0.0]).unwrap().data();
+    let mut data = system.run_both([0.0]).unwrap().data();
     (data.times, data.q, data.qd, data.qdd, data.iterations, data.residuals) = Default::default();
     let proof = system.prove(&Motion::from_data(&data).unwrap()).unwrap();
     assert!(

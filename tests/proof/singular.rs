@@ -30,7 +30,7 @@ fn change_points() {
         (Follow::Turning(vec![0]), linspace(0.0, 0.6, 61)),
         (Follow::Smooth, linspace(0.0, 2.0 * flat, 41)),
     ] {
-        let motion = system.run_with(&grid, &Options { follow, ..Options::default() }).unwrap();
+        let motion = system.run_both_with(&grid, &Options { follow, ..Options::default() }).unwrap();
         let proof = system.prove(&motion).unwrap();
         let (expected, found) = (around(&motion, flat), unproved(&proof));
         assert!(
@@ -87,7 +87,7 @@ fn a_gap_without_positions_is_not_proved() {
     let (system, _) = bar.system(law, 0.5, 1.0).unwrap();
     let times = [0.0, 0.2, 0.4, 0.6, 0.8, 1.2, 1.4, 1.6, 1.8, 2.0];
     let careless = Options { follow: Follow::Unchecked, ..Options::default() };
-    let motion = system.run_with(times, &careless).unwrap();
+    let motion = system.run_both_with(times, &careless).unwrap();
     let found = unproved(&system.prove(&motion).unwrap());
     assert_eq!(found, [4]);
 }

@@ -2,12 +2,16 @@
 //! progress; several cases in lanes. User code needs no `unsafe`.
 #![forbid(unsafe_code)]
 
+#[path = "../data/engines.rs"]
+mod engines;
 mod own;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use kin::prelude::*;
 use kin::{Error, Lanes, Options, any_coord, any_planar};
+
+use crate::engines::Engines;
 
 /// A four-bar with links of lengths a, b, c and ground pins d apart, the crank at θ = t.
 fn four_bar([a, b, c, d]: [f64; 4]) -> System {
@@ -61,7 +65,7 @@ fn each_case_is_what_its_own_mechanism_does() {
         .run(&cases, times(), |_, motion| motion.unwrap())
         .unwrap();
     for (swept, links) in swept.iter().zip(links) {
-        let own = four_bar(links).run(times()).unwrap();
+        let own = four_bar(links).run_both(times()).unwrap();
         assert_eq!(swept.len(), own.len());
         let far = numbers(swept).iter().zip(numbers(&own)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(far < 1e-9, "{links:?}: {far}");
@@ -88,7 +92,7 @@ fn a_case_that_fails_has_its_error_and_what_was_computed_before() {
                 assert_eq!(*k, locked, "{error}");
                 let before = error.motion().unwrap();
                 assert!(before.len() > 3 && before.len() < 61, "{}", before.len());
-                let own = four_bar(links[locked]).run(times()).unwrap_err();
+                let own = four_bar(links[locked]).run_both(times()).unwrap_err();
                 assert_eq!(own.motion().unwrap().len(), before.len());
             }
         }

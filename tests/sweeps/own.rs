@@ -3,6 +3,7 @@
 use kin::prelude::*;
 use kin::{Error, Lanes, Options, any_coord, any_planar, any_spatial, vec3};
 
+use crate::engines::Engines;
 use crate::{NAMES, case, far, four_bar, kinds_of_machine, links, numbers, times};
 
 const MOST_WEAR: f64 = 1e-3;
@@ -143,7 +144,7 @@ fn a_failing_case_is_diagnosed_on_request_only() {
     let mut m = Mechanism::new("too long");
     let x = m.length("x", 0.0).unwrap();
     m.add("reach", reach(x)).unwrap();
-    assert!(m.build().unwrap().run([0.0]).err().unwrap().diagnosis().is_some());
+    assert!(m.build().unwrap().run_both([0.0]).err().unwrap().diagnosis().is_some());
 }
 
 /// x² + 1 = 0

@@ -4,6 +4,8 @@ use kin::prelude::*;
 use kin_text::{Equation, registry};
 use serde_json::json;
 
+use crate::engines::Engines;
+
 const RAISED: &str =
     "fn raised_slot(i: Planar, j: Planar, u_i: Vec2, c: [f64; 2], lift: Law, h: Axis) -> f64 {
     let s = j.local(i.point(u_i));
@@ -46,12 +48,12 @@ fn parameters_of_an_equation_follow_dimensions_in_programs_and_in_files() -> kin
             assert_eq!(system.parameter(name)?, after, "{name}");
         }
         assert!((system.parameter("slot.h.x")? - 3.0 / 10.0_f64.sqrt()).abs() < 1e-16);
-        let motion = system.run(linspace(0.0, 6.0, 31))?;
+        let motion = system.run_both(linspace(0.0, 6.0, 31))?;
         let slopes = system.sensitivities(&motion, ["k"])?.of("slider.R_y")?;
         let at = |k: f64| -> kin::Result<f64> {
             let mut moved = system.clone();
             moved.set("k", k)?;
-            Ok(moved.run(linspace(0.0, 6.0, 31))?.q(20)[1])
+            Ok(moved.run_both(linspace(0.0, 6.0, 31))?.q(20)[1])
         };
         let expected = (at(3.0 + 1e-5)? - at(3.0 - 1e-5)?) / 2e-5;
         assert!((slopes[0].value[20] - expected).abs() < 1e-7, "{} {expected}", slopes[0].value[20]);

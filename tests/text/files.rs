@@ -5,6 +5,8 @@ use kin::data::MechanismData;
 use kin::prelude::*;
 use kin_text::{Equation, registry};
 
+use crate::engines::Engines;
+
 const SLOT: &str = "/// Pin in a parabolic slot.
 #[require(k != 0.0, \"a slot that is bent\")]
 #[measure(along = j.local(i.point(u_i)).x, \"m\")]
@@ -47,9 +49,9 @@ fn with_slot(slot: impl Fn(PlanarBody, Ground) -> Box<dyn Constraint>) -> kin::R
 
 #[test]
 fn a_constraint_from_text_moves_as_the_compiled_one() {
-    let read = mechanism(2.0).build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap();
+    let read = mechanism(2.0).build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap();
     let compiled = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
-    let compiled = compiled.unwrap().build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap();
+    let compiled = compiled.unwrap().build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap();
     for k in 0..61 {
         for (a, b) in
             [(read.q(k), compiled.q(k)), (read.qd(k), compiled.qd(k)), (read.qdd(k), compiled.qdd(k))]
@@ -64,7 +66,7 @@ fn the_engine_compiles_it() {
     let options = kin::Options { engine: kin::Engine::Compiled, ..kin::Options::default() };
     let system = mechanism(2.0).build().unwrap();
     let motion = system.run_with(linspace(0.0, 6.0, 601), &options).unwrap();
-    let plain = system.run(linspace(0.0, 6.0, 601)).unwrap();
+    let plain = system.run_both(linspace(0.0, 6.0, 601)).unwrap();
     assert!(motion.engine().compiled > 500, "{:?}", motion.engine());
     for k in 0..601 {
         assert!(motion.q(k).iter().zip(plain.q(k)).all(|(a, b)| (a - b).abs() < 1e-12));
@@ -78,7 +80,7 @@ fn a_file_carries_its_equation_and_gives_the_same_motion() {
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(text.contains("\"equations\":[") && text.contains("fn parabolic_slot"), "{text}");
     let again = Mechanism::read_json(&path, &registry()).unwrap();
-    let runs = [mechanism(2.0), again].map(|m| m.build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap());
+    let runs = [mechanism(2.0), again].map(|m| m.build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap());
     assert_eq!(runs[0].data(), runs[1].data());
 }
 
@@ -150,7 +152,7 @@ fn compiled_and_read(name: &str, m: Mechanism) -> [Mechanism; 2] {
 }
 
 fn move_alike([a, b]: [Mechanism; 2]) {
-    let runs = [a, b].map(|m| m.build().unwrap().run(linspace(0.0, 6.0, 61)).unwrap());
+    let runs = [a, b].map(|m| m.build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap());
     for k in 0..61 {
         let [a, b] = runs.each_ref().map(|run| [run.q(k), run.qd(k), run.qdd(k)].concat());
         assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-13), "time {k}: {a:?} {b:?}");
@@ -346,7 +348,7 @@ fn the_equation_of_a_file_counts_before_the_programs() {
     ];
     data.constraints[0].kind = "compiled_slot".to_string();
     let height = |registry: &Registry| {
-        let motion = Mechanism::from_data(&data, registry)?.build()?.run([0.0, 1.0])?;
+        let motion = Mechanism::from_data(&data, registry)?.build()?.run_both([0.0, 1.0])?;
         kin::Result::Ok(motion.q(1)[1] + 0.1 * 0.2_f64.sin())
     };
     assert!((height(&registry().with::<compiled_slot>()).unwrap() - 2.0).abs() < 1e-14);
@@ -362,7 +364,7 @@ fn demands_and_measures_of_a_text_hold() {
         m.add("slot", flat.constraint().unwrap()).err().map(|error| error.to_string()).unwrap_or_default();
     assert!(error.contains("a slot that is bent (k = 0)"), "{error}");
     let system = mechanism(2.0).build().unwrap();
-    let motion = system.run(linspace(0.0, 6.0, 61)).unwrap();
+    let motion = system.run_both(linspace(0.0, 6.0, 61)).unwrap();
     let along = system.measure(&motion, "slot.along").unwrap();
     let x: Vec<f64> = (0..61).map(|k| motion.q(k)[0] + 0.1 * 0.2_f64.cos()).collect();
     assert!(along.value.values().iter().zip(&x).all(|(a, b)| (a - b).abs() < 1e-14));

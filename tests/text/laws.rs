@@ -5,6 +5,8 @@ use kin::prelude::*;
 use kin::{Law, Mechanism, Registry, check, law};
 use kin_text::{LawText, registry};
 
+use crate::engines::Engines;
+
 /// A rise that is bent: h (1 − cos(π x/β))/2 · exp(−c₁ x²) + c₀ x.
 #[law]
 #[require(beta > 0.0, "beta is a length, which is greater than 0")]
@@ -145,7 +147,7 @@ fn files_carry_laws_and_give_the_same_motion_by_either_engine() {
         system.set("motor.law.h", 0.08).unwrap();
         let other = slider(bent_rise(0.08, 1.5, [0.2, 0.7])).build().unwrap();
         let at = linspace(0.0, 1.4, 15);
-        assert_eq!(system.run(at.clone()).unwrap().data(), other.run(at).unwrap().data());
+        assert_eq!(system.run_both(at.clone()).unwrap().data(), other.run_both(at).unwrap().data());
         let error = Mechanism::read_json(&path, &Registry::new()).err().map(|error| error.to_string());
         let error = error.unwrap_or_default();
         assert!(error.contains("`motor`") && error.contains("unknown law `bent_rise`"), "{error}");

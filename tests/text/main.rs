@@ -4,6 +4,8 @@
 #[path = "../data/as_text.rs"]
 mod as_text;
 mod dimensions;
+#[path = "../data/engines.rs"]
+mod engines;
 mod examples;
 mod files;
 mod laws;

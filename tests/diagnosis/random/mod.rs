@@ -10,6 +10,8 @@ use kin::Error;
 use kin::diagnosis::Class;
 use kin::prelude::*;
 
+use crate::engines::Engines;
+
 /// Random numbers, the same for the same seed.
 struct Random(fastrand::Rng);
 
@@ -104,7 +106,7 @@ fn regular(seed: u64, fault: Fault, make: impl Fn(u64, Fault) -> (Mechanism, Vec
 fn right(mechanism: Mechanism, fault: Fault) -> Result<(), String> {
     let named = |name: &str| name.starts_with("motor");
     let run = mechanism.build().and_then(|system| {
-        let motion = system.run([0.0, 0.005, 0.01])?;
+        let motion = system.run_both([0.0, 0.005, 0.01])?;
         Ok((system.diagnose(0.0)?, motion))
     });
     match (fault, run) {

@@ -2,6 +2,7 @@
 //! twice or backwards.
 
 use super::{Case, Solutions, lengths, posed};
+use crate::engines::Engines;
 use crate::wide::{Wide, w};
 use kin::prelude::*;
 
@@ -136,7 +137,7 @@ fn singular() -> Vec<Case> {
         ("flat", lengths([0.0], |m, [x]| m.add("c", flat(x)).map(|_| ()))),
     ] {
         let other = lengths([0.0], |m, [x]| m.add("c", drive(x, Law::ramp(1.0))).map(|_| ()));
-        let data = other.run(linspace(-1.0, 1.0, 5)).expect("runs").data();
+        let data = other.run_both(linspace(-1.0, 1.0, 5)).expect("runs").data();
         let mut own = data.clone();
         own.name = system.name().to_string();
         let Ok(motion) = Motion::from_data(&own) else { continue };

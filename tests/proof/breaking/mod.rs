@@ -16,6 +16,7 @@ mod seams;
 use kin::prelude::*;
 use kin::{StepProof, Tube};
 
+use crate::engines::Engines;
 use crate::wide::{Wide, w};
 
 /// All solutions near the motion at a time, coordinate by coordinate. Those of one number from one time to
@@ -196,14 +197,14 @@ pub fn lengths<const N: usize>(
 
 /// The motion as it is run, or, where it cannot be, of poses solved one by one.
 pub fn moved(system: &System, times: &[f64]) -> Option<Motion> {
-    system.run(times).ok().or_else(|| posed(system, times))
+    system.run_both(times).ok().or_else(|| posed(system, times))
 }
 
 /// A motion of poses that were solved one by one.
 pub fn posed(system: &System, times: &[f64]) -> Option<Motion> {
     let all: Vec<_> = times
         .iter()
-        .map(|t| system.run([*t]).map(|motion| motion.data()))
+        .map(|t| system.run_both([*t]).map(|motion| motion.data()))
         .collect::<kin::Result<_>>()
         .ok()?;
     let mut whole = all.first()?.clone();
