@@ -1,5 +1,6 @@
 //! Pictures and pages as anyone gets them: well-formed, finite, safe and small.
 
+mod bars;
 mod forces;
 mod numbers;
 
