@@ -54,14 +54,14 @@ pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
     Err(syn::Error::new_spanned(ty, text))
 }
 
-/// How many numbers a type has.
+/// How many numbers a type has; a list without numbers counts as one, for lists of it are gone through too.
 fn count(shape: &Shape) -> usize {
     match shape {
         Shape::Scalar | Shape::Any => 1,
         Shape::Vector(n) => *n,
         Shape::Matrix(n) => n * n,
         Shape::Euler => 4,
-        Shape::Array(inner, n) => count(inner).saturating_mul(*n),
+        Shape::Array(inner, n) => count(inner).max(1).saturating_mul(*n),
         Shape::Tuple(all) => all.iter().map(count).fold(0, usize::saturating_add),
     }
 }

@@ -45,7 +45,7 @@ type Turns = (String, String, Vec<(f64, f64, bool)>, f64, Option<f64>, (f64, f64
 /// A diagnosis: as text, as JSON, and what follows of it as JSON.
 pub type Verdict = (String, String, String);
 
-/// What is told of a diagnosis.
+/// A diagnosis as it is handed over.
 pub fn diagnosis(found: &Diagnosis) -> PyResult<Verdict> {
     let answers = json!({
         "can_be_driven": found.can_be_driven(),

@@ -1,8 +1,9 @@
 //! Thousands of spoilt inputs on all cores: how many are read, the slowest one, and memory.
 
+use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Behind its first tenth a campaign needs hardly more memory: what an input takes is given back.
@@ -32,12 +33,16 @@ pub struct Tried {
     wall: Duration,
 }
 
+/// An input that takes longer than this ends the campaign with its number, for it may never come to an end.
+const HANGS: Duration = Duration::from_secs(60);
+
 /// Tries inputs by their numbers, each by itself, so that the result does not depend on the number of cores:
 /// as many as the variable says, or `few`.
 pub fn tried(variable: &str, few: u64, one: impl Fn(u64) -> One + Sync) -> Tried {
     let count = std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(few);
     let (next, all) = (AtomicU64::new(0), Mutex::new(Tried { count, ..Tried::default() }));
     let (begun, early) = (Instant::now(), AtomicU64::new(0));
+    let under_way = Mutex::new(BTreeMap::new());
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let work = || {
         loop {
@@ -45,7 +50,9 @@ pub fn tried(variable: &str, few: u64, one: impl Fn(u64) -> One + Sync) -> Tried
             if number >= count {
                 break;
             }
+            under_way.lock().expect("no thread has panicked").insert(number, Instant::now());
             let One { read, time, text } = one(number);
+            under_way.lock().expect("no thread has panicked").remove(&number);
             if number == count / 10 {
                 early.store(peak(), Ordering::Relaxed);
             }
@@ -56,11 +63,26 @@ pub fn tried(variable: &str, few: u64, one: impl Fn(u64) -> One + Sync) -> Tried
             }
         }
     };
-    std::thread::scope(|scope| (0..cores).for_each(|_| drop(scope.spawn(work))));
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        while workers.iter().any(|worker| !worker.is_finished()) {
+            std::thread::sleep(Duration::from_millis(20));
+            end_where_one_hangs(&under_way);
+        }
+    });
     let mut all = all.into_inner().expect("no thread has panicked");
     (all.peak, all.wall) = (peak(), begun.elapsed());
     all.grown = all.peak.saturating_sub(early.into_inner());
     all
+}
+
+/// A thread cannot be stopped from outside, so that the whole process ends.
+fn end_where_one_hangs(under_way: &Mutex<BTreeMap<u64, Instant>>) {
+    let under_way = under_way.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((number, _)) = under_way.iter().find(|(_, begun)| begun.elapsed() > HANGS) {
+        eprintln!("input number {number} has taken more than {HANGS:?}");
+        std::process::exit(101);
+    }
 }
 
 /// The most memory that the process has had, in bytes.

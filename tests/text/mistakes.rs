@@ -153,7 +153,8 @@ fn texts_that_are_too_much_are_refused() {
     let loops = "fn f(x: Coord) -> f64 { let mut s = x; for _ in 0..4000 { for _ in 0..4000 { for _ in 0..4000 { s += x; } } } s }";
     let itself = "fn f(x: Coord) -> f64 { fn g(x: f64) -> f64 { g(x) + g(x) } g(x) }";
     let wide = "fn f(q: [Coord; 4000000000]) -> f64 { q[0] }";
-    for text in [&nested, &long, &sums, loops, itself, wide, "", "fn", "42", "fn main() {}", "\u{0}"] {
+    let empty = "fn f(x: Coord, c: [[f64; 0]; 10000000000]) -> f64 { x - c[0][0] }";
+    for text in [&nested, &long, &sums, loops, itself, wide, empty, "", "fn", "42", "fn main() {}", "\u{0}"] {
         let start = std::time::Instant::now();
         let told = told(text);
         assert!(!told.is_empty() && !told[0].contains("this text cannot be read"), "{told:?}");
