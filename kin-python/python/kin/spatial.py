@@ -618,7 +618,7 @@ def drive_motion(
     those of the frames. [m, –]
 
     Six rows. `u_i`, `p_i`, `u_j`, `p_j`: origin and Euler parameters of the frame in either body
-    (`EulerParameters::default()`: the axes of the body itself). First roll about x, then pitch about y,
+    (`EulerParameters::identity()`: the axes of the body itself). First roll about x, then pitch about y,
     then yaw about z, all axes those of the frame in j; any number of turns. Another order of turns is this
     one between other frames. Shabana, Computational Dynamics, section 7.2. Signs: x, y, z grow along the
     axes of the frame in j; each turn is right-handed about its axis; at zero both frames have the same
