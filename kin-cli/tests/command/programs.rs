@@ -77,8 +77,8 @@ fn is_like(alike: &Alike, ours: &[String], theirs: &[String]) -> bool {
     ours.len() == theirs.len() && ours.iter().zip(&theirs).all(|(a, b)| (a - b).abs() <= 1e-13 * size)
 }
 
-/// After `cargo run --release --example gallery`, as `.ci/run` has it. The table of `14_sweep_four_bars` is
-/// of another four-bar than its file, found by the sweep.
+/// After `cargo run --release --example gallery`, as `.ci/run` has it; doctests write beside it. The table
+/// of `14_sweep_four_bars` is of another four-bar than its file, found by the sweep.
 #[test]
 #[ignore = "the examples have to be run before"]
 fn tables_of_the_example_programs_are_the_commands() {
@@ -86,7 +86,7 @@ fn tables_of_the_example_programs_are_the_commands() {
     let mut names: Vec<String> = std::fs::read_dir(&out)
         .expect("the examples have been run")
         .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-        .filter(|name| out.join(name).join("motion.csv").exists() && !name.starts_with("14_"))
+        .filter(|name| name.starts_with(|c: char| c.is_ascii_digit()) && !name.starts_with("14_"))
         .collect();
     names.sort();
     assert_eq!(names, EXAMPLES.map(|(name, ..)| name));
