@@ -154,7 +154,8 @@ fn is_told(plain: &Motion, program: &Motion) {
     }
 }
 
-/// True of many short steps, with nothing on the way that stops them.
+/// True of many short steps, with nothing on the way that stops them. Of fewer times rates may change by so
+/// much from one to the next that few blocks come to anything.
 fn is_fine(motion: &Motion) -> bool {
     let turns = motion.units().iter().map(|unit| unit == "rad" || unit == "-").collect::<Vec<bool>>();
     let is_short = |k: usize| {
@@ -162,7 +163,7 @@ fn is_fine(motion: &Motion) -> bool {
         steps.zip(&turns).all(|(step, turns)| !turns || step <= SHORT)
     };
     let stops = motion.singular_positions().len() + motion.breaks().len();
-    motion.len() >= 40 && stops == 0 && (1..motion.len()).all(is_short)
+    motion.len() >= 100 && stops == 0 && (1..motion.len()).all(is_short)
 }
 
 #[track_caller]
