@@ -264,14 +264,16 @@ fn kinetic(solid: &Solid, count: usize) -> [(Graph, Node); 2] {
 
 /// A node of such a graph in that of the whole.
 fn moved(graph: &mut Graph, own: &Graph, node: Node, first: usize, count: usize) -> Node {
-    let found = copied(own, node, graph, &nothing_outside, &mut |graph, input| match input {
-        Input::State(k, _) if k < count => Some(graph.input(Input::State(first + k, SELF))),
-        Input::State(k, _) | Input::Rate(k, _) if k >= count => match input {
-            Input::State(..) => Some(graph.input(Input::Rate(first + k - count, SELF))),
-            _ => Some(graph.input(Input::Parameter(first + k - count))),
-        },
-        Input::Rate(k, _) => Some(graph.input(Input::Rate(first + k, SELF))),
-        _ => None,
+    let found = copied(own, node, graph, &nothing_outside, &mut |graph, input| {
+        // The rate of a state behind the coordinates is a second rate.
+        let (order, k) = match input {
+            Input::State(k, _) => (k / count, k % count),
+            Input::Rate(k, _) => (1 + k / count, k % count),
+            _ => return None,
+        };
+        let column = first + k;
+        let orders = [Input::State(column, SELF), Input::Rate(column, SELF), Input::Parameter(column)];
+        orders.get(order).map(|input| graph.input(*input))
     });
     found.unwrap_or_else(|| graph.constant(f64::NAN))
 }

@@ -18,7 +18,7 @@ use kin_graph::{Graph, Node};
 
 use super::acting::Laid;
 use super::balance::Powers;
-use crate::program::{Guarded, IntoRows, REDUNDANT, Refusal, gather};
+use crate::program::{Guarded, IntoRows, NO_LANES, REDUNDANT, Refusal, gather};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use acting::Acts;
@@ -28,8 +28,6 @@ const LEAST: usize = 50;
 
 const RUBS: &str = "friction and the force that it comes from are solved together at each time";
 const SINGULAR: &str = "the first position is singular";
-const NO_LANES: &str =
-    "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
 
 /// True if a motion has so many times that a tape is worth its while.
 pub(super) fn pays(motion: &Motion) -> bool {

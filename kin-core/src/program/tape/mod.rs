@@ -13,6 +13,10 @@ pub(crate) use straight::{IntoRows, OverTimes, Rows, Sink, Straight, Summed};
 
 use kin_graph::{Comparison, Function, Function2};
 
+/// Why no tape can be replayed here.
+pub(crate) const NO_LANES: &str =
+    "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
+
 use crate::model::law::Law;
 
 /// The operation of a step.

@@ -20,7 +20,7 @@ use super::{Engine, Options, Stop};
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
-use crate::program::{FOREIGN, REDUNDANT, Refusal, Tape, UNREAD};
+use crate::program::{FOREIGN, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
@@ -37,8 +37,6 @@ const A_NODE: usize = 20;
 const FEWEST: usize = 32;
 
 const JUMPS: &str = "its equation can jump where coordinates move";
-const NO_LANES: &str =
-    "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
 
 /// True if anything is known to stand in the way of a program, before a pose is.
 pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
