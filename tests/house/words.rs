@@ -78,20 +78,28 @@ fn a_hiding_name_is_seen() {
 /// Types of one room that are called the same as those of another make a reader ask which one is meant.
 #[test]
 fn common_names_are_given_once_in_the_core() {
-    for name in ["Place", "Sweep", "Driver", "Stop", "Motion", "System", "Linear"] {
-        let is_it = |path: &std::path::PathBuf| {
-            let file = syn::parse_file(&std::fs::read_to_string(path).expect("readable")).expect("Rust");
-            let types = file.items.iter().filter_map(|item| match item {
-                syn::Item::Struct(item) => Some(&item.ident),
-                syn::Item::Enum(item) => Some(&item.ident),
-                syn::Item::Trait(item) => Some(&item.ident),
-                syn::Item::Type(item) => Some(&item.ident),
-                _ => None,
-            });
-            types.filter(|ident| *ident == name).count() == 1
-        };
-        let found: Vec<_> = rust_files("kin-core/src").into_iter().filter(is_it).collect();
-        assert!(found.len() <= 1, "{name}: {found:#?}");
+    let names = ["Place", "Sweep", "Driver", "Stop", "Motion", "System", "Linear"];
+    let mut found = std::collections::BTreeMap::<String, Vec<_>>::new();
+    for path in rust_files("kin-core/src") {
+        let file = syn::parse_file(&std::fs::read_to_string(&path).expect("readable")).expect("Rust");
+        for ident in file.items.iter().filter_map(type_name).filter(|ident| names.iter().any(|n| ident == n))
+        {
+            found.entry(ident.to_string()).or_default().push(path.clone());
+        }
+    }
+    assert!(found.len() > 3, "{found:#?}");
+    found.retain(|_, places| places.len() > 1);
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+/// The name of the type that an item is.
+fn type_name(item: &syn::Item) -> Option<&syn::Ident> {
+    match item {
+        syn::Item::Struct(item) => Some(&item.ident),
+        syn::Item::Enum(item) => Some(&item.ident),
+        syn::Item::Trait(item) => Some(&item.ident),
+        syn::Item::Type(item) => Some(&item.ident),
+        _ => None,
     }
 }
 
