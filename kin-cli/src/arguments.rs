@@ -297,7 +297,7 @@ pub struct Sweep {
     pub cases: String,
     #[command(flatten)]
     pub motion: Motion,
-    /// A measure or coordinate of which least and greatest value are kept, with their times
+    /// A measure, coordinate or column of forces, whose least and greatest value are kept, with their times
     #[arg(long = "keep", value_name = "NAME")]
     pub keep: Vec<String>,
     /// Only the I-th of N parts of the cases; all parts make the rows of the whole, bit for bit

@@ -11,6 +11,7 @@ use crate::fault::{or_raise, value, wrong_type};
 use crate::held::HeldForces;
 use crate::motion::{Motion, Orders, series};
 use crate::numbers::{self, vec2, vec3};
+use crate::options::engine_named;
 use crate::system::System;
 
 /// The forces of a motion of a system.
@@ -47,22 +48,37 @@ impl Forces {
 #[pymethods]
 impl Forces {
     #[new]
-    #[pyo3(signature = (system, motion, least_norm, left_out = None))]
+    #[pyo3(signature = (system, motion, engine, least_norm, left_out = None))]
     fn new(
         py: Python<'_>,
         system: &System,
         motion: &Motion,
+        engine: &str,
         least_norm: bool,
         left_out: Option<Vec<String>>,
     ) -> PyResult<Forces> {
+        let engine = engine_named(engine)?;
         let sharing = match left_out {
-            Some(names) => Sharing::LeftOut(names),
-            None if least_norm => Sharing::LeastNorm,
-            None => Sharing::NotGiven,
+            Some(names) => Some(Sharing::LeftOut(names)),
+            None => least_norm.then_some(Sharing::LeastNorm),
         };
         let run = (system.now(), motion.0.clone());
-        let found = py.detach(|| HeldForces::try_new(run, |run| run.0.forces_with(&run.1, &sharing)));
+        let found = py.detach(|| {
+            HeldForces::try_new(run, |(system, motion)| match &sharing {
+                None => system.forces_by(motion, engine),
+                Some(sharing) => system.forces_with(motion, sharing),
+            })
+        });
         or_raise(py, found).map(Forces)
+    }
+
+    /// How many times a program has computed, and how many of those it has handed back.
+    fn engine(&self, py: Python<'_>) -> PyResult<(usize, usize)> {
+        self.with(py, |forces| Ok((forces.engine().compiled, forces.engine().handed_back)))
+    }
+
+    fn why_plain(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        self.with(py, |forces| Ok(forces.why_plain().map(str::to_owned)))
     }
 
     /// Raises an error by name unless these are there.
@@ -152,6 +168,11 @@ impl Forces {
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Vec<Orders<'py>>> {
         let found = self.with(py, |forces| Ok(forces.columns()))?;
         found.iter().map(|one| series(py, one)).collect()
+    }
+
+    /// The column of this name.
+    fn named<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Orders<'py>> {
+        series(py, &self.with(py, |forces| forces.named(name))?)
     }
 
     fn write_csv(&self, py: Python<'_>, path: &str) -> PyResult<()> {

@@ -62,17 +62,18 @@ fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<
                 other => return Err(value(format!("follow: \"unchecked\" or \"smooth\", not {other:?}"))),
             }
         }
-        "engine" => {
-            options.engine = match given.extract::<String>()?.as_str() {
-                "auto" => Engine::Auto,
-                "plain" => Engine::Plain,
-                "compiled" => Engine::Compiled,
-                other => {
-                    return Err(value(format!("engine: \"auto\", \"plain\" or \"compiled\", not {other:?}")));
-                }
-            }
-        }
+        "engine" => options.engine = engine_named(&given.extract::<String>()?)?,
         _ => return Err(wrong_type(format!("there is no option `{name}`; there are {KNOWN}"))),
     }
     Ok(())
+}
+
+/// The engine of this name.
+pub fn engine_named(name: &str) -> PyResult<Engine> {
+    match name {
+        "auto" => Ok(Engine::Auto),
+        "plain" => Ok(Engine::Plain),
+        "compiled" => Ok(Engine::Compiled),
+        other => Err(value(format!("engine: \"auto\", \"plain\" or \"compiled\", not {other:?}"))),
+    }
 }

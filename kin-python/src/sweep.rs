@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
-use kin::{Lanes, Options, Result};
+use kin::{Lanes, Options, Result, Series};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -45,17 +45,29 @@ fn feature(name: &str) -> PyResult<Feature> {
 
 impl Feature {
     fn of(self, x: &kin::Quantity) -> f64 {
-        let largest = |all: &kin::Series| all.values().iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        let end = |v: Option<&f64>| v.copied().unwrap_or(f64::NAN);
+        let largest = |all: &Series| all.values().iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         match self {
-            Feature::Max => x.value.max(),
-            Feature::Min => x.value.min(),
-            Feature::Range => x.value.max() - x.value.min(),
-            Feature::First => end(x.value.values().first()),
-            Feature::Last => end(x.value.values().last()),
             Feature::MaxRate => largest(&x.rate),
             Feature::MaxSecondRate => largest(&x.second_rate),
+            _ => self.of_values(&x.value),
         }
+    }
+
+    /// Of values alone; those of forces have no rates.
+    fn of_values(self, x: &Series) -> f64 {
+        let end = |v: Option<&f64>| v.copied().unwrap_or(f64::NAN);
+        match self {
+            Feature::Max => x.max(),
+            Feature::Min => x.min(),
+            Feature::Range => x.max() - x.min(),
+            Feature::First => end(x.values().first()),
+            Feature::Last => end(x.values().last()),
+            Feature::MaxRate | Feature::MaxSecondRate => f64::NAN,
+        }
+    }
+
+    fn is_of_rates(self) -> bool {
+        matches!(self, Feature::MaxRate | Feature::MaxSecondRate)
     }
 }
 
@@ -81,13 +93,15 @@ pub fn sweep<'py>(
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Rows<'py>> {
-    let wanted = wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?)));
+    let system = system.now();
+    let wanted =
+        wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?))).collect::<PyResult<_>>()?;
     let asked = Asked {
-        system: system.now(),
+        wanted: of_forces(&system, wanted)?,
+        system,
         cases: rows(numbers::read(cases)?, names.len())?,
         names,
         times: numbers::read(times)?,
-        wanted: wanted.collect::<PyResult<_>>()?,
         options: options(Some(keywords))?,
         lanes,
         threads,
@@ -97,6 +111,21 @@ pub fn sweep<'py>(
     let (numbers, states): (Vec<Vec<f64>>, Vec<String>) = or_raise(py, found)?.into_iter().unzip();
     tell(progress.as_ref(), all, all)?;
     Ok((numbers::list(py, &numbers.concat())?, states))
+}
+
+/// Each name with what is kept of it, and true where it is one of forces: neither a coordinate nor a measure.
+/// Errors: a rate of those.
+fn of_forces(system: &kin::System, wanted: Vec<(String, Feature)>) -> PyResult<Vec<(String, Feature, bool)>> {
+    let measures = system.measures();
+    let told = |(name, kept): (String, Feature)| {
+        let of_motion = system.coordinate_names().contains(&name) || measures.contains(&name);
+        let is_force = system.has_forces() && !of_motion;
+        if is_force && kept.is_of_rates() {
+            return Err(value(format!("`{name}` is no measure or coordinate; only these have rates")));
+        }
+        Ok((name, kept, is_force))
+    };
+    wanted.into_iter().map(told).collect()
 }
 
 /// The cases, one after the other.
@@ -124,7 +153,7 @@ struct Asked {
     names: Vec<String>,
     cases: Vec<Vec<f64>>,
     times: Vec<f64>,
-    wanted: Vec<(String, Feature)>,
+    wanted: Vec<(String, Feature, bool)>,
     options: Options,
     lanes: bool,
     threads: Option<usize>,
@@ -180,16 +209,22 @@ impl Asked {
     /// The numbers that are wanted of the motion of a case.
     fn results(&self, case: usize, motion: &kin::Motion) -> Result<Vec<f64>> {
         let is_coordinate = |name: &String| motion.names().contains(name);
-        if self.wanted.iter().all(|(name, _)| is_coordinate(name)) {
-            return self.wanted.iter().map(|(name, kept)| motion.named(name).map(|x| kept.of(&x))).collect();
+        if self.wanted.iter().all(|(name, ..)| is_coordinate(name)) {
+            return self.wanted.iter().map(|(name, kept, _)| Ok(kept.of(&motion.named(name)?))).collect();
         }
-        // Measures of joints read parameters: those of the case.
+        // Measures of joints and forces read parameters: those of the case.
         let mut system = kin::System::clone(&self.system);
         for (name, value) in self.names.iter().zip(&self.cases[case]) {
             if !is_coordinate(name) {
                 system.set(name, *value)?;
             }
         }
-        self.wanted.iter().map(|(name, kept)| system.measure(motion, name).map(|x| kept.of(&x))).collect()
+        let has_forces = self.wanted.iter().any(|(.., is_force)| *is_force);
+        let forces = has_forces.then(|| system.forces(motion)).transpose()?;
+        let number = |(name, kept, is_force): &(String, Feature, bool)| match &forces {
+            Some(forces) if *is_force => Ok(kept.of_values(&forces.named(name)?)),
+            _ => Ok(kept.of(&system.measure(motion, name)?)),
+        };
+        self.wanted.iter().map(number).collect()
     }
 }

@@ -139,6 +139,10 @@ impl System {
         self.now().measures()
     }
 
+    fn has_forces(&self) -> bool {
+        self.now().has_forces()
+    }
+
     fn set(&self, py: Python<'_>, name: &str, value: f64) -> PyResult<()> {
         let changed =
             Arc::make_mut(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner)).set(name, value);

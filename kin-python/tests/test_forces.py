@@ -65,6 +65,39 @@ def test_a_driven_pendulum_is_the_closed_form():
     np.testing.assert_allclose(balance.left.value, left, atol=1e-13 * balance.largest)
 
 
+def test_engines_agree_and_say_which_they_were():
+    _, _, system, motion = arm()
+    plain, program = (system.forces(motion, engine=engine) for engine in ("plain", "compiled"))
+    # The first time is computed by both, and compared.
+    assert plain.engine == (0, 0) and program.engine == (len(T) - 1, 0)
+    assert plain.why_plain is None and program.why_plain is None
+    for name, values in plain.columns().items():
+        np.testing.assert_allclose(program.columns()[name], values, atol=1e-11)
+    column = plain.named("O on arm.F_x")
+    assert column.name == "O on arm.F_x" and column.unit == "N"
+    np.testing.assert_allclose(column.value, closed_form()[3][:, 0], atol=1e-11)
+
+
+def test_a_sweep_keeps_columns_of_forces():
+    _, _, system, _ = arm()
+    # A pin off the centre line turns the lever arm of the weight: cases against the closed form of each.
+    rows = [[-L / 2], [-L / 2 + 0.05]]
+    keep = ["motor max", ("O on arm.F_x", "min"), "arm.theta max"]
+    for lanes in (True, False):
+        found = kin.sweep(system, ["O.u_j.x"], rows, T, keep, lanes=lanes)
+        assert found.status == ["", ""]
+        for k, (u,) in enumerate(rows):
+            theta, omega, alpha = 0.2 + 2 * T + 0.3 * T**2, 2 + 0.6 * T, 0.6
+            r = R - L / 2 - u
+            effort = (J + M * r**2) * alpha + M * G * r * np.cos(theta)
+            force = -M * r * (alpha * np.sin(theta) + omega**2 * np.cos(theta))
+            np.testing.assert_allclose(found.values[k], [effort.max(), force.min(), theta.max()], atol=1e-11)
+    unknown = kin.sweep(system, ["O.u_j.x"], rows, T, ["motr max"])
+    assert all("motor" in one for one in unknown.status) and np.isnan(unknown.values).all()
+    with pytest.raises(ValueError, match="only these have rates"):
+        kin.sweep(system, ["O.u_j.x"], rows, T, ["motor max_rate"])
+
+
 def test_tables_and_files(tmp_path):
     pandas = pytest.importorskip("pandas", reason="NOT RUN: pandas is not installed")
     _, _, system, motion = arm()
@@ -198,7 +231,10 @@ def test_mistakes_of_masses_and_forces():
         (lambda: forces.reaction("O").on(arm_).component("F_z"), kin.UnknownName, "F_z"),
         (lambda: forces.reaction("O").on(arm_).component("F_x F_y"), ValueError, "no component"),
         (lambda: forces.sum([]), ValueError, "at least"),
+        (lambda: forces.named("O on arm.F_z"), kin.UnknownName, "O on arm.F_x"),
         (lambda: system.forces(motion, sharing="fairly"), ValueError, "least norm"),
+        (lambda: system.forces(motion, engine="fast"), ValueError, "compiled"),
+        (lambda: system.forces(motion, ["O"], engine="compiled"), ValueError, "leave `engine` out"),
         (lambda: system.tolerance(motion, arm_.theta, "most"), ValueError, "max"),
     ]:
         with pytest.raises(kind, match=words):
@@ -209,3 +245,6 @@ def test_mistakes_of_masses_and_forces():
     system = bare.build()
     with pytest.raises(kin.Error, match="mass"):
         system.forces(system.run([0.0, 1.0]))
+    assert not system.has_forces
+    unknown = kin.sweep(system, ["motor.law.c"], [[0.1]], [0.0, 1.0], ["motr max"])
+    assert "motr" in unknown.status[0] and "mass" not in unknown.status[0]

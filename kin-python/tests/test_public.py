@@ -29,8 +29,7 @@ INSTEAD = {
     },
     "Forces": {
         "balance": "an attribute", "constraints": "system.constraints", "data": "columns", "energy": "an attribute",
-        "engine": "`forces` chooses its engine", "magnitudes": "`on(body).magnitude`", "motion": "an attribute",
-        "why_plain": "`forces` chooses its engine", "write_csv_to": "write_csv", "write_json": "to_pandas",
+        "magnitudes": "`on(body).magnitude`", "motion": "an attribute", "write_csv_to": "write_csv", "write_json": "to_pandas",
     },
     "Law": {
         "breaks": "`motion.breaks`", "by_parameter": "sensitivities", "description": "repr", "fixed_numbers": "of Rust's trait",
@@ -68,7 +67,7 @@ INSTEAD = {
     "System": {
         "assemblies_with": "assemblies", "assembly_with": "assembly", "constraint_names": "constraints", "coordinate_names": "names",
         "coordinate_units": "units", "diagnose_at": "diagnose(t, q)", "diagnose_at_with": "diagnose", "diagnose_with": "diagnose",
-        "equation_names": "equations", "forces_by": "`forces` chooses its engine", "forces_with": "forces(motion, sharing)",
+        "equation_names": "equations", "forces_by": "`forces(motion, engine=…)`", "forces_with": "forces(motion, sharing)",
         "link_length": "parameters", "load_names": "loads",
         "n_coordinates": "`len(system.names)`", "n_equations": "`len(system.equations)`", "position_with": "position",
         "run_in_parts": "`kin.sweep` and files", "run_watched": "run(progress=…)", "run_with": "run", "solve_at": "position(t, q)",

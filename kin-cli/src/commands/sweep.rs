@@ -32,11 +32,10 @@ pub fn sweep(asked: &Sweep, say: &Say) -> Result<(), Fault> {
     let Cases { names, rows } = cases(&asked.cases)?;
     let keep: Vec<String> =
         if asked.keep.is_empty() { system.coordinate_names().to_vec() } else { asked.keep.clone() };
-    known(&system, &names, &keep)?;
-    let options = model::options(&asked.motion, false);
+    let (times, options) = (&asked.motion.times.0, model::options(&asked.motion, false));
+    known(&system, &names, &keep, times.first())?;
     let range = asked.shard.map_or(0..rows.len(), |shard| shard.cases(rows.len()));
-    let job =
-        Job { system: &system, names: &names, keep: &keep, times: &asked.motion.times.0, options: &options };
+    let job = Job { system: &system, names: &names, keep: &keep, times, options: &options };
     let mut table = csv::Writer::from_writer(output::open(&asked.out)?);
     let failed = |error: csv::Error| output::failed(&asked.out, &output::reason(error));
     table.write_record(job.header()).map_err(failed)?;
@@ -92,18 +91,40 @@ fn unread(error: &csv::Error) -> String {
     }
 }
 
-/// An error for names that the mechanism does not have, before anything is computed.
-fn known(system: &System, names: &[String], keep: &[String]) -> Result<(), Fault> {
+/// An error for names that the mechanism does not have, before anything is computed. The columns of forces
+/// are known where there are forces: where there is none at the first time, each case says so.
+fn known(system: &System, names: &[String], keep: &[String], first: Option<&f64>) -> Result<(), Fault> {
     system.sweep(names).map_err(Fault::asked)?;
-    let all: Vec<String> =
-        system.measures().into_iter().chain(system.coordinate_names().iter().cloned()).collect();
-    let unknown = keep.iter().find(|name| !all.contains(name)).cloned();
-    match unknown {
+    let mut all = of_motion(system);
+    let unknown = |all: &[String]| keep.iter().find(|name| !all.contains(name)).cloned();
+    if unknown(&all).is_some() && system.has_forces() {
+        let Some(columns) = first.and_then(|t| columns(system, *t).ok()) else { return Ok(()) };
+        all.extend(columns);
+    }
+    match unknown(&all) {
         None => Ok(()),
         Some(name) => {
-            Err(Fault::asked(kin::Error::UnknownName { what: "measure or coordinate", name, known: all }))
+            let what = "measure, coordinate or column of forces";
+            Err(match Fault::asked(kin::Error::UnknownName { what, name, known: all }) {
+                Fault::Usage(text) if system.has_forces() => {
+                    Fault::Usage(format!("{text}; the first line of `kin forces FILE` has those of forces"))
+                }
+                other => other,
+            })
         }
     }
+}
+
+/// Measures and coordinates.
+fn of_motion(system: &System) -> Vec<String> {
+    system.measures().into_iter().chain(system.coordinate_names().iter().cloned()).collect()
+}
+
+/// The columns of forces.
+fn columns(system: &System, t: f64) -> kin::Result<Vec<String>> {
+    let motion = system.run([t])?;
+    let forces = system.forces(&motion)?;
+    Ok(forces.columns().iter().map(|column| column.name().to_string()).collect())
 }
 
 /// The run of each case.
@@ -156,11 +177,22 @@ impl Job<'_> {
             model::set(&mut system, &Setting { name: name.clone(), value: *value })?;
         }
         let motion = system.run_with(self.times, self.options)?;
+        let of_motion = of_motion(&system);
+        let has_forces = self.keep.iter().any(|name| !of_motion.contains(name));
+        let forces = has_forces.then(|| system.forces(&motion)).transpose()?;
         let mut all = Vec::new();
         for name in self.keep {
-            let found = system.extremes(&motion, name)?;
-            let (least, most) = (found.min(), found.max());
-            all.extend([least.value, least.t, most.value, most.t]);
+            match &forces {
+                Some(forces) if !of_motion.contains(name) => {
+                    let found = forces.named(name)?;
+                    all.extend([found.min(), found.at_min(), found.max(), found.at_max()]);
+                }
+                _ => {
+                    let found = system.extremes(&motion, name)?;
+                    let (least, most) = (found.min(), found.max());
+                    all.extend([least.value, least.t, most.value, most.t]);
+                }
+            }
         }
         Ok(all)
     }

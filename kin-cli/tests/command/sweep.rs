@@ -88,3 +88,34 @@ fn cases_come_from_the_standard_input_and_rows_go_to_a_file() {
     let unknown = fed(&arguments, "rocker.tehta\n1.5\n");
     assert!(code(&unknown) == 2 && words(&unknown).contains("rocker.tehta"), "{}", words(&unknown));
 }
+
+#[test]
+fn columns_of_forces_are_kept_like_measures() {
+    let (arm, times) = (example("25_arm_torque"), ["--times", "0:1:41"]);
+    let cases = file("arms.csv", "elbow.u_j.x\n-0.175\n-0.16\n");
+    let rows = data(&[&["sweep", &arm, &cases], &times[..], &["--keep", "elbow motor"]].concat());
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
+    for row in rows.lines().skip(1) {
+        let row: Vec<&str> = row.split(',').collect();
+        let set = format!("elbow.u_j.x={}", row[1]);
+        let values = column(&data(&[&["forces", &arm, "--set", &set], &times[..]].concat()));
+        let [least, most] = [3, 5].map(|k| row[k].parse::<f64>().expect("a number"));
+        assert!(near(least, values.iter().copied().fold(f64::INFINITY, f64::min)), "{row:?} of {values:?}");
+        assert!(
+            near(most, values.iter().copied().fold(f64::NEG_INFINITY, f64::max)),
+            "{row:?} of {values:?}"
+        );
+    }
+    assert_eq!(rows.lines().count(), 3);
+    let wrong = crate::done(&[&["sweep", &arm, &cases], &times[..], &["--keep", "elbow motr"]].concat());
+    let told = words(&wrong);
+    assert!(code(&wrong) == 2 && told.contains("`elbow motr`") && told.contains("kin forces FILE"), "{told}");
+}
+
+/// The efforts of the elbow's motor, of a table of forces.
+fn column(table: &str) -> Vec<f64> {
+    let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<&str>>());
+    let header = lines.next().expect("a header");
+    let number = header.iter().position(|name| *name == "elbow motor [N m]").expect("a column");
+    lines.map(|cells| cells[number].parse().expect("a number")).collect()
+}

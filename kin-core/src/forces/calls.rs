@@ -37,6 +37,11 @@ impl System {
         self.loads.loads.iter().map(|(name, _)| name.as_str()).collect()
     }
 
+    /// True where something has mass or something acts, so that it can be asked for forces.
+    pub fn has_forces(&self) -> bool {
+        !self.loads.is_empty()
+    }
+
     /// The forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, one transposed solve a time. Masses
     /// are given by [`crate::Mechanism::mass`], weight by [`crate::Mechanism::gravity`], other loads by
     /// [`crate::Mechanism::load`]. Those of many times are computed by a program where there can be one
@@ -76,7 +81,7 @@ impl System {
     /// known as a formula.
     pub fn forces_by<'a>(&'a self, motion: &'a Motion, engine: Engine) -> Result<Forces<'a>> {
         self.own(motion)?;
-        if self.loads.is_empty() {
+        if !self.has_forces() {
             return Err(Error::InvalidParameters {
                 constraint: self.name().to_string(),
                 kind: "forces".to_string(),

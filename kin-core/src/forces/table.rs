@@ -6,7 +6,7 @@ use std::path::Path;
 use super::calls::Forces;
 use super::reaction::{Reaction, Source};
 use crate::model::coordinates::{PlanarBody, SpatialBody};
-use crate::model::error::Result;
+use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::model::motion::Series;
 use crate::solve::motion::csv::{reason, to_file};
@@ -42,6 +42,18 @@ impl Forces<'_> {
         }
         all.extend([self.energy().kinetic.clone(), self.energy().potential.clone()]);
         all
+    }
+
+    /// The column of this name, such as `motor` or `A on crank.F_x`.
+    ///
+    /// Errors: a name that no column has, with those that there are; a component that is not unique has none.
+    pub fn named(&self, name: &str) -> Result<Series> {
+        let mut all = self.columns();
+        if let Some(found) = all.iter().position(|column| column.name() == name) {
+            return Ok(all.swap_remove(found));
+        }
+        let known = all.iter().map(|column| column.name().to_string()).collect();
+        Err(Error::UnknownName { what: "column of forces", name: name.to_string(), known })
     }
 
     /// |F| of each constraint that does not drive, on the first of its bodies (`A on crank.force`), where it is

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Iterable, Union
+from typing import Any, Iterable, Optional, Union
 
 import numpy as np
 
@@ -76,11 +76,15 @@ class Forces:
     """The forces of a motion, from C_qᵀ λ = Q_e + Q_v − M q̈: `reaction` of each constraint on each body, efforts and powers of
     drives, energies, the balance of powers. `print` shows the balance."""
 
-    def __init__(self, system: "_native.System", motion: Motion, token: str, mechanism: str, sharing: Any) -> None:
+    def __init__(
+        self, system: "_native.System", motion: Motion, token: str, mechanism: str, sharing: Any, engine: str
+    ) -> None:
         names = None if isinstance(sharing, str) or sharing is None else list(sharing)
         if isinstance(sharing, str) and sharing != "least norm":
             raise ValueError(f'`sharing` is "least norm", or the names of equations that hold nothing, not "{sharing}"')
-        self._native = _native.Forces(system, motion._native, sharing == "least norm", names)
+        if sharing is not None and engine != "auto":
+            raise ValueError("`sharing` is of redundant equations, which have no program; leave `engine` out")
+        self._native = _native.Forces(system, motion._native, engine, sharing == "least norm", names)
         self._system, self._token, self._mechanism = system, token, mechanism
         #: The motion that they belong to.
         self.motion = motion
@@ -91,6 +95,16 @@ class Forces:
 
     def _quantity(self, told: Any) -> Quantity:
         return Quantity._of(told, self.motion.times)
+
+    @property
+    def engine(self) -> tuple[int, int]:
+        """How many times a program has computed, and how many of those it has handed back."""
+        return self._native.engine()
+
+    @property
+    def why_plain(self) -> Optional[str]:
+        """Why all times were computed one by one, where a program would have paid: what stands in the way, by name."""
+        return self._native.why_plain()
 
     @property
     def loads(self) -> list[str]:
@@ -144,6 +158,13 @@ class Forces:
         and change points that it has passed. Of mechanisms with redundant equations and of motions given by states nothing is told.
         """
         return [Growth(*one) for one in self._native.growth()]
+
+    def named(self, name: str) -> Quantity:
+        """The column of this name, such as `motor` or `A on crank.F_x`.
+
+        Raises an error by name, with those that there are; a component that is not unique has none.
+        """
+        return self._quantity(self._native.named(name))
 
     def columns(self) -> dict[str, Any]:
         """Everything that is unique by the headers of the CSV file, such as `A on crank.F_x [N]`."""

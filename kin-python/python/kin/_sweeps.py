@@ -71,7 +71,8 @@ def sweep(
     `A.u_i.x` and initial values such as `rocker.theta`.
 
     `keep` lists what is kept of each motion: "rocker.theta max", or ("rocker.theta", "max"). Of a measure or coordinate
-    `max`, `min`, `range`, `first`, `last`, and of its rates `max_rate` and `max_second_rate`, the largest absolute values.
+    `max`, `min`, `range`, `first`, `last`, and of its rates `max_rate` and `max_second_rate`, the largest absolute values;
+    of a column of forces, such as `motor` or `A on crank.F_x`, the first five.
 
     Cases run on all cores, and several together in the lanes of SIMD registers where the constraints can. The company of
     other cases in its lanes changes the last digits of a result; `lanes=False` gives every case the same digits however

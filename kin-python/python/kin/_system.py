@@ -178,6 +178,11 @@ class System:
         """What `measure` can be asked for of joints, such as `slot.slide`."""
         return self._native.measures()
 
+    @property
+    def has_forces(self) -> bool:
+        """True where something has mass or something acts, so that it can be asked for forces."""
+        return self._native.has_forces()
+
     def measure(self, motion: Motion, what: What) -> Quantity:
         """A measure of a joint or a coordinate over a motion, with its rates."""
         return Quantity._of(self._native.measure(motion._native, self._what(what)), motion.times)
@@ -286,14 +291,18 @@ class System:
         text, name, unit, values = found
         return Samples(name, unit, array(values), count, seed, text)
 
-    def forces(self, motion: Motion, sharing: Union[str, Iterable[str], None] = None) -> Forces:
+    def forces(
+        self, motion: Motion, sharing: Union[str, Iterable[str], None] = None, *, engine: str = "auto"
+    ) -> Forces:
         """The forces of a motion of this system: masses are given by `m.mass` or `m.solid`, weight by `m.gravity`. Of redundant
         constraints `sharing` says how they share what no balance decides: "least norm", or the names of equations that hold
-        nothing; without it no number is given for what is not unique.
+        nothing; without it no number is given for what is not unique. `engine` is "plain", time by time, "compiled", by one
+        program over several times at once, or "auto", by that where it pays; their numbers differ in the last digits.
 
-        Raises an error by name: nothing has mass and nothing acts, a motion of another system, a singular position.
+        Raises an error by name: nothing has mass and nothing acts, a motion of another system, a singular position; with
+        "compiled" also what stands in the way of a program.
         """
-        return Forces(self._native, motion, self._token, self.name, sharing)
+        return Forces(self._native, motion, self._token, self.name, sharing, engine)
 
     def gradient(self, motion: Motion, names: Sequence[str], what: What, weights: Any) -> Any:
         """The derivatives by parameters of one number, whose derivatives by a measure, its rate and its second rate at
