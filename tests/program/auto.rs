@@ -65,6 +65,9 @@ fn what_was_compiled_is_used_for_short_runs_until_something_is_set() {
     system.compile().expect("compiles");
     assert!(by_auto(&system, 200).engine().compiled > 150);
     assert_eq!(by_auto(&system, 20).engine().compiled, 0);
+    // The program that was asked for has no jerk.
+    let jerk = Options { jerk: true, ..auto() };
+    assert_eq!(system.run_with(linspace(0.0, 1.0, 200), &jerk).expect("runs").engine().compiled, 0);
     let copy = system.clone();
     system.set("A.u_j.x", -1.7).expect("is set");
     assert_eq!(by_auto(&system, 200).engine().compiled, 0);
@@ -109,7 +112,6 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
 fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
     let system = driven();
     let all = [
-        (Options { jerk: true, ..auto() }, "the jerk is computed by plain steps"),
         (Options { predict: false, ..auto() }, "a program always predicts"),
         (
             Options { stop: Stop::ResidualOnly(1e-10), ..auto() },
@@ -123,22 +125,11 @@ fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
         let motion = system.run_with(linspace(0.0, 1.0, 201), &options).expect("runs");
         assert_eq!((motion.engine().compiled, motion.why_plain()), (0, None), "{options:?}");
     }
-    // Following is asked of programs too.
-    let options = Options { follow: Follow::Unchecked, ..auto() };
-    assert!(system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs").engine().compiled > 1900);
-}
-
-/// The jerk is that of plain steps to the last digit, whatever engine is asked for; Compiled says so instead.
-#[test]
-fn the_jerk_is_the_same_whichever_engine_is_asked_for() {
-    let (system, times) = (driven(), linspace(0.0, 1.0, 2001));
-    let run = |engine: Engine| system.run_with(&times, &Options { jerk: true, engine, ..Options::default() });
-    let (by_auto, plain) = (run(Engine::Auto).expect("runs"), run(Engine::Plain).expect("runs"));
-    assert!((0..times.len()).all(|k| by_auto.qddd(k) == plain.qddd(k) && by_auto.qdd(k) == plain.qdd(k)));
-    let error = run(Engine::Compiled).expect_err("refused").to_string();
-    assert!(error.contains("the jerk is computed by plain steps"), "{error}");
-    let program = system.run_with(&times, &compiled()).expect("runs");
-    assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10) && program.qddd(7).is_empty());
+    // Following and the jerk are asked of programs too.
+    for options in [Options { follow: Follow::Unchecked, ..auto() }, Options { jerk: true, ..auto() }] {
+        let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
+        assert!(motion.engine().compiled > 1900 && motion.has_jerk() == options.jerk, "{options:?}");
+    }
 }
 
 /// Parts are plain to the last digit, unless a program is asked for: then each of them is computed by the one

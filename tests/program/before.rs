@@ -7,7 +7,7 @@ use kin::Engine;
 use kin::prelude::*;
 use serde::Deserialize;
 
-use crate::gallery::{REFUSED, mechanisms};
+use crate::gallery::mechanisms;
 
 /// The motion of one example: first and last time and their number, names of its coordinates, and q, q̇ and
 /// q̈ at some of the times, by their numbers.
@@ -36,9 +36,7 @@ fn examples_move_as_before_the_rooms() {
         let Some(Before { times: (first, last, count), names, rows }) = before.get(&name) else { continue };
         assert_eq!(&system.coordinate_names(), names, "{name}");
         seen += 1;
-        let is_compiled = REFUSED.iter().all(|(refused, _)| *refused != name);
-        let engines = [Some(Engine::Plain), is_compiled.then_some(Engine::Compiled)];
-        for engine in engines.into_iter().flatten() {
+        for engine in [Engine::Plain, Engine::Compiled] {
             let options = kin::Options { engine, ..kin::Options::default() };
             let motion = system.run_with(linspace(*first, *last, *count), &options).expect("runs");
             for (k, orders) in rows {

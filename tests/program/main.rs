@@ -3,13 +3,19 @@
 
 mod auto;
 mod before;
+mod foreign;
 mod gallery;
+mod jerk;
+mod jumps;
 mod refused;
 mod summary;
 mod told;
 
 use kin::prelude::*;
 use kin::{Engine, Options};
+
+#[path = "../data/engines.rs"]
+mod engines;
 
 /// The defaults, compiled.
 pub fn compiled() -> Options {

@@ -49,28 +49,14 @@ fn root<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
     x.sqrt()
 }
 
-#[constraint]
-fn by_a_function(b: Planar, t: Time) -> f64 {
-    b.theta - root(1.0 + t * t)
-}
-
-#[test]
-fn functions_that_only_rustc_reads_are_told() {
-    let (mut m, crank) = crank();
-    m.add("motor", by_a_function(crank)).expect("adds");
-    let text = refused(m);
-    assert!(text.contains("`motor`") && text.contains("only rustc can read"), "{text}");
-}
-
 /// √(1 + θ²) = 1.5 + t.
 #[constraint]
 fn by_a_function_of_its_angle(b: Planar, t: Time) -> f64 {
     root(1.0 + b.theta * b.theta) - 1.5 - t
 }
 
-/// Such a function might jump too, but that is not the reason.
 #[test]
-fn functions_of_coordinates_that_only_rustc_reads_are_told_as_such() {
+fn functions_of_coordinates_that_only_rustc_reads_are_told() {
     let (mut m, crank) = crank();
     m.add("motor", by_a_function_of_its_angle(crank)).expect("adds");
     m.prefer(crank, 1.0);
@@ -83,9 +69,7 @@ fn options_that_a_program_does_not_know_are_told() {
     let (mut m, crank) = crank();
     m.add("motor", drive_angle(crank, Law::ramp(2.0))).expect("adds");
     let system = m.build().expect("builds");
-    for options in [kin::Options { jerk: true, ..compiled() }, kin::Options { predict: false, ..compiled() }]
-    {
-        let error = system.run_with(linspace(0.0, 1.0, 11), &options).expect_err("refused");
-        assert!(error.to_string().contains("Engine::Auto"), "{error}");
-    }
+    let options = kin::Options { predict: false, ..compiled() };
+    let error = system.run_with(linspace(0.0, 1.0, 11), &options).expect_err("refused");
+    assert!(error.to_string().contains("Engine::Auto"), "{error}");
 }

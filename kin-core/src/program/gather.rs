@@ -8,7 +8,8 @@ use std::rc::Rc;
 use kin_graph::differentiate::Partial;
 use kin_graph::{Graph, Input, Node, Op};
 
-use super::kind::{FOREIGN, Kind, SELF};
+use super::kind::{FOREIGN, Kind, SELF, TIMED};
+use super::timed::timed;
 use crate::model::constraint::Constraint;
 use crate::model::formula::{Given, Outside, Table, copied, nothing_outside};
 use crate::model::law::Law;
@@ -24,16 +25,24 @@ pub(crate) struct Whole {
     pub laws: Vec<Law>,
     /// Number of coordinates.
     pub n: usize,
+    /// The nodes that choose between sides where coordinates move: see [`Kind::sides`].
+    pub sides: Vec<Node>,
+    /// True if rows have what the jerk asks of them.
+    jerk: bool,
     /// The kinds that were read, by their tables.
     kinds: HashMap<usize, Rc<Kind>>,
 }
 
-/// One row: C, ∂C/∂q_j by coordinates, C_t, and g″(0) along the rates, which is −Q_d.
+/// One row: C, ∂C/∂q_j by coordinates, C_t, g″(0) along the rates, which is −Q_d, and, where the jerk is
+/// asked for, g‴(0) along the rates and second rates.
 pub(crate) struct Row {
     pub residual: Node,
     pub slopes: Vec<(usize, Node)>,
+    /// Coordinates that it hangs on without a slope.
+    pub steps: Vec<usize>,
     pub by_time: Node,
     pub second: Node,
+    pub third: Option<Node>,
 }
 
 /// The reason why there is no program.
@@ -59,9 +68,10 @@ pub(crate) const UNREAD: &str =
     "its equation is not known as a formula: it takes the dual route, or is written by hand";
 pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 
-/// Gathers the equations of a system; refuses by name what cannot be read.
-pub(crate) fn gather(system: &System) -> Result<Whole, Refusal> {
-    let mut whole = Whole::new(system.n_coordinates());
+/// Gathers the equations of a system, with or without what the jerk asks of them; refuses by name what cannot
+/// be read.
+pub(crate) fn gather(system: &System, jerk: bool) -> Result<Whole, Refusal> {
+    let mut whole = Whole { jerk, ..Whole::new(system.n_coordinates()) };
     for block in &system.equations().blocks {
         let rows = whole.rows_of(system, block.constraint.as_ref());
         let refused = |reason| Refusal { constraint: block.name.clone(), reason };
@@ -76,10 +86,15 @@ pub(crate) struct Leaves<'a> {
     pub parameters: &'a [f64],
     /// The values and laws that only the user's program can compute.
     pub outside: Outside<'a>,
+    /// Values of time alone that only the user's program can compute, by their places from [`TIMED`] on.
+    pub timed: &'a [Law],
 }
 
 impl Leaves<'_> {
     fn law(&self, number: usize) -> Option<Law> {
+        if let Some(k) = number.checked_sub(TIMED) {
+            return self.timed.get(k).cloned();
+        }
         Given::by(self.outside, number, &[]).law().cloned()
     }
 
@@ -122,7 +137,8 @@ impl Whole {
     /// Of so many coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
         let kinds = HashMap::new();
-        Whole { graph: Graph::default(), rows: Vec::new(), laws: Vec::new(), n, kinds }
+        let (rows, laws, sides) = Default::default();
+        Whole { graph: Graph::default(), rows, laws, n, sides, jerk: false, kinds }
     }
 
     /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their numbers
@@ -149,7 +165,8 @@ impl Whole {
         let columns = columns(system, constraint).ok_or(ABROAD)?;
         let done = constraint.formula(|table, parameters, outside| {
             let kind = self.kind(table, constraint.facts().rows.len())?;
-            self.rows_of_kind(&kind, &Leaves { columns: &columns, parameters, outside })
+            let timed = timed(constraint, &kind.timed);
+            self.rows_of_kind(&kind, &Leaves { columns: &columns, parameters, outside, timed: &timed })
         });
         done.unwrap_or(Err(UNREAD))
     }
@@ -164,7 +181,8 @@ impl Whole {
         let done = constraint.formula(|table, parameters, outside| {
             let kind = self.kind(table, 1)?;
             let row = kind.rows.first().ok_or(UNREAD)?.residual;
-            let leaves = Leaves { columns: &columns, parameters, outside };
+            let timed = timed(constraint, &kind.timed);
+            let leaves = Leaves { columns: &columns, parameters, outside, timed: &timed };
             let places = self.copy(&kind.graph, &kind.graph.reachable(&[row]), &leaves)?;
             Ok(places[row.index()])
         });
@@ -176,7 +194,7 @@ impl Whole {
         let key = std::ptr::from_ref(table) as usize;
         let kind = match self.kinds.get(&key) {
             Some(known) => known.clone(),
-            None => Rc::new(Kind::of(table.formula(), rows)?),
+            None => Rc::new(Kind::of(table.formula(), rows, self.jerk)?),
         };
         self.kinds.insert(key, kind.clone());
         Ok(kind)
@@ -197,13 +215,18 @@ impl Whole {
             }
             slopes.retain(|(_, slope)| !self.graph.is_zero(*slope));
             slopes.sort_by_key(|(column, _)| *column);
-            rows.push(Row {
-                residual: of(row.residual),
-                slopes,
-                by_time: of(row.by_time),
-                second: of(row.second),
-            });
+            let coordinate = |column: &usize| match leaves.columns.get(*column) {
+                Some(Column::Coordinate(j)) => Some(*j),
+                _ => None,
+            };
+            let steps = row.columns.iter().filter_map(coordinate);
+            let steps = steps.filter(|j| slopes.iter().all(|(known, _)| known != j)).collect();
+            let (by_time, second) = (of(row.by_time), of(row.second));
+            let (residual, third) = (of(row.residual), row.third.map(of));
+            rows.push(Row { residual, slopes, steps, by_time, second, third });
         }
+        let sides = kind.sides.iter().map(|side| places[side.index()]);
+        self.sides.extend(sides.filter(|side| self.graph.known_value(*side).is_none()));
         Ok(rows)
     }
 
@@ -223,8 +246,8 @@ impl Whole {
                 Some(Column::Node(node)) => *node,
                 None => return Err(UNREAD),
             },
-            Op::Input(Input::Rate(k, _)) => match leaves.columns.get(k) {
-                Some(Column::Coordinate(j)) => to.input(Input::Rate(*j, SELF)),
+            Op::Input(Input::Rate(k, part)) => match leaves.columns.get(k) {
+                Some(Column::Coordinate(j)) => to.input(Input::Rate(*j, part)),
                 Some(Column::Fixed(_)) => to.zero(),
                 Some(Column::Node(_)) | None => return Err(UNREAD),
             },

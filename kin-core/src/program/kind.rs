@@ -5,10 +5,14 @@
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::schedule::looked_up;
-use kin_graph::{Column, Depends, Formula, Graph, Input, Node, Op, Part};
+use kin_graph::{Column, Formula, Function, Function2, Graph, Input, Node, Op, Part};
 
-/// The part of a state that a coordinate is.
+/// The part of a state, or of a rate, that a coordinate is; the part of a rate that the second rate is.
 pub(crate) const SELF: Part = Part::R(0);
+pub(super) const SECOND: Part = Part::R(1);
+
+/// The number from which on laws of the graph are values of time alone that only rustc can read.
+pub(super) const TIMED: usize = usize::MAX / 2;
 
 /// Rows with all that is asked of them.
 pub(super) struct Kind {
@@ -16,29 +20,41 @@ pub(super) struct Kind {
     pub rows: Vec<KindRow>,
     /// All that rows are computed from, operands before their users.
     pub nodes: Vec<Node>,
+    /// The nodes that choose between sides where coordinates move: conditions and whole numbers. As long as
+    /// all of them are the same nothing has jumped.
+    pub sides: Vec<Node>,
+    /// Values of time alone that only rustc can read, as nodes of the formula; the graph has them as laws of
+    /// time, by their places here from [`TIMED`] on.
+    pub timed: Vec<Node>,
 }
 
-/// One row: C, ∂C/∂q_k by local columns, C_t, and g″(0) along the rates, which is −Q_d.
+/// One row: C, ∂C/∂q_k by local columns, C_t, g″(0) along the rates, which is −Q_d, and, where the jerk is
+/// asked for, g‴(0) along the rates and second rates.
 pub(super) struct KindRow {
     pub residual: Node,
+    /// The local columns that it reads: a step of one has no slope, and hangs on it all the same.
+    pub columns: Vec<usize>,
     pub slopes: Vec<(usize, Node)>,
     pub by_time: Node,
     pub second: Node,
+    pub third: Option<Node>,
 }
 
 /// Why an equation cannot be read as a graph.
-pub(crate) const FOREIGN: &str = "a function that only rustc can read is asked for something that moves";
+pub(crate) const FOREIGN: &str =
+    "a function that only rustc can read is asked for something that moves with coordinates";
 const EMPTY: &str = "its equation is not known as a formula";
 
 impl Kind {
-    /// Of the rows as they are written.
-    pub(super) fn of(formula: &Formula, rows: usize) -> Result<Kind, &'static str> {
+    /// Of the rows as they are written, with or without what the jerk asks of them.
+    pub(super) fn of(formula: &Formula, rows: usize, jerk: bool) -> Result<Kind, &'static str> {
         if formula.rows.len() != rows {
             return Err(EMPTY);
         }
         let (mut graph, mut places) = (Graph::default(), vec![Node::default(); formula.graph.len()]);
+        let mut timed = Vec::new();
         for node in formula.graph.reachable(&formula.rows) {
-            places[node.index()] = read(&mut graph, &formula.graph, node, &places)?;
+            places[node.index()] = read(&mut graph, &formula.graph, node, &places, &mut timed)?;
         }
         let residuals: Vec<Node> = formula.rows.iter().map(|row| places[row.index()]).collect();
         let residuals = looked_up(&mut graph, &residuals);
@@ -54,27 +70,74 @@ impl Kind {
             }
         }
         let (mut by_time, mut jets) = (Partial::by_time(), Jets::default());
-        let mut row = |(residual, slopes): (Node, Vec<(usize, Node)>)| {
+        let sides = sides(&mut graph, &residuals);
+        let mut rows = Vec::with_capacity(residuals.len());
+        for ((residual, columns), slopes) in residuals.into_iter().zip(columns).zip(slopes) {
             let by_time = by_time.of(&mut graph, residual);
-            KindRow { residual, slopes, by_time, second: jets.of(&mut graph, residual).second }
-        };
-        let rows: Vec<KindRow> = residuals.into_iter().zip(slopes).map(&mut row).collect();
-        let nodes = graph.reachable(&outputs(&rows));
-        Ok(Kind { graph, rows, nodes })
+            let second = jets.of(&mut graph, residual).second;
+            let third = jerk.then(|| third(&mut graph, &mut jets, &slopes, second));
+            let columns = columns.into_iter().map(|column| column.argument).collect();
+            rows.push(KindRow { residual, columns, slopes, by_time, second, third });
+        }
+        let nodes = graph.reachable(&[outputs(&rows), sides.clone()].concat());
+        Ok(Kind { graph, rows, nodes, sides, timed })
     }
+}
+
+/// g‴(0) of g(s) = C(q + s q̇ + ½ s² q̈, t + s): the derivative of g″(0) along constant rates, and three
+/// times that of C_q q̈.
+fn third(graph: &mut Graph, jets: &mut Jets, slopes: &[(usize, Node)], second: Node) -> Node {
+    let (zero, three) = (graph.zero(), graph.constant(3.0));
+    let straight = slopes.iter().fold(zero, |sum, (column, slope)| {
+        let rate = graph.input(Input::Rate(*column, SECOND));
+        let product = graph.mul(*slope, rate);
+        graph.add(sum, product)
+    });
+    let (bent, along) = (jets.first(graph, second), jets.first(graph, straight));
+    let along = graph.mul(three, along);
+    graph.add(bent, along)
+}
+
+/// The nodes that choose between sides of these rows where coordinates move.
+fn sides(graph: &mut Graph, rows: &[Node]) -> Vec<Node> {
+    let mut sides = Vec::new();
+    for node in graph.reachable(rows) {
+        let side = match graph.op(node) {
+            Op::Select(condition, ..) => condition,
+            Op::Call(Function::Fract, x) => graph.call(Function::Trunc, x),
+            Op::Call(f, _) if f.facts().can_jump() => node,
+            Op::Call2(Function2::RemEuclid, x, y) => graph.call2(Function2::DivEuclid, x, y),
+            Op::Call2(Function2::Rem, x, y) => {
+                let quotient = graph.div(x, y);
+                graph.call(Function::Trunc, quotient)
+            }
+            Op::Call2(f, ..) if f.facts().jumps => node,
+            _ => continue,
+        };
+        if graph.depends(side).on_q && !sides.contains(&side) {
+            sides.push(side);
+        }
+    }
+    sides
 }
 
 /// All nodes that are asked for.
 fn outputs(rows: &[KindRow]) -> Vec<Node> {
     let of = |row: &KindRow| {
         let own = [row.residual, row.by_time, row.second].into_iter();
-        own.chain(row.slopes.iter().map(|(_, slope)| *slope)).collect::<Vec<Node>>()
+        own.chain(row.third).chain(row.slopes.iter().map(|(_, slope)| *slope)).collect::<Vec<Node>>()
     };
     rows.iter().flat_map(of).collect()
 }
 
 /// One step of a formula.
-fn read(to: &mut Graph, from: &Graph, node: Node, places: &[Node]) -> Result<Node, &'static str> {
+fn read(
+    to: &mut Graph,
+    from: &Graph,
+    node: Node,
+    places: &[Node],
+    timed: &mut Vec<Node>,
+) -> Result<Node, &'static str> {
     let of = |node: Node| places[node.index()];
     Ok(match from.op(node) {
         Op::Input(Input::Column(k)) => to.input(Input::State(k, SELF)),
@@ -84,9 +147,13 @@ fn read(to: &mut Graph, from: &Graph, node: Node, places: &[Node]) -> Result<Nod
         Op::Decimal(k) => from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?,
         Op::Opaque(number, component) => {
             let operands: Vec<Node> = from.opaques[number].iter().map(|operand| of(*operand)).collect();
-            let moves = |operand: &Node| Depends::varies(to.depends(*operand));
-            if operands.iter().any(moves) {
+            if operands.iter().any(|operand| to.depends(*operand).on_q) {
                 return Err(FOREIGN);
+            }
+            if operands.iter().any(|operand| to.depends(*operand).on_t) {
+                timed.push(node);
+                let t = to.input(Input::Time);
+                return Ok(to.law(TIMED + timed.len() - 1, t, 0));
             }
             if to.opaques.len() <= number {
                 to.opaques.resize(number + 1, Vec::new());

@@ -2,9 +2,10 @@
 //! eliminated, as straight-line stages.
 //!
 //! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint), `gather` (all
-//! constraints in one graph), `substitute` (coordinates that a row gives), `eliminate` (the linear systems of
-//! what is left), `stages`, `schedule` (the tape). Then `replay` runs a tape over lanes, and `times` solves
-//! many times of one run with it; `along` makes tapes of what is asked of a motion that is known.
+//! constraints in one graph; values of time that only the user's program knows are laws there, by `timed`),
+//! `substitute` (coordinates that a row gives), `eliminate` (the linear systems of what is left), `stages`,
+//! `schedule` (the tape). Then `replay` runs a tape over lanes, and `times` solves many times of one run with
+//! it; `along` makes tapes of what is asked of a motion that is known.
 
 mod along;
 mod blocks;
@@ -20,12 +21,13 @@ mod substitute;
 mod tape;
 #[cfg(test)]
 pub(crate) mod tests;
+mod timed;
 mod transposed;
 
 pub(crate) use along::Guarded;
 pub(crate) use eliminate::Elimination;
 pub(crate) use gather::{ABROAD, Column, Leaves, Refusal, Row, UNREAD, Whole, columns, gather};
-pub(crate) use kind::{FOREIGN, SELF};
+pub(crate) use kind::SELF;
 pub(crate) use reduce::Reduced;
 #[cfg(test)]
 pub(crate) use stages::Program;

@@ -10,11 +10,11 @@ use super::tape::{Kind, Stage, Tape};
 /// The fault.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Fault {
-    /// A coordinate, a rate or a second rate has lost its sign.
+    /// A coordinate (0) or one of its rates, by their orders, has lost its sign.
     Sign(usize),
-    /// A rate or a second rate is that of the next coordinate.
+    /// A rate is that of the next coordinate.
     Column(usize),
-    /// A coordinate, a rate or a second rate is off by a thousandth.
+    /// A coordinate or one of its rates is off by a thousandth.
     Slight(usize),
     /// A row reads the coordinate after its own in `verify`.
     Row,
@@ -25,47 +25,48 @@ pub(crate) enum Fault {
 }
 
 /// Every fault.
-pub(crate) const ALL: [Fault; 11] = [
+pub(crate) const ALL: [Fault; 14] = [
     Fault::Sign(0),
     Fault::Sign(1),
     Fault::Sign(2),
+    Fault::Sign(3),
     Fault::Column(1),
     Fault::Column(2),
+    Fault::Column(3),
     Fault::Slight(0),
     Fault::Slight(1),
     Fault::Slight(2),
+    Fault::Slight(3),
     Fault::Row,
     Fault::Correction,
     Fault::Guard,
 ];
 
-/// Plants a fault in what concerns coordinate, or row, number k.
+/// The nodes of coordinates (0) or of one of their rates, by orders.
+fn list(program: &mut Program, order: usize) -> &mut Vec<Node> {
+    match order {
+        0 => &mut program.values,
+        1 => &mut program.rates,
+        2 => &mut program.second_rates,
+        _ => &mut program.third_rates,
+    }
+}
+
+/// Plants a fault in what concerns coordinate, or row, number k; none where the program has no such number.
 pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
     let n = program.values.len();
-    let of = |program: &Program, order: usize, k: usize| match order {
-        0 => program.values[k],
-        1 => program.rates[k],
-        _ => program.second_rates[k],
-    };
-    let put = |program: &mut Program, order: usize, node: Node| match order {
-        0 => program.values[k] = node,
-        1 => program.rates[k] = node,
-        _ => program.second_rates[k] = node,
-    };
     match fault {
-        Fault::Sign(order) => {
-            let node = of(program, order, k);
-            let node = program.graph.neg(node);
-            put(program, order, node);
-        }
-        Fault::Column(order) => {
-            let node = of(program, order, (k + 1) % n);
-            put(program, order, node);
-        }
-        Fault::Slight(order) => {
-            let (node, factor) = (of(program, order, k), program.graph.constant(1.001));
-            let node = program.graph.mul(factor, node);
-            put(program, order, node);
+        Fault::Sign(order) | Fault::Slight(order) | Fault::Column(order) => {
+            let Some(node) = list(program, order).get(k).copied() else { return };
+            let wrong = match fault {
+                Fault::Sign(_) => program.graph.neg(node),
+                Fault::Column(_) => list(program, order)[(k + 1) % n],
+                _ => {
+                    let factor = program.graph.constant(1.001);
+                    program.graph.mul(factor, node)
+                }
+            };
+            list(program, order)[k] = wrong;
         }
         Fault::Row => program.verify[k] = program.verify[(k + 1) % n],
         Fault::Correction => {

@@ -8,7 +8,7 @@ use kin_graph::{Graph, Input, LeafUse, Node, Source, evaluate};
 
 use super::eliminate::Elimination;
 use super::gather::{Refusal, Whole, gather};
-use super::kind::SELF;
+use super::kind::{SECOND, SELF};
 use super::reduce::Reduced;
 use super::substitute::{Order, substitute};
 use crate::model::law::Law;
@@ -37,11 +37,14 @@ pub(crate) struct Program {
     pub left: Vec<Node>,
     /// Pivots and determinants of each block of the elimination.
     pub guards: Vec<Vec<Node>>,
-    /// All coordinates, the last correction of each, q̇ and q̈.
+    /// All coordinates, the last correction of each, q̇ and q̈, and q⃛ where that is asked for.
     pub values: Vec<Node>,
     pub corrections: Vec<Node>,
     pub rates: Vec<Node>,
     pub second_rates: Vec<Node>,
+    pub third_rates: Vec<Node>,
+    /// The nodes that choose between sides where coordinates move: conditions and whole numbers.
+    pub sides: Vec<Node>,
     /// C as written, of the coordinates `values`.
     pub verify: Vec<Node>,
     /// Sizes of the blocks that are solved together.
@@ -51,18 +54,18 @@ pub(crate) struct Program {
 /// Why a mechanism with repeated equations cannot be compiled.
 pub(crate) const REDUNDANT: &str = "it has more equations than coordinates";
 
-/// The program of a system, its elimination chosen at a pose.
-pub(crate) fn program(system: &System, pose: Pose<'_>) -> Result<Program, Refusal> {
+/// The program of a system, its elimination chosen at a pose; with or without q⃛.
+pub(crate) fn program(system: &System, pose: Pose<'_>, jerk: bool) -> Result<Program, Refusal> {
     let refused = |reason| Refusal { constraint: String::new(), reason };
     if system.n_equations() != system.n_coordinates() {
         return Err(refused(REDUNDANT));
     }
-    let mut whole = gather(system)?;
+    let mut whole = gather(system, jerk)?;
     let slopes = slopes(&whole, pose);
     let order = substitute(&mut whole, &slopes, pose.sizes);
     let (mut reduced, values) = Reduced::new(&whole, &order);
     let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
-    Ok(finished(&whole, &order, (reduced, values), [&elimination; 3]))
+    Ok(finished(&whole, &order, (reduced, values), [&elimination; 4]))
 }
 
 /// The elimination of what is left where rows give what they give.
@@ -81,13 +84,13 @@ pub(super) fn eliminated<'o>(
     Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
 }
 
-/// All stages by the elimination, told once for each of its right sides: those of corrections, q̇ and q̈;
+/// All stages by the elimination, told once for each of its right sides: those of corrections, q̇, q̈ and q⃛;
 /// `values` are the nodes of coordinates.
 pub(super) fn finished(
     whole: &Whole,
     order: &Order,
     (mut reduced, values): (Reduced<'_>, Vec<Node>),
-    [elimination, of_rates, of_second_rates]: [&Elimination<'_>; 3],
+    [elimination, of_rates, of_second_rates, of_third_rates]: [&Elimination<'_>; 4],
 ) -> Program {
     // Given rows are met by what they give.
     let zero = reduced.graph.zero();
@@ -103,6 +106,8 @@ pub(super) fn finished(
     rates.iter().enumerate().for_each(|(column, rate)| reduced.put(Input::Rate(column, SELF), *rate));
     let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.second));
     let second_rates = of_second_rates.solve(&mut reduced.graph, &b);
+    let third_rates = third_rates(&mut reduced, whole, &second_rates, of_third_rates);
+    let sides = sides(&mut reduced, whole);
     let columns: Vec<Node> = (0..whole.n).map(|column| reduced.graph.input(Input::Column(column))).collect();
     reduced.rewrite(columns.iter().enumerate().map(|(column, node)| (Input::State(column, SELF), *node)));
     let verify = whole.rows.iter().map(|row| reduced.of(row.residual)).collect();
@@ -119,9 +124,37 @@ pub(super) fn finished(
         corrections,
         rates,
         second_rates,
+        third_rates,
+        sides,
         verify,
         laws: whole.laws.clone(),
     }
+}
+
+/// q⃛ of C_q q⃛ = −g‴(0), if rows have that.
+fn third_rates(
+    reduced: &mut Reduced<'_>,
+    whole: &Whole,
+    second_rates: &[Node],
+    elimination: &Elimination<'_>,
+) -> Vec<Node> {
+    let Some(third) = whole.rows.iter().map(|row| row.third).collect::<Option<Vec<Node>>>() else {
+        return Vec::new();
+    };
+    for (column, rate) in second_rates.iter().enumerate() {
+        reduced.put(Input::Rate(column, SECOND), *rate);
+    }
+    let b = opposite(reduced, third.into_iter());
+    elimination.solve(&mut reduced.graph, &b)
+}
+
+/// The nodes that choose between sides and are not known beforehand, each once.
+fn sides(reduced: &mut Reduced<'_>, whole: &Whole) -> Vec<Node> {
+    let mut sides: Vec<Node> = whole.sides.iter().map(|side| reduced.of(*side)).collect();
+    sides.retain(|side| reduced.graph.known_value(*side).is_none());
+    sides.sort_unstable();
+    sides.dedup();
+    sides
 }
 
 /// The nodes with their signs changed.
@@ -180,7 +213,10 @@ impl Source<f64> for At<'_> {
 
 /// A derivative of a law, by its number.
 pub(super) fn law_at(laws: &[Law], law: usize, x: f64, order: u8) -> f64 {
-    laws.get(law).and_then(|law| law.jet(x).get(usize::from(order)).copied()).unwrap_or(f64::NAN)
+    let at = |law: &Law| {
+        if order == 4 { Some(law.fourth(x)) } else { law.jet(x).get(usize::from(order)).copied() }
+    };
+    laws.get(law).and_then(at).unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]
@@ -194,6 +230,8 @@ impl Program {
             &self.corrections,
             &self.rates,
             &self.second_rates,
+            &self.third_rates,
+            &self.sides,
             &self.verify,
         ];
         stages.into_iter().flatten().chain(self.guards.iter().flatten()).copied().collect()

@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashSet};
 
 use kin_graph::{Graph, Input, Node, Op};
 
-use super::gather::Whole;
+use super::gather::{Row, Whole};
 use super::kind::SELF;
 
 /// A constant factor is at least this share of the largest slope of its row, both by the sizes of
@@ -36,7 +36,12 @@ pub(crate) struct Order {
 /// guess, `sizes` the sizes of coordinates.
 pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Order {
     let eligible = eligible(whole, slopes, sizes);
-    let cells: Vec<&[(usize, Node)]> = whole.rows.iter().map(|row| &row.slopes[..]).collect();
+    let zero = whole.graph.zero();
+    // A coordinate that a row hangs on by steps alone has to be known before it, too.
+    let steps = |row: &Row| row.steps.iter().map(|column| (*column, zero)).collect::<Vec<_>>();
+    let all: Vec<Vec<(usize, Node)>> =
+        whole.rows.iter().map(|row| [&row.slopes[..], &steps(row)].concat()).collect();
+    let cells: Vec<&[(usize, Node)]> = all.iter().map(Vec::as_slice).collect();
     ordered(&cells, whole.n, eligible)
 }
 

@@ -95,7 +95,9 @@ impl Motion {
     pub(crate) fn cut(&mut self, len: usize, worst: Option<(f64, usize)>) {
         let numbers = len * self.layout.len();
         self.times.truncate(len);
-        [&mut self.q, &mut self.qd, &mut self.qdd].into_iter().for_each(|all| all.truncate(numbers));
+        [&mut self.q, &mut self.qd, &mut self.qdd, &mut self.qddd]
+            .into_iter()
+            .for_each(|all| all.truncate(numbers));
         self.iterations.truncate(len);
         self.residuals.truncate(len);
         self.worst = worst;

@@ -62,7 +62,8 @@ impl Jets {
         Jet { first, second: self.second.of(node).whole(g) }
     }
 
-    fn first(&mut self, g: &mut Graph, node: Node) -> Node {
+    /// The first derivative of `node` alone.
+    pub fn first(&mut self, g: &mut Graph, node: Node) -> Node {
         for inner in g.unknown(&[node], |n| self.first.has(n)) {
             let first = self.first_rule(g, inner);
             self.first.set(inner, first);

@@ -86,7 +86,7 @@ impl Slopes {
         let done = block.constraint.formula(|_, parameters, outside| {
             columns.extend(parameters.iter().map(|value| Column::Fixed(*value)));
             columns.extend(equation.calls.iter().map(|_| Column::Fixed(0.0)));
-            let leaves = Leaves { columns: &columns, parameters, outside };
+            let leaves = Leaves { columns: &columns, parameters, outside, timed: &[] };
             let nodes = equation.graph.reachable(&equation.outputs());
             let places = whole.copy(&equation.graph, &nodes, &leaves)?;
             let of = |node: Node| places[node.index()];

@@ -98,7 +98,7 @@ fn tape_with(
     if let Some((joint, _)) = system.loads.frictions.first() {
         return Err(refusal(joint, RUBS));
     }
-    let mut whole = gather(system)?;
+    let mut whole = gather(system, false)?;
     let Acts { by_q, kinetic, rate, potential, loads, largest, .. } = Acts::new(&mut whole, system, loads)?;
     let (cells, by_time): (Vec<_>, Vec<Node>) =
         whole.rows.into_iter().map(|row| (row.slopes, row.by_time)).unzip();

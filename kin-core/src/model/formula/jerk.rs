@@ -1,7 +1,7 @@
 //! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its own for
 //! every constraint would be a quarter of all that is compiled.
 
-use kin_graph::{Formula, Input, LeafUse, Source, evaluate};
+use kin_graph::{Formula, Input, LeafUse, Node, Source, evaluate};
 
 use super::{Given, Outside, jet_of_law};
 use crate::model::coordinates::Argument;
@@ -47,10 +47,20 @@ impl<'a> Along<'a> {
         Along { columns: vec![x], t: Number::from(f64::NAN), parameters, outside }
     }
 
+    /// The time t + s alone: coordinates are not numbers.
+    pub(crate) fn of_time(t: f64, parameters: &'a [f64], outside: Outside<'a>) -> Self {
+        let t = Real(Dual3_64::new(t, 1.0, 0.0, 0.0));
+        Along { columns: Vec::new(), t, parameters, outside }
+    }
+
     /// The value of row 0 and its first three derivatives by s.
     pub(crate) fn first(&self, formula: &Formula) -> [f64; 4] {
-        let Some(row) = formula.rows.first() else { return [f64::NAN; 4] };
-        let y = evaluate(&formula.graph, &formula.rows, self).number(*row);
+        formula.rows.first().map_or([f64::NAN; 4], |row| self.of(formula, *row))
+    }
+
+    /// The value of a node and its first three derivatives by s.
+    pub(crate) fn of(&self, formula: &Formula, node: Node) -> [f64; 4] {
+        let y = evaluate(&formula.graph, &[node], self).number(node);
         y.map_or([f64::NAN; 4], |Real(y)| [y.re, y.v1, y.v2, y.v3])
     }
 

@@ -20,11 +20,13 @@ pub(crate) enum Pass {
     Rates,
     /// The elimination, for q̈ alone.
     SecondRates,
+    /// The elimination, for q⃛ alone.
+    ThirdRates,
 }
 
 /// Every pass.
-pub(crate) const PASSES: [Pass; 5] =
-    [Pass::Gather, Pass::Substitute, Pass::Eliminate, Pass::Rates, Pass::SecondRates];
+pub(crate) const PASSES: [Pass; 6] =
+    [Pass::Gather, Pass::Substitute, Pass::Eliminate, Pass::Rates, Pass::SecondRates, Pass::ThirdRates];
 
 /// The change of a node, or of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,15 +49,15 @@ pub(crate) enum Wrong {
 pub(crate) const WRONGS: [Wrong; 6] =
     [Wrong::Sign, Wrong::Slight, Wrong::Lost, Wrong::Place, Wrong::Row, Wrong::Column];
 
-/// The program of a system, with place number k of what a pass hands on made wrong; `None` where there is no
-/// such place.
+/// The program of a system with q⃛, with place number k of what a pass hands on made wrong; `None` where
+/// there is no such place.
 pub(crate) fn with_fault(
     system: &System,
     pose: Pose<'_>,
     (pass, wrong): (Pass, Wrong),
     k: usize,
 ) -> Option<Result<Program, Refusal>> {
-    let mut whole = gather(system).expect("gathers");
+    let mut whole = gather(system, true).expect("gathers");
     if pass == Pass::Gather {
         miscopy(&mut whole, wrong, k)?;
     }
@@ -75,15 +77,16 @@ pub(crate) fn with_fault(
         spoil(&mut reduced.graph, &mut spoilt, wrong, k)?;
     }
     let stages = match pass {
-        Pass::Gather | Pass::Substitute => [&right; 3],
-        Pass::Eliminate => [&spoilt; 3],
-        Pass::Rates => [&right, &spoilt, &right],
-        Pass::SecondRates => [&right, &right, &spoilt],
+        Pass::Gather | Pass::Substitute => [&right; 4],
+        Pass::Eliminate => [&spoilt; 4],
+        Pass::Rates => [&right, &spoilt, &right, &right],
+        Pass::SecondRates => [&right, &right, &spoilt, &right],
+        Pass::ThirdRates => [&right, &right, &right, &spoilt],
     };
     Some(Ok(finished(&whole, &order, (reduced, values), stages)))
 }
 
-/// The residuals of rows, their slopes and what time does to them; the rows and columns that are recorded.
+/// The residuals of rows, their slopes and further derivatives; the rows and columns that are recorded.
 fn miscopy(whole: &mut Whole, wrong: Wrong, k: usize) -> Option<()> {
     let Whole { graph, rows, .. } = whole;
     match wrong {
@@ -96,7 +99,7 @@ fn miscopy(whole: &mut Whole, wrong: Wrong, k: usize) -> Option<()> {
         _ => {
             let nodes = rows.iter_mut().flat_map(|row| {
                 let own = [&mut row.residual, &mut row.by_time, &mut row.second];
-                own.into_iter().chain(row.slopes.iter_mut().map(|(_, slope)| slope))
+                own.into_iter().chain(&mut row.third).chain(row.slopes.iter_mut().map(|(_, slope)| slope))
             });
             change(graph, nodes.collect(), wrong, k)
         }

@@ -114,6 +114,10 @@ pub(crate) struct Tape {
     pub(in crate::program) corrections: Vec<u32>,
     pub(in crate::program) rates: Vec<u32>,
     pub(in crate::program) second_rates: Vec<u32>,
+    /// q⃛ where it is asked for, else none.
+    pub(in crate::program) third_rates: Vec<u32>,
+    /// The numbers that choose between sides where coordinates move.
+    pub(in crate::program) sides: Vec<u32>,
     pub(in crate::program) verify: Vec<u32>,
 }
 
@@ -145,6 +149,11 @@ impl Tape {
     /// The coordinates that are left to Newton's method.
     pub(crate) fn torn(&self) -> &[usize] {
         &self.columns
+    }
+
+    /// True if anything may jump where coordinates move.
+    pub(crate) fn jumps(&self) -> bool {
+        !self.sides.is_empty()
     }
 
     /// How many of them are solved together, block by block.

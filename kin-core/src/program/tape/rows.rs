@@ -11,8 +11,8 @@ use crate::numbers::lanes::Level;
 const SIDE: usize = 4;
 
 impl<S: Level> Times<'_, S> {
-    /// Appends q, q̇ and q̈ in some lanes to these lists, a row a lane.
-    pub(crate) fn append(&self, lanes: Range<usize>, lists: [&mut Vec<f64>; ORDERS]) {
+    /// Appends q, q̇, q̈ and, where it is asked for, q⃛ in some lanes to these lists, a row a lane.
+    pub(crate) fn append(&self, lanes: Range<usize>, lists: [&mut Vec<f64>; ORDERS + 1]) {
         self.simd.vectorize(Turning { times: self, lanes, lists });
     }
 
@@ -27,7 +27,7 @@ impl<S: Level> Times<'_, S> {
 struct Turning<'x, 'p, S: Level> {
     times: &'x Times<'p, S>,
     lanes: Range<usize>,
-    lists: [&'x mut Vec<f64>; ORDERS],
+    lists: [&'x mut Vec<f64>; ORDERS + 1],
 }
 
 impl<S: Level> NullaryFnOnce for Turning<'_, '_, S> {
@@ -37,7 +37,8 @@ impl<S: Level> NullaryFnOnce for Turning<'_, '_, S> {
     fn call(self) {
         let Turning { times, lanes, lists } = self;
         let n = times.tape.values.len();
-        for (order, list) in lists.into_iter().enumerate() {
+        let orders = if times.tape.third_rates.is_empty() { ORDERS } else { ORDERS + 1 };
+        for (order, list) in lists.into_iter().enumerate().take(orders) {
             let begun = list.len();
             lengthen(list, lanes.len() * n);
             let rows = &mut list[begun..];
@@ -69,7 +70,7 @@ impl<S: Level> Times<'_, S> {
         for first in (0..Self::LANES).step_by(SIDE) {
             let mut square = [[0.0; SIDE]; SIDE];
             for (k, line) in square.iter_mut().enumerate().take(WIDTH) {
-                line.copy_from_slice(&self.lines[Self::line(column + k, order) + 1 + first..][..SIDE]);
+                line.copy_from_slice(&self.lines[self.line_of(column + k, order) + 1 + first..][..SIDE]);
             }
             let turned = self.simd.turn(square);
             if lanes.start <= first && first + SIDE <= lanes.end {

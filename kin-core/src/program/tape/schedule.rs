@@ -34,14 +34,23 @@ pub(crate) fn schedule(program: Program) -> Tape {
     let inputs: Vec<Input> = [Input::Time].into_iter().chain(torn).collect();
     let inputs = places.begin(&inputs, &all);
     places.write(&order);
-    let lists = [0, 1, 2, 3, 4, 5, 6].map(|k| places.of(own(k)));
-    let guards = (7..outputs.parts.len()).map(|k| places.of(own(k))).collect();
+    let lists = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|k| places.of(own(k)));
+    let guards = (lists.len()..outputs.parts.len()).map(|k| places.of(own(k))).collect();
     let mut tape = Tape { guards, t: inputs[0], torn: inputs[1..].to_vec(), ..Tape::default() };
     tape.places = places.count();
     [tape.time, tape.correct, tape.rest] = places.stages;
     tape.constants = places.constants;
-    [tape.correction, tape.left, tape.values, tape.corrections, tape.rates, tape.second_rates, tape.verify] =
-        lists;
+    [
+        tape.correction,
+        tape.left,
+        tape.values,
+        tape.corrections,
+        tape.rates,
+        tape.second_rates,
+        tape.third_rates,
+        tape.sides,
+        tape.verify,
+    ] = lists;
     (tape.columns, tape.rows) = (program.torn, program.rows);
     (tape.laws, tape.blocks) = (program.laws, program.blocks);
     [&mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
@@ -88,6 +97,8 @@ impl Outputs {
             &program.corrections,
             &program.rates,
             &program.second_rates,
+            &program.third_rates,
+            &program.sides,
             &program.verify,
         ];
         let (mut all, mut parts) = (Vec::new(), Vec::new());

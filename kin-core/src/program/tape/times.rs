@@ -17,7 +17,7 @@ use crate::system::stop;
 /// A coordinate as a polynomial of time.
 pub(crate) type Curve = [f64; 9];
 
-/// Orders of what is computed: q, q̇ and q̈.
+/// Orders of what a time is judged by: q, q̇ and q̈.
 pub(crate) const ORDERS: usize = 3;
 
 /// When lanes have converged, and what they are judged by.
@@ -59,8 +59,11 @@ pub(crate) struct Times<'p, S: Level> {
     pub(super) simd: S,
     pub(super) tape: &'p Tape,
     memory: Vec<Wide<S>>,
-    /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes.
+    /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes; behind all of them q⃛
+    /// of each coordinate, where it is asked for.
     pub(super) lines: Vec<f64>,
+    /// The numbers that choose between sides, in the last lane before.
+    sides: Vec<f64>,
     /// Pivots and determinants where the signs and sizes were those of a position that is known.
     marks: Vec<Vec<f64>>,
     pub judged: Judged<S>,
@@ -76,10 +79,16 @@ impl<'p, S: Level> Times<'p, S> {
         let mut memory = vec![Wide::splat(simd, 0.0); tape.places.max(SHORT)];
         tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
         let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
-        let (lines, none) =
-            (vec![0.0; Self::STRIDE * ORDERS * tape.values.len()], Wide::splat(simd, f64::NAN));
+        let numbers = ORDERS * tape.values.len() + tape.third_rates.len();
+        let (lines, none) = (vec![0.0; Self::STRIDE * numbers], Wide::splat(simd, f64::NAN));
+        let (sides, steps) = (vec![f64::NAN; tape.sides.len()], vec![0; Self::LANES]);
         let judged = Judged { miss: none, pivot: none, residual: none };
-        Times { simd, tape, memory, lines, marks, judged, steps: vec![0; Self::LANES] }
+        Times { simd, tape, memory, lines, sides, marks, judged, steps }
+    }
+
+    /// True if anything may jump where coordinates move.
+    pub(crate) fn jumps(&self) -> bool {
+        self.tape.jumps()
     }
 
     /// Which coordinates are torn.
@@ -108,9 +117,18 @@ impl<'p, S: Level> Times<'p, S> {
         (column * ORDERS + order) * Self::STRIDE
     }
 
-    /// q, q̇ or q̈ of a coordinate in all lanes.
+    /// The place of q, q̇, q̈ or q⃛ of a coordinate in the lane before.
+    pub(super) fn line_of(&self, column: usize, order: usize) -> usize {
+        if order < ORDERS {
+            Self::line(column, order)
+        } else {
+            (ORDERS * self.tape.values.len() + column) * Self::STRIDE
+        }
+    }
+
+    /// q, q̇, q̈ or q⃛ of a coordinate in all lanes.
     pub(crate) fn of(&self, column: usize, order: usize) -> &[f64] {
-        let first = Self::line(column, order) + 1;
+        let first = self.line_of(column, order) + 1;
         &self.lines[first..first + Self::LANES]
     }
 
@@ -179,10 +197,11 @@ impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
         }
         let (met, residual) = times.verified(limits);
         let (pivot, turned) = times.guarded();
-        times.write(begins);
+        let same = times.same_sides(begins);
+        let known = times.write(begins);
         let [miss, reach] = times.missed(t - from, limits);
         let (least, most) = (Wide::splat(simd, limits.pivot), Wide::splat(simd, limits.reach));
-        let good = converged & met & !turned & pivot.ge(least) & reach.le(most);
+        let good = converged & met & same & known & !turned & pivot.ge(least) & reach.le(most);
         let miss = good.select(miss, Wide::splat(simd, f64::NAN));
         times.judged = Judged { miss, pivot, residual };
     }
@@ -284,13 +303,35 @@ impl<S: Level> Times<'_, S> {
         (least, turned)
     }
 
-    /// q with its last correction, q̇ and q̈ into the lines, behind what stood in the last lane.
+    /// True where everything that chooses between sides is what it was a lane before; of the first lane that
+    /// is not asked where a block begins.
     #[inline(always)]
-    fn write(&mut self, begins: bool) {
-        let tape = self.tape;
+    fn same_sides(&mut self, begins: bool) -> Mask<S> {
+        let mut same = Mask::splat(self.simd, true);
+        for (place, last) in self.tape.sides.iter().zip(&mut self.sides) {
+            let now = self.memory[*place as usize];
+            let mut before = now;
+            before.as_mut_slice()[1..].copy_from_slice(&now.as_slice()[..Self::LANES - 1]);
+            if !begins {
+                before.as_mut_slice()[0] = *last;
+            }
+            *last = now.as_slice()[Self::LANES - 1];
+            same = same & now.equal(before);
+        }
+        same
+    }
+
+    /// q with its last correction, q̇, q̈ and q⃛ into the lines, behind what stood in the last lane; where q⃛
+    /// is finite. An equation may jump with the last correction, after which nothing is looked at: then it is
+    /// left out.
+    #[inline(always)]
+    fn write(&mut self, begins: bool) -> Mask<S> {
+        let (tape, zero) = (self.tape, Wide::splat(self.simd, 0.0));
         for column in 0..tape.values.len() {
-            let q =
-                self.memory[tape.values[column] as usize] + self.memory[tape.corrections[column] as usize];
+            let mut q = self.memory[tape.values[column] as usize];
+            if !tape.jumps() {
+                q = q + self.memory[tape.corrections[column] as usize];
+            }
             let rates =
                 [tape.rates[column], tape.second_rates[column]].map(|place| self.memory[place as usize]);
             for (order, numbers) in [q, rates[0], rates[1]].into_iter().enumerate() {
@@ -301,6 +342,14 @@ impl<S: Level> Times<'_, S> {
                 line[1..].copy_from_slice(numbers.as_slice());
             }
         }
+        let mut none = zero;
+        for (column, place) in tape.third_rates.iter().enumerate() {
+            let (first, x) = (self.line_of(column, ORDERS) + 1, self.memory[*place as usize]);
+            self.lines[first..first + Self::LANES].copy_from_slice(x.as_slice());
+            // 0 · x is 0 of a number, and not a number of anything else.
+            none = none + x * zero;
+        }
+        none.equal(zero)
     }
 
     /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how much anything

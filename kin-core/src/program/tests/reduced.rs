@@ -5,18 +5,20 @@ use kin_graph::{Node, evaluate};
 
 use super::at::At;
 use super::models::systems;
+use crate::program::gather::Refusal;
 use crate::program::stages::{Pose, Program, program};
 use crate::system::scale;
-use crate::{System, linspace};
+use crate::{Options, System, linspace};
 
-pub(crate) fn compiled(
-    system: &System,
-    t: f64,
-    q: &[f64],
-) -> Result<Program, crate::program::gather::Refusal> {
+pub(crate) fn compiled(system: &System, t: f64, q: &[f64]) -> Result<Program, Refusal> {
+    compiled_with(system, t, q, false)
+}
+
+/// The same with q⃛, if that is asked for.
+pub(super) fn compiled_with(system: &System, t: f64, q: &[f64], jerk: bool) -> Result<Program, Refusal> {
     let point = system.model().linearize(q, t).expect("finite");
     let sizes = scale::sizes(system.layout(), system.equations(), &point.values, q, system.links());
-    program(system, Pose { t, q, sizes: &sizes })
+    program(system, Pose { t, q, sizes: &sizes }, jerk)
 }
 
 fn largest(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
@@ -26,9 +28,9 @@ fn largest(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
     })
 }
 
-/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈ and C beside those
-/// of the motion.
-fn difference(program: &Program, t: f64, [q, qd, qdd]: [&[f64]; 3]) -> [f64; 4] {
+/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈, q⃛ and C beside
+/// those of the motion.
+fn difference(program: &Program, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f64; 5] {
     let mut own = q.to_vec();
     program.torn.iter().enumerate().for_each(|(k, column)| own[*column] += 1e-4 * (k as f64 + 1.0).sin());
     let of = |nodes: &[Node], q: &[f64], given: &[f64]| {
@@ -41,12 +43,15 @@ fn difference(program: &Program, t: f64, [q, qd, qdd]: [&[f64]; 3]) -> [f64; 4] 
     }
     let values = of(&program.values, &own, &[]);
     let verify = of(&program.verify, &own, &values);
-    let [rates, second_rates] = [&program.rates, &program.second_rates].map(|nodes| of(nodes, &own, &[]));
+    let [rates, second_rates, third_rates] =
+        [&program.rates, &program.second_rates, &program.third_rates].map(|nodes| of(nodes, &own, &[]));
+    assert_eq!(third_rates.len(), qddd.len());
     let all = |a: &[f64], b: &[f64]| largest(a.iter().copied().zip(b.iter().copied()));
     [
         all(q, &values),
         all(qd, &rates),
         all(qdd, &second_rates),
+        all(qddd, &third_rates),
         verify.iter().fold(0.0, |m: f64, c| m.max(c.abs())),
     ]
 }
@@ -65,8 +70,9 @@ fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
 fn the_program_has_the_positions_and_rates_of_the_system() {
     let (mut compared, mut refused) = (0, Vec::new());
     for (name, system) in systems() {
-        let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
-        let program = match compiled(&system, 0.0, motion.q(0)) {
+        let options = Options { jerk: true, ..Options::default() };
+        let Ok(motion) = system.run_with(linspace(0.0, 0.5, 26), &options) else { continue };
+        let program = match compiled_with(&system, 0.0, motion.q(0), true) {
             Ok(program) => program,
             Err(refusal) => {
                 refused.push((name, refusal.reason));
@@ -75,14 +81,15 @@ fn the_program_has_the_positions_and_rates_of_the_system() {
         };
         compared += 1;
         for k in (0..motion.len()).step_by(5) {
-            let (t, all) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            let all = [motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)];
+            let t = motion.times()[k];
             // Where a pivot has faded another order is to be taken.
             let faded = fades(&program, [0.0, t], [motion.q(0), motion.q(k)]);
-            let another = faded.then(|| compiled(&system, t, motion.q(k)).expect("as before"));
-            let [q, qd, qdd, c] = difference(another.as_ref().unwrap_or(&program), t, all);
+            let another = faded.then(|| compiled_with(&system, t, motion.q(k), true).expect("as before"));
+            let [q, qd, qdd, qddd, c] = difference(another.as_ref().unwrap_or(&program), t, all);
             assert!(
-                q < 1e-11 && qd < 1e-9 && qdd < 1e-7 && c < 1e-11,
-                "{name} at {k}: {q:e} {qd:e} {qdd:e} {c:e}"
+                q < 1e-11 && qd < 1e-9 && qdd < 1e-7 && qddd < 1e-6 && c < 1e-11,
+                "{name} at {k}: {q:e} {qd:e} {qdd:e} {qddd:e} {c:e}"
             );
         }
     }

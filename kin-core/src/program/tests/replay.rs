@@ -7,7 +7,7 @@ use pulp::NullaryFnOnce;
 
 use super::at::At;
 use super::models::systems;
-use super::reduced::compiled;
+use super::reduced::compiled_with;
 use crate::linspace;
 use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
 use crate::program::schedule;
@@ -50,6 +50,8 @@ impl WithLevel for Replayed<'_> {
             &tape.corrections,
             &tape.rates,
             &tape.second_rates,
+            &tape.third_rates,
+            &tape.sides,
             &tape.verify,
         ];
         let places: Vec<u32> =
@@ -84,9 +86,8 @@ fn scalar(program: &Program, t: f64, q: &[f64]) -> Vec<f64> {
 fn every_number_of_a_tape_is_that_of_its_program() {
     for (name, system) in systems() {
         let Ok(motion) = system.run(linspace(0.0, 0.4, 9)) else { continue };
-        let (program, again) =
-            (compiled(&system, 0.0, motion.q(0)).expect("compiles"), compiled(&system, 0.0, motion.q(0)));
-        let tape = schedule(again.expect("compiles"));
+        let compiled = || compiled_with(&system, 0.0, motion.q(0), true).expect("compiles");
+        let (program, tape) = (compiled(), schedule(compiled()));
         let off = |column: usize| 1e-3 * (column as f64).cos();
         let pose = |k: usize| {
             (motion.times()[k], motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect())

@@ -20,7 +20,7 @@ fn left(system: &System, [chosen, here]: [(f64, &[f64]); 2], seed: u64) -> Optio
     };
     let own = sizes(chosen);
     let pose = Pose { t: chosen.0, q: chosen.1, sizes: &own };
-    let mut whole = gather(system).expect("gathers");
+    let mut whole = gather(system, false).expect("gathers");
     let values = slopes(&whole, pose);
     let order = substitute(&mut whole, &values, pose.sizes);
     let cells: Vec<Vec<(usize, Node)>> = whole.rows.iter().map(|row| row.slopes.clone()).collect();

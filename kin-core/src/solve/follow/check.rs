@@ -117,6 +117,17 @@ impl Check {
         self.explicit || self.drive.ends_suffice(from, to, pivot)
     }
 
+    /// True if what has no bounds may be sampled before the next plain step looks at it.
+    pub(crate) fn may_sample(&self) -> bool {
+        self.drive.may_sample()
+    }
+
+    /// True if, by samples of what has no bounds, the step surely holds nothing that its ends do not tell;
+    /// the instant is that of its end.
+    pub(crate) fn samples_suffice(&mut self, span: Span<'_>, instant: &Instant) -> bool {
+        self.drive.samples_suffice(span, instant)
+    }
+
     /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the
     /// last one is this.
     pub(crate) fn go_on(&mut self, pivot: f64) {

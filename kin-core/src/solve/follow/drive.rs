@@ -14,6 +14,8 @@
 //! change point that is passed smoothly there and back: neither end tells it. So that range, too, may be left
 //! by no more than a prediction may miss.
 
+mod sampled;
+
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -39,9 +41,6 @@ const FARTHEST: f64 = 1e3;
 
 /// Coefficients of Taylor's formula that are asked for.
 const COEFFICIENTS: usize = 4;
-
-/// Samples of a step.
-const SAMPLES: u32 = 8;
 
 /// How a position is moved by what its equations are off.
 pub(crate) trait Lever {
@@ -87,6 +86,8 @@ pub(crate) struct Drive {
     /// Steps that need no look, and looks that need no bounds.
     steps: u32,
     looks: u32,
+    /// Steps that may be told by samples, without a look at how far these move q.
+    samples: u32,
     /// Where samples are taken.
     scratch: Option<Instant>,
 }
@@ -179,6 +180,7 @@ impl Drive {
             pivot: 0.0,
             steps: 0,
             looks: 0,
+            samples: 0,
             scratch: None,
         }
     }
@@ -233,7 +235,7 @@ impl Drive {
                 return false;
             }
         }
-        (self.longest, self.steps, self.looks) = (2.0 * h, 0, 0);
+        (self.longest, self.steps, self.looks, self.samples) = (2.0 * h, 0, 0, 0);
         !self.is_straight(equations, h, lever)
     }
 
@@ -259,6 +261,7 @@ impl Drive {
     fn rely(&mut self, pivot: f64, reach: Option<f64>) {
         let sampled = self.sources.iter().any(|source| source.is_sampled);
         (self.pivot, self.steps) = (pivot, if sampled { 0 } else { KNOWN });
+        self.samples = if sampled { KNOWN } else { 0 };
         if let Some(reach) = reach {
             self.longest = 2.0 * reach;
             self.looks = if self.sources.iter().all(|source| source.apart) { u32::MAX } else { LOOKS };
@@ -286,15 +289,6 @@ impl Drive {
         }
         self.stretch = [from.min(to), from.max(to)];
         true
-    }
-
-    /// Samples what has no bounds.
-    fn sample(&mut self, equations: &Equations, instant: &Instant, ends: [f64; 2]) {
-        for source in self.sources.iter_mut().filter(|source| source.is_sampled) {
-            let scratch = self.scratch.get_or_insert_with(|| instant.clone());
-            scratch.clone_from(instant);
-            source.sample(equations, scratch, ends);
-        }
     }
 
     /// How far all of it may lead q off.
@@ -371,28 +365,6 @@ impl Source {
         });
         let slopes = slopes.unwrap_or_default();
         slopes.iter().flatten().all(|slope| slope.is_finite()).then_some(slopes)
-    }
-
-    /// How far its rows are off their polynomials of second degree at both ends, q held.
-    fn sample(&mut self, equations: &Equations, scratch: &mut Instant, [from, to]: [f64; 2]) {
-        let block = &equations.blocks[self.block];
-        let ends = [from, to].map(|t| (t, equations.held(block, t, scratch)));
-        let (mut most, first, last) = (vec![0.0_f64; self.terms.len()], &ends[0].1[0], &ends[1].1[0]);
-        for k in 0..=SAMPLES {
-            let t = from + (to - from) * f64::from(k) / f64::from(SAMPLES);
-            let [c, ..] = equations.held(block, t, scratch);
-            for (end, [f, f_t, f_tt]) in &ends {
-                let s = t - end;
-                for (row, most) in most.iter_mut().enumerate() {
-                    let off = (c[row] - f[row] - s * (f_t[row] + 0.5 * s * f_tt[row])).abs();
-                    *most = if off.is_nan() { f64::INFINITY } else { most.max(off) };
-                }
-            }
-            for (row, most) in most.iter_mut().enumerate() {
-                *most = most.max(c[row] - first[row].max(last[row])).max(first[row].min(last[row]) - c[row]);
-            }
-        }
-        self.terms.iter_mut().zip(most).for_each(|(term, most)| term.bound = Bound([most, 0.0, 0.0, 0.0]));
     }
 }
 

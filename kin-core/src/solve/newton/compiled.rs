@@ -13,14 +13,12 @@ pub(crate) mod programs;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use kin_graph::{Formula, Node, Op};
-
 use super::run::Run;
 use super::{Engine, Options, Stop};
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
-use crate::program::{FOREIGN, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
+use crate::program::{NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
@@ -36,33 +34,16 @@ const A_NODE: usize = 20;
 /// From so many times on a program pays that was compiled before.
 const FEWEST: usize = 32;
 
-const JUMPS: &str = "its equation can jump where coordinates move";
-
 /// True if anything is known to stand in the way of a program, before a pose is.
 pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     if system.n_equations() != system.n_coordinates() {
         return Err(Refusal { constraint: String::new(), reason: REDUNDANT });
     }
-    let equations = system.equations();
-    if let Some(block) =
-        equations.blocks.iter().find(|block| block.constraint.formula(|_, _, _| ()).is_none())
-    {
-        return Err(Refusal { constraint: block.name.clone(), reason: UNREAD });
+    let mut blocks = system.equations().blocks.iter();
+    match blocks.find(|block| block.constraint.formula(|_, _, _| ()).is_none()) {
+        Some(block) => Err(Refusal { constraint: block.name.clone(), reason: UNREAD }),
+        None => Ok(()),
     }
-    let Some(block) = equations.jumping().first().map(|block| &equations.blocks[*block]) else {
-        return Ok(());
-    };
-    // A function that nobody can read might jump too: that it cannot be read is the reason.
-    let is_foreign = block.constraint.formula(|table, _, _| asks_others(table.formula())).unwrap_or(false);
-    let reason = if is_foreign { FOREIGN } else { JUMPS };
-    Err(Refusal { constraint: block.name.clone(), reason })
-}
-
-/// True if functions that only rustc can read are asked for something that moves with coordinates.
-fn asks_others(formula: &Formula) -> bool {
-    let graph = &formula.graph;
-    let is_asked = |node: Node| matches!(graph.op(node), Op::Opaque(..)) && graph.depends(node).on_q;
-    graph.reachable(&formula.rows).into_iter().any(is_asked)
 }
 
 /// The error for a mechanism that cannot be compiled.
@@ -183,18 +164,14 @@ pub(super) enum Wanted {
 /// The way that these options ask for, for so many times, and what stands in the way of a program that would
 /// have paid. Errors: options that a program does not know, where one is asked for.
 fn wanted(system: &System, times: usize, options: &Options) -> Result<(Wanted, Option<&'static str>)> {
-    let stands_in_the_way = match options {
-        Options { jerk: true, .. } => Some("the jerk is computed by plain steps"),
-        Options { predict: false, .. } => Some("a program always predicts"),
-        _ => None,
-    };
+    let stands_in_the_way = (!options.predict).then_some("a program always predicts");
     match (options.engine, stands_in_the_way) {
         (Engine::Plain, _) => Ok((Wanted::Plain, None)),
         (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
         (Engine::Compiled, Some(reason)) => Err(Error::InvalidOptions {
             reason: format!("{reason}; leave `Options::engine` at `Engine::Auto` for that"),
         }),
-        (Engine::Auto, _) if !pays(system, times) => Ok((Wanted::Plain, None)),
+        (Engine::Auto, _) if !pays(system, times, options) => Ok((Wanted::Plain, None)),
         // The protocol of published comparisons is that of single steps.
         (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => {
             Ok((Wanted::Plain, Some("a stop rule by the residual alone is that of plain steps")))
@@ -205,8 +182,8 @@ fn wanted(system: &System, times: usize, options: &Options) -> Result<(Wanted, O
 }
 
 /// True if so many times take longer by plain steps than to be compiled and computed by a program.
-fn pays(system: &System, times: usize) -> bool {
-    if programs::is_asked(system) {
+fn pays(system: &System, times: usize, options: &Options) -> bool {
+    if !options.jerk && programs::is_asked(system) {
         return times >= FEWEST;
     }
     if times < ENOUGH {

@@ -74,10 +74,10 @@ pub struct Options {
 #[non_exhaustive]
 pub enum Engine {
     /// A program where one can be made and pays, for which there have to be a thousand times at least, or
-    /// 32 after a call of [`crate::System::compile`]; else plain steps. Plain too are runs with the jerk,
-    /// without prediction, and with [`Stop::ResidualOnly`], and all runs on a machine without AVX2 and FMA,
-    /// AVX-512 or Neon. [`crate::Motion::engine`] tells how many times a program has computed,
-    /// [`crate::Motion::why_plain`] what stood in the way of one.
+    /// 32 after a call of [`crate::System::compile`], which makes one without the jerk; else plain steps.
+    /// Plain too are runs without prediction, and with [`Stop::ResidualOnly`], and all runs on a machine
+    /// without AVX2 and FMA, AVX-512 or Neon. [`crate::Motion::engine`] tells how many times a program has
+    /// computed, [`crate::Motion::why_plain`] what stood in the way of one.
     ///
     /// A program is kept for the next run that begins at the same time and position, until anything is set in
     /// the system.
@@ -89,7 +89,13 @@ pub enum Engine {
     /// plain steps are; where there is an objection plain steps go on from the last time that was accepted.
     /// Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
     ///
-    /// A mechanism that cannot be compiled is an error that names why not.
+    /// Where an equation chooses another side of an `if` of coordinates, or a `floor` of them jumps, the
+    /// block of times ends and plain steps go on. A value of time that only rustc can read is asked for
+    /// each time.
+    ///
+    /// A mechanism that cannot be compiled is an error that names why not: it has more equations than
+    /// coordinates, an equation that is not known as a formula, or a function of coordinates that only rustc
+    /// can read.
     Compiled,
 }
 

@@ -122,6 +122,19 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// The same where what has no bounds is sampled, at the position of the later time.
+    pub(super) fn samples_suffice(
+        &mut self,
+        (from, to, q): (f64, f64, &[f64]),
+        pivot: f64,
+        instant: &mut Instant,
+    ) -> bool {
+        match &mut self.stepper {
+            AnyStepper::Plain(stepper) => stepper.samples_suffice((from, to, q), pivot, instant),
+            AnyStepper::Redundant(_) => false,
+        }
+    }
+
     /// Looks for breaks of laws on the way to a time that a program has solved.
     pub(super) fn look(&mut self, instant: &Instant, motion: &mut Motion) -> Result<()> {
         self.law_breaks.look(self.system, instant, &mut motion.breaks)

@@ -23,8 +23,8 @@ const MOST: usize = 240;
 /// steps.   \[-\]
 const LEAST: f64 = 0.02;
 
-/// How far q, and q̇ and q̈ by the largest of them, may be from those of a plain step.   \[-\]
-const SAME: [f64; ORDERS] = [1e-9, 1e-7, 1e-6];
+/// How far q, and q̇, q̈ and q⃛ by the largest of them, may be from those of a plain step.   \[-\]
+const SAME: [f64; ORDERS + 1] = [1e-9, 1e-7, 1e-6, 1e-5];
 
 /// Times that a program computes between two plain steps.
 pub(super) struct Block<'p, S: Level> {
@@ -45,6 +45,9 @@ pub(super) struct Block<'p, S: Level> {
     /// then.
     since: usize,
     met: usize,
+    /// The first time from which plain steps have to lead up to a block: where anything can jump, the one
+    /// after the last objection.
+    from: usize,
     /// A position that is looked at.
     q: Vec<f64>,
     room: Sums,
@@ -76,16 +79,25 @@ impl<'p, S: Level> Block<'p, S> {
             trusts_far: true,
             since: 0,
             met: 0,
+            from: 0,
             q: Vec::new(),
             room: Sums::default(),
             objections: 0,
         }
     }
 
-    /// How many plain steps have to lead up to a block: where rows give all coordinates nothing has to be
-    /// guessed.
+    /// The number of times after which a block can begin: plain steps have to lead up to it, and where rows
+    /// give all coordinates nothing has to be guessed.
     pub(super) fn begins_after(&self) -> usize {
-        if self.curves.is_empty() { 1 } else { ORDERS }
+        self.from + if self.curves.is_empty() { 1 } else { ORDERS }
+    }
+
+    /// Counts an objection. Beyond a jump curves lead nowhere that reach back before it.
+    fn object(&mut self, next: usize) {
+        self.objections += 1;
+        if self.times.jumps() {
+            (self.from, self.since) = (next, next);
+        }
     }
 
     /// Computes times from the last one of the motion, which is a plain step's, as far as there is no
@@ -115,13 +127,13 @@ impl<'p, S: Level> Block<'p, S> {
             let guess = (times[guessed], &self.curves[..]);
             self.times.solve(times[before], &times[from..to], guess, &self.limits, from < first);
             if from < first && !self.agrees(motion, first - 1) {
-                self.objections += 1;
+                self.object(motion.len());
                 break;
             }
             let lanes = usize::from(from < first)..to - from;
             let end = self.accept(run, (&times[from..to], lanes, begun), &mut pivot, motion);
             if matches!(end, End::Objection) {
-                self.objections += 1;
+                self.object(motion.len());
             }
             if !matches!(end, End::None) {
                 break;
@@ -129,7 +141,7 @@ impl<'p, S: Level> Block<'p, S> {
             self.compare(motion, guessed);
         }
         if motion.len() > first && !run.holds(motion, &self.limits.rows, &mut self.room) {
-            self.objections += 1;
+            self.object(first);
             motion.cut(first, worst);
             run.go_on(motion, begun);
         }
@@ -225,8 +237,8 @@ impl<'p, S: Level> Block<'p, S> {
 
     /// True if the first lane has what the plain step has.
     fn agrees(&self, motion: &Motion, k: usize) -> bool {
-        let plain = [motion.q(k), motion.qd(k), motion.qdd(k)];
-        (0..ORDERS).all(|order| {
+        let plain = [motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)];
+        (0..=ORDERS).all(|order| {
             let shares = &self.limits.shares;
             let size =
                 plain[order].iter().zip(shares).fold(1.0_f64, |m, (x, share)| m.max((x * share).abs()));
@@ -251,8 +263,8 @@ impl<'p, S: Level> Block<'p, S> {
         let Block { times: solved, instant, q, .. } = self;
         let branches = !run.system().equations().branches().is_empty();
         // Where rows give all coordinates there is one position at each time, however far it is from the last
-        // one: there is no branch to leave, and nothing to be seen in between.
-        let is_given = solved.torn().is_empty();
+        // one: there is no branch to leave, and nothing to be seen in between, unless something jumps.
+        let is_given = solved.torn().is_empty() && !solved.jumps();
         let mut taken = first..first;
         let own = times[lanes.clone()].iter().zip(solved.judged.miss.as_slice()[lanes.clone()].iter());
         for ((t, miss), share) in own.zip(&solved.judged.pivot.as_slice()[lanes]) {
@@ -269,8 +281,11 @@ impl<'p, S: Level> Block<'p, S> {
                 break;
             }
             if !is_given && !run.ends_suffice(before, *t, least) {
-                end = End::Asked;
-                break;
+                solved.position(taken.end, q);
+                if !run.samples_suffice((before, *t, q), least, instant) {
+                    end = End::Asked;
+                    break;
+                }
             }
             (*pivot, before) = (own, *t);
             taken.end += 1;
@@ -292,7 +307,7 @@ impl<'p, S: Level> Block<'p, S> {
         motion.iterations.extend_from_slice(&self.times.steps[lanes.clone()]);
         motion.residuals.extend_from_slice(residuals);
         motion.times.extend_from_slice(&times[lanes.clone()]);
-        self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd]);
+        self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd, &mut motion.qddd]);
     }
 }
 

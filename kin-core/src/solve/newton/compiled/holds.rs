@@ -19,14 +19,15 @@ pub(super) struct Sums {
 }
 
 impl Run<'_> {
-    /// True if C = 0, C_q q̇ = −C_t and C_q q̈ = Q_d at the last time of the motion; `allowed` is how far
-    /// each row may be off. The position in hand is that time's then: [`Run::go_on`] makes it another one.
+    /// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, if the motion has q⃛, C_q q⃛ = −g‴(0) at the last time
+    /// of the motion; `allowed` is how far each row may be off. The position in hand is that time's then:
+    /// [`Run::go_on`] makes it another one.
     pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64], room: &mut Sums) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
         self.stepper_mut().is_some_and(|stepper| {
             let newton = &mut stepper.newton;
             newton.q.copy_from_slice(motion.q(last));
-            let rates = [motion.qd(last), motion.qdd(last)];
+            let rates = [motion.qd(last), motion.qdd(last), motion.qddd(last)];
             let holds = holds(newton, motion.times()[last], rates, (allowed, room));
             // The sizes that were measured there count from now on, or never.
             if holds {
@@ -42,7 +43,7 @@ impl Run<'_> {
 fn holds(
     newton: &mut Newton<'_>,
     t: f64,
-    [qd, qdd]: [&[f64]; 2],
+    [qd, qdd, qddd]: [&[f64]; 3],
     (allowed, room): (&[f64], &mut Sums),
 ) -> bool {
     let equations = newton.system.equations();
@@ -55,7 +56,15 @@ fn holds(
     let moves = is_solution(newton, qd, room);
     equations.set_rates(qd, &mut newton.instant);
     equations.acceleration_rhs(&newton.instant, newton.linear.rhs_mut());
-    met && moves && is_solution(newton, qdd, room)
+    let follows = is_solution(newton, qdd, room);
+    if !(met && moves && follows) {
+        return false;
+    }
+    if qddd.is_empty() {
+        return true;
+    }
+    let known = equations.jerk_rhs(qdd, &mut newton.instant, newton.linear.rhs_mut()).is_ok();
+    known && is_solution(newton, qddd, room)
 }
 
 /// True if x solves C_q x = b, where b is the right side in hand.

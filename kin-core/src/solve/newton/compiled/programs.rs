@@ -47,7 +47,7 @@ pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
     tape
 }
 
-/// True if a program was asked for by [`System::compile`].
+/// True if a program was asked for by [`System::compile`]: that is one without q⃛.
 pub(super) fn is_asked(system: &System) -> bool {
     known(system).asked.is_some()
 }
@@ -56,14 +56,15 @@ fn known(system: &System) -> Programs {
     system.cache().get::<Programs>().map(|programs| (*programs).clone()).unwrap_or_default()
 }
 
-/// All that an elimination is chosen by.
+/// All that a program is made by: what an elimination is chosen by, and whether q⃛ is asked for.
 fn bits(newton: &Newton<'_>, t: f64) -> Arc<[u64]> {
-    [t].iter().chain(newton.q.iter()).chain(newton.sizes.iter()).map(|x| x.to_bits()).collect()
+    let numbers = [t].into_iter().chain(newton.q.iter().copied()).chain(newton.sizes.iter().copied());
+    numbers.map(f64::to_bits).chain([u64::from(newton.options.jerk)]).collect()
 }
 
 /// The program of a system, its elimination chosen at the position in hand.
 fn tape(newton: &Newton<'_>, t: f64) -> Compiling {
     can_be(newton.system)?;
     let pose = Pose { t, q: &newton.q, sizes: &newton.sizes };
-    program(newton.system, pose).map(schedule).map(Arc::new)
+    program(newton.system, pose, newton.options.jerk).map(schedule).map(Arc::new)
 }

@@ -6,22 +6,46 @@ use crate::program::tests::models::{four_bar, systems};
 use crate::program::{Pose, Program, plant, program, schedule};
 use crate::{Engine, linspace};
 
+/// A run that is asked for, with or without the jerk.
+#[derive(Clone, Copy)]
+struct Asked<'a> {
+    system: &'a System,
+    times: &'a [f64],
+    jerk: bool,
+}
+
+impl Asked<'_> {
+    fn options(&self) -> Options {
+        Options { jerk: self.jerk, engine: Engine::Compiled, ..Options::default() }
+    }
+
+    /// By plain steps.
+    fn plain(&self) -> Motion {
+        let (options, mut motion) = (self.options(), Motion::new(self.system, self.times.len()));
+        Run::new(self.system, &options, None)
+            .expect("runs")
+            .reach_all(self.times, &mut motion)
+            .expect("runs");
+        motion
+    }
+}
+
 /// A run by a program that was made of another system, or changed.
-fn run_with(system: &System, times: &[f64], made_of: &System, change: impl Fn(&mut Program)) -> Motion {
-    run_by(system, times, made_of, |mut program| {
+fn run_with(asked: Asked<'_>, made_of: &System, change: impl Fn(&mut Program)) -> Motion {
+    run_by(asked, made_of, |mut program| {
         change(&mut program);
         schedule(program)
     })
 }
 
 /// A run by the tape that is made of the program of a system.
-fn run_by(system: &System, times: &[f64], made_of: &System, tape: impl Fn(Program) -> Tape) -> Motion {
-    run_made(system, times, |pose| Some(tape(program(made_of, pose).expect("compiles"))))
+fn run_by(asked: Asked<'_>, made_of: &System, tape: impl Fn(Program) -> Tape) -> Motion {
+    run_made(asked, |pose| Some(tape(program(made_of, pose, asked.jerk).expect("compiles"))))
 }
 
 /// A run by the tape that is made where the first position is; by plain steps where there is none.
-fn run_made(system: &System, times: &[f64], tape: impl Fn(Pose<'_>) -> Option<Tape>) -> Motion {
-    let options = Options { engine: Engine::Compiled, ..Options::default() };
+fn run_made(asked: Asked<'_>, tape: impl Fn(Pose<'_>) -> Option<Tape>) -> Motion {
+    let (Asked { system, times, .. }, options) = (asked, asked.options());
     let (mut run, mut motion) =
         (Run::new(system, &options, None).expect("runs"), Motion::new(system, times.len()));
     run.reach(times[0], &mut motion).expect("reaches");
@@ -39,55 +63,63 @@ fn difference(a: &Motion, b: &Motion) -> f64 {
         a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + a.abs())).fold(0.0, f64::max)
     };
     (0..a.len())
-        .map(|k| of(a.q(k), b.q(k)).max(of(a.qd(k), b.qd(k))).max(of(a.qdd(k), b.qdd(k))))
+        .map(|k| {
+            let further = of(a.qdd(k), b.qdd(k)).max(of(a.qddd(k), b.qddd(k)));
+            of(a.q(k), b.q(k)).max(of(a.qd(k), b.qd(k))).max(further)
+        })
         .fold(0.0, f64::max)
 }
 
 #[test]
 fn planted_faults_never_come_to_a_number() {
     let (system, times) = (four_bar(1.0), linspace(0.0, 1.0, 301));
-    let plain = system.run(&times).expect("runs");
-    let whole = run_with(&system, &times, &system, |_| {});
-    assert!(whole.engine.compiled > 280 && difference(&plain, &whole) < 1e-11);
-    let mut planted = 0;
-    for fault in plant::ALL {
-        for k in 0..system.n_coordinates() {
-            let motion = run_with(&system, &times, &system, |program| plant::plant(program, fault, k));
-            assert_eq!(motion.len(), plain.len());
-            let off = difference(&plain, &motion);
-            assert!(off < 1e-11, "{fault:?} {k}: {off:e} {:?}", motion.engine);
-            planted += usize::from(motion.engine.compiled == 0);
+    for (jerk, least) in [(false, 25), (true, 50)] {
+        let asked = Asked { system: &system, times: &times, jerk };
+        let plain = asked.plain();
+        let whole = run_with(asked, &system, |_| {});
+        assert!(whole.engine.compiled > 280 && difference(&plain, &whole) < 1e-11);
+        let mut planted = 0;
+        for fault in plant::ALL {
+            for k in 0..system.n_coordinates() {
+                let motion = run_with(asked, &system, |program| plant::plant(program, fault, k));
+                assert_eq!(motion.len(), plain.len());
+                let off = difference(&plain, &motion);
+                assert!(off < 1e-11, "{fault:?} {k}: {off:e} {:?}", motion.engine);
+                planted += usize::from(motion.engine.compiled == 0);
+            }
         }
+        assert!(planted > least, "{planted} of the faults were noticed; the others changed nothing");
     }
-    assert!(planted > 25, "{planted} of the faults were noticed; the others changed nothing");
 }
 
 /// Every step of the tape in turn, in each of three ways.
 #[test]
 fn a_tape_with_one_wrong_step_never_comes_to_a_number() {
     let (system, times) = (four_bar(1.0), linspace(0.0, 0.5, 101));
-    let plain = system.run(&times).expect("runs");
-    let (mut steps, mut noticed) = (0, 0);
-    for slip in plant::SLIPS {
-        for k in 0.. {
-            let wrong = std::cell::Cell::new(false);
-            let motion = run_by(&system, &times, &system, |program| {
-                let mut tape = schedule(program);
-                wrong.set(plant::spoil(&mut tape, slip, k));
-                tape
-            });
-            if !wrong.get() {
-                break;
+    for jerk in [false, true] {
+        let asked = Asked { system: &system, times: &times, jerk };
+        let (plain, mut steps, mut noticed) = (asked.plain(), 0, 0);
+        for slip in plant::SLIPS {
+            for k in 0.. {
+                let wrong = std::cell::Cell::new(false);
+                let motion = run_by(asked, &system, |program| {
+                    let mut tape = schedule(program);
+                    wrong.set(plant::spoil(&mut tape, slip, k));
+                    tape
+                });
+                if !wrong.get() {
+                    break;
+                }
+                let off = difference(&plain, &motion);
+                assert!(off < 1e-11, "{slip:?} {k}: {off:e} {:?}", motion.engine);
+                (steps, noticed) = (steps + 1, noticed + usize::from(motion.engine.compiled == 0));
             }
-            let off = difference(&plain, &motion);
-            assert!(off < 1e-11, "{slip:?} {k}: {off:e} {:?}", motion.engine);
-            (steps, noticed) = (steps + 1, noticed + usize::from(motion.engine.compiled == 0));
         }
+        assert!(
+            steps > 300 && 2 * noticed > steps,
+            "{noticed} of {steps} were noticed; the others changed nothing"
+        );
     }
-    assert!(
-        steps > 300 && 2 * noticed > steps,
-        "{noticed} of {steps} were noticed; the others changed nothing"
-    );
 }
 
 /// Every node that a pass hands on, in each of four ways: of a loop, and of one with more rows than cofactors
@@ -97,14 +129,13 @@ fn a_fault_of_a_pass_never_comes_to_a_number() {
     let platform = systems().find(|(name, _)| name == "13_stewart_platform").expect("the platform").1;
     for (system, end, step, near) in [(four_bar(1.0), 0.2, 1, 1e-11), (platform, 0.1, 7, 1e-9)] {
         let times = linspace(0.0, end, 41);
-        let mut plain = Motion::new(&system, times.len());
-        let options = Options::default();
-        Run::new(&system, &options, None).expect("runs").reach_all(&times, &mut plain).expect("runs");
+        let asked = Asked { system: &system, times: &times, jerk: true };
+        let plain = asked.plain();
         for (pass, wrong) in PASSES.into_iter().flat_map(|pass| WRONGS.map(|wrong| (pass, wrong))) {
             let (mut planted, mut noticed) = (0, 0);
             for k in (0..).step_by(step) {
                 let there = std::cell::Cell::new(true);
-                let motion = run_made(&system, &times, |pose| {
+                let motion = run_made(asked, |pose| {
                     let made = with_fault(&system, pose, (pass, wrong), k);
                     there.set(made.is_some());
                     Some(schedule(made?.ok()?))
@@ -137,11 +168,9 @@ fn a_stale_parameter_never_comes_to_a_number() {
         if set.set(&name, value + change).is_err() {
             continue;
         }
-        let mut plain = Motion::new(&set, times.len());
-        let options = Options::default();
-        Run::new(&set, &options, None).expect("runs").reach_all(&times, &mut plain).expect("runs");
-        let motion = run_with(&set, &times, &system, |_| {});
-        assert!(difference(&plain, &motion) < 1e-11, "{name}: {:?}", motion.engine);
+        let asked = Asked { system: &set, times: &times, jerk: false };
+        let motion = run_with(asked, &system, |_| {});
+        assert!(difference(&asked.plain(), &motion) < 1e-11, "{name}: {:?}", motion.engine);
         noticed += usize::from(motion.engine.compiled == 0);
     }
     assert!(noticed > 30, "{noticed}");
@@ -152,7 +181,8 @@ fn a_program_of_another_length_is_not_believed() {
     let (system, times) = (four_bar(1.0), linspace(0.0, 1.0, 301));
     let plain = system.run(&times).expect("runs");
     for a in [1.0 + 1e-6, 0.9] {
-        let motion = run_with(&system, &times, &four_bar(a), |_| {});
+        let asked = Asked { system: &system, times: &times, jerk: false };
+        let motion = run_with(asked, &four_bar(a), |_| {});
         assert!(
             motion.engine.compiled == 0 && difference(&plain, &motion) == 0.0,
             "{a}: {:?}",

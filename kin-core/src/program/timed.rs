@@ -1,0 +1,33 @@
+//! Values of time alone that only the user's program can compute, as laws of time: a program asks them lane
+//! by lane, with their derivatives by dual numbers.
+
+use kin_graph::Node;
+
+use crate::model::constraint::Constraint;
+use crate::model::formula::jerk::Along;
+use crate::model::law::{Law, LawFunction};
+
+/// A node of a constraint's formula that hangs on time alone.
+struct Timed {
+    constraint: Box<dyn Constraint>,
+    node: Node,
+}
+
+impl LawFunction for Timed {
+    fn jet(&self, t: f64) -> [f64; 4] {
+        let jet = self.constraint.formula(|table, parameters, outside| {
+            Along::of_time(t, parameters, outside).of(table.formula(), self.node)
+        });
+        jet.unwrap_or([f64::NAN; 4])
+    }
+
+    fn kind(&self) -> &str {
+        "value of time"
+    }
+}
+
+/// The laws of these nodes of a constraint's formula, with its parameters as they are now.
+pub(super) fn timed(constraint: &dyn Constraint, nodes: &[Node]) -> Vec<Law> {
+    let law = |node: &Node| Law::new(Timed { constraint: constraint.clone_boxed(), node: *node });
+    nodes.iter().map(law).collect()
+}

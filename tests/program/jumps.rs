@@ -1,0 +1,125 @@
+//! Equations that choose between sides where coordinates move: a block ends where one chooses another side,
+//! and plain steps go on from the last time before.
+
+use kin::Options;
+use kin::prelude::*;
+
+use crate::engines::Engines;
+use crate::{compiled, differences};
+
+/// y = a |x| as two sides, and a step of height s where x passes 0.
+#[constraint]
+fn sides(x: Coord, y: Coord, a: f64, s: f64) -> f64 {
+    if x < 0.0 { y + a * x } else { y - a * x - s }
+}
+
+/// y + sin y = s ⌊x⌋: y hangs on x by its steps alone.
+#[constraint]
+fn stairs(x: Coord, y: Coord, s: f64) -> f64 {
+    y + 0.5 * y.sin() - s * x.floor()
+}
+
+/// The same where y is given.
+#[constraint]
+fn given_stairs(x: Coord, y: Coord, s: f64) -> f64 {
+    y - s * x.floor()
+}
+
+/// z in teeth of a saw: of three kinds of remainder.
+#[constraint]
+fn saw(x: Coord, y: Coord, s: f64) -> f64 {
+    y - s * (x.fract() + x.rem_euclid(0.7) + x % 0.9)
+}
+
+fn driven(law: Law, add: impl Fn(&mut Mechanism, Coordinate, Coordinate)) -> System {
+    let mut m = Mechanism::new("sides");
+    // The driven coordinate comes last: no order of rows gives it by chance.
+    let [y, x] = ["y", "x"].map(|name| m.length(name, 0.1).expect("a length"));
+    add(&mut m, x, y);
+    m.add("motor", drive(x, law)).expect("adds");
+    m.build().expect("builds")
+}
+
+/// x crosses 0 twice a period: each time the block ends.
+#[test]
+fn a_block_ends_where_another_side_is_chosen() {
+    for s in [0.0, 1e-5] {
+        let system = driven(Law::sine(0.4, TAU, 0.3), |m, x, y| {
+            m.add("sides", sides(x, y, 0.7, s)).expect("adds");
+        });
+        let times = linspace(0.0, 2.0, 2001);
+        let plain = system.run_both(&times).expect("runs");
+        let program = system.run_with(&times, &compiled()).expect("runs");
+        let crossings = (1..plain.len()).filter(|k| plain.q(*k)[1] * plain.q(k - 1)[1] < 0.0).count();
+        assert_eq!((crossings, program.engine().handed_back), (4, 4));
+        assert!(program.engine().compiled > 1950, "{:?}", program.engine());
+        assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
+    }
+}
+
+/// A coordinate that a row hangs on by steps alone is known before it.
+#[test]
+fn steps_of_coordinates_are_those_of_plain_steps() {
+    for given in [true, false] {
+        let system = driven(Law::ramp(1.0), |m, x, y| {
+            if given {
+                m.add("stairs", given_stairs(x, y, 1e-4))
+            } else {
+                m.add("stairs", stairs(x, y, 1e-4))
+            }
+            .expect("adds");
+        });
+        let times = linspace(0.05, 4.0, 1001);
+        let plain = system.run_both(&times).expect("runs");
+        let program = system.run_with(&times, &compiled()).expect("runs");
+        assert_eq!(program.engine().handed_back, 4, "{:?}", program.engine());
+        assert!(program.engine().compiled > 900, "{:?}", program.engine());
+        assert!(differences(&plain, &program).iter().all(|off| *off < 1e-11));
+        let last = plain.q(1000)[0];
+        assert!(if given { last == 4e-4 } else { last > 2.6e-4 && last < 2.7e-4 }, "{last}");
+    }
+}
+
+#[test]
+fn remainders_are_those_of_plain_steps() {
+    let system = driven(Law::linear(0.05, 0.4), |m, x, y| {
+        m.add("saw", saw(x, y, 1e-4)).expect("adds");
+    });
+    let times = linspace(0.0, 5.0, 2001);
+    let plain = system.run_both(&times).expect("runs");
+    let program = system.run_with(&times, &compiled()).expect("runs");
+    // 1 and 2 of whole numbers, 0.7 and 1.4, 0.9 and 1.8.
+    assert_eq!(program.engine().handed_back, 6, "{:?}", program.engine());
+    assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
+}
+
+/// A jump that no step can follow ends both runs with the same words.
+#[test]
+fn what_plain_steps_cannot_follow_no_program_can() {
+    let system = driven(Law::sine(0.4, TAU, 0.3), |m, x, y| {
+        m.add("sides", sides(x, y, 0.7, 5.0)).expect("adds");
+    });
+    let times = linspace(0.0, 2.0, 2001);
+    let _ = system.run_both(&times);
+    let ends = [Options { engine: kin::Engine::Plain, ..Options::default() }, compiled()]
+        .map(|options| system.run_with(&times, &options).map(|motion| motion.len()));
+    match ends {
+        [Ok(plain), Ok(program)] => assert_eq!(plain, program),
+        [Err(plain), Err(program)] => assert_eq!(plain.to_string(), program.to_string()),
+        ends => panic!("{ends:?}"),
+    }
+}
+
+/// The Geneva drive of the gallery: its pin enters and leaves a slot eight times in four turns of the driver.
+#[test]
+fn the_geneva_drive_is_handed_back_where_its_pin_enters_and_leaves() {
+    let mut all = crate::gallery::mechanisms().into_iter();
+    let (_, system) = all.find(|(name, _)| name.starts_with("20_")).expect("the Geneva drive");
+    let times = linspace(0.0, 4.0, 4001);
+    let plain = system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
+    let program = system.run_with(&times, &compiled()).expect("runs");
+    let counts = program.engine();
+    assert!(counts.handed_back > 1 && 100 * counts.handed_back < times.len(), "{counts:?}");
+    assert!(10 * counts.compiled > 9 * times.len(), "{counts:?}");
+    assert!(plain.has_jerk());
+}
