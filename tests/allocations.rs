@@ -55,9 +55,36 @@ fn number_of_steps_does_not_change_the_number_of_allocations() {
         allocations(&system, 2, &options);
         assert_eq!(allocations(&system, 20, &options), allocations(&system, 2000, &options));
     }
-    // By a program that is there already.
+    steps_of_a_program_allocate_nothing(&system);
+}
+
+/// By a program that is there already.
+fn steps_of_a_program_allocate_nothing(system: &kin::System) {
     system.compile().unwrap();
     let compiled = Options { engine: Engine::Compiled, ..Options::default() };
-    allocations(&system, 100, &compiled);
-    assert_eq!(allocations(&system, 100, &compiled), allocations(&system, 4000, &compiled));
+    allocations(system, 100, &compiled);
+    let counts = [100, 4000].map(|steps| allocations(system, steps, &compiled));
+    assert_eq!(counts[0], counts[1], "{}", system.name());
+}
+
+/// The two-link manipulator and the platform of the gallery, and a chain of drivers.
+#[test]
+fn nor_do_those_of_programs_of_manipulators_platforms_and_chains() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
+    for name in ["02_two_link_manipulator", "13_stewart_platform"] {
+        let mechanism = Mechanism::read_json(format!("{folder}/{name}.json"), &kin::Registry::new()).unwrap();
+        steps_of_a_program_allocate_nothing(&mechanism.build().unwrap());
+    }
+    let mut m = Mechanism::new("chain");
+    let mut last: Option<kin::Link> = None;
+    for k in 0..30 {
+        let link = m.link(&format!("link {k}"), 1.0).unwrap();
+        match last {
+            None => m.add("pin 0", revolute(Ground, link, vec2(0.0, 0.0), link.start())).unwrap(),
+            Some(last) => m.add(&format!("pin {k}"), revolute(last, link, last.end(), link.start())).unwrap(),
+        };
+        m.add(&format!("motor {k}"), drive_angle(link, Law::sine(0.3, 1.0, 0.1 * k as f64))).unwrap();
+        last = Some(link);
+    }
+    steps_of_a_program_allocate_nothing(&m.build().unwrap());
 }

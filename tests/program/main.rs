@@ -1,6 +1,7 @@
 //! Runs by a program beside plain ones, as a user sees them: the same numbers, the same verdicts, and
 //! refusals by name.
 
+mod alike;
 mod auto;
 mod before;
 mod foreign;
