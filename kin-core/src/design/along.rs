@@ -1,5 +1,8 @@
 //! C_q and C_p along a motion: their values with first and second derivatives by time.
 
+use std::collections::HashMap;
+use std::rc::Rc;
+
 use kin_graph::{Input, LeafUse, Results, Source, evaluate_all};
 
 use super::asked::{Asked, Hangs};
@@ -18,7 +21,7 @@ pub(super) type Jet = [f64; 3];
 /// All equations of a system, ready to be asked along its motions.
 pub(super) struct Prepared<'a> {
     pub system: &'a System,
-    pub blocks: Vec<Equation>,
+    pub blocks: Vec<Rc<Equation>>,
     /// The coordinate behind each column of each constraint.
     columns: Vec<Vec<Option<usize>>>,
     pub asked: Vec<Asked>,
@@ -38,7 +41,7 @@ pub(super) struct Along {
 impl<'a> Prepared<'a> {
     /// For these parameters and dimensions; refuses by name what is not known.
     pub(super) fn new(system: &'a System, names: &[String]) -> Result<Self> {
-        let (mut blocks, mut columns) = (Vec::new(), Vec::new());
+        let (mut blocks, mut columns, mut kinds) = (Vec::new(), Vec::new(), HashMap::new());
         for block in &system.equations().blocks {
             let own: Vec<Option<usize>> = block
                 .constraint
@@ -46,7 +49,12 @@ impl<'a> Prepared<'a> {
                 .iter()
                 .flat_map(|argument| system.layout().columns(argument))
                 .collect();
-            let equation = block.constraint.formula(|table, _, _| Equation::of(table.formula(), own.len()));
+            // The derivatives of one kind of constraint are found once.
+            let equation = block.constraint.formula(|table, _, _| {
+                let kind = kinds.entry((std::ptr::from_ref(table) as usize, own.len()));
+                let made = || Equation::of(table.formula(), own.len()).map(Rc::new);
+                kind.or_insert_with(made).clone()
+            });
             let unknown = Err("it takes the dual route or is written by hand");
             let equation = equation.unwrap_or(unknown).map_err(|reason| {
                 let by = names.first().map_or("", String::as_str);

@@ -1,5 +1,7 @@
 //! A parameter by which derivatives are asked for: where it is read.
 
+use std::rc::Rc;
+
 use super::equation::Equation;
 use crate::model::constraint::Constraint;
 use crate::model::error::Result;
@@ -36,7 +38,7 @@ impl Asked {
     /// The parameters behind name number `number`, a parameter's (`motor.law.rate`) or a dimension's.
     pub(super) fn all(
         system: &System,
-        equations: &[Equation],
+        equations: &[Rc<Equation>],
         (number, name): (usize, &String),
     ) -> Result<Vec<Asked>> {
         let mut all = Vec::new();

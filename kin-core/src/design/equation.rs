@@ -1,4 +1,4 @@
-//! The derivatives of one equation by its coordinates, its parameters and what its laws give, as a graph.
+//! One equation and its derivatives by its coordinates, its parameters and what its laws give, as a graph.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
@@ -21,8 +21,9 @@ pub(super) struct Equation {
     pub parameters: usize,
 }
 
-/// The derivatives of one row that are not zero.
+/// One row, and its derivatives that are not zero.
 pub(super) struct Slopes {
+    pub residual: Node,
     pub by_column: Vec<(usize, Node)>,
     pub by_parameter: Vec<(usize, Node)>,
     pub by_call: Vec<(usize, Node)>,
@@ -52,8 +53,11 @@ impl Equation {
         foreign.sort_unstable();
         foreign.dedup();
         let residuals: Vec<Node> = formula.rows.iter().map(|row| places[row.index()]).collect();
-        let none = || Slopes { by_column: Vec::new(), by_parameter: Vec::new(), by_call: Vec::new() };
-        let mut rows: Vec<Slopes> = residuals.iter().map(|_| none()).collect();
+        let none = |residual: &Node| {
+            let [by_column, by_parameter, by_call] = [(); 3].map(|()| Vec::new());
+            Slopes { residual: *residual, by_column, by_parameter, by_call }
+        };
+        let mut rows: Vec<Slopes> = residuals.iter().map(none).collect();
         for column in graph.columns(&residuals) {
             let mut partial = Partial::by_column(column);
             for (row, residual) in rows.iter_mut().zip(&residuals) {
@@ -95,6 +99,7 @@ impl Equation {
         for row in &mut self.rows {
             let slopes = row.by_column.iter_mut().chain(&mut row.by_parameter).chain(&mut row.by_call);
             slopes.for_each(|(_, node)| moved(node));
+            moved(&mut row.residual);
         }
         self.calls.iter_mut().for_each(|call| moved(&mut call.x));
         Ok(Equation { graph: to, ..self })
@@ -104,8 +109,8 @@ impl Equation {
     pub(super) fn outputs(&self) -> Vec<Node> {
         let slopes = self.rows.iter().flat_map(|row| row.by_column.iter().chain(&row.by_parameter));
         let by_call = self.rows.iter().flat_map(|row| &row.by_call);
-        let arguments = self.calls.iter().map(|call| call.x);
-        slopes.chain(by_call).map(|(_, node)| *node).chain(arguments).collect()
+        let others = self.calls.iter().map(|call| call.x).chain(self.rows.iter().map(|row| row.residual));
+        slopes.chain(by_call).map(|(_, node)| *node).chain(others).collect()
     }
 
     /// True if all of it is known: no function of the user's stands in it.

@@ -69,7 +69,8 @@ impl System {
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
         let mut prepared = Prepared::new(self, &names)?;
         let n = self.n_coordinates();
-        let list = || vec![0.0; n * motion.len()];
+        // Not numbers until they are written.
+        let list = || vec![f64::NAN; n * motion.len()];
         let empty = |name: &String| Sensitivity { name: name.clone(), n, orders: [list(), list(), list()] };
         let mut all: Vec<Sensitivity> = names.iter().map(empty).collect();
         let lists = all.iter_mut().flat_map(|one| one.orders.iter_mut().map(Vec::as_mut_slice)).collect();

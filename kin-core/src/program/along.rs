@@ -5,12 +5,12 @@
 //! [`Input::Parameter`], for nothing is differentiated by those. A time at which a pivot is small beside what
 //! it was at the first one is left to other ways.
 
-use kin_graph::{Graph, Input, Node};
+use kin_graph::{Graph, Input, LeafUse, Node, Source};
 
 use super::eliminate::Elimination;
 use super::stages::{At, Pose, numbers};
 use super::substitute::{Explicit, constants, ordered};
-use super::tape::{OverTimes, Rows, Sink, Straight, straight};
+use super::tape::{Masks, OverTimes, Rows, Sink, Straight, straight};
 use crate::model::law::Law;
 use crate::model::motion::Motion;
 use crate::system::{System, scale};
@@ -23,13 +23,14 @@ pub(crate) struct Guarded {
 
 impl Guarded {
     /// The tape of outputs that an elimination leads to, chosen at the position of a time; `cells` are those
-    /// of C_q by rows. `None` where C_q is singular there.
+    /// of C_q by rows, which are masked while the elimination is made of them, as whatever is else made of
+    /// long expressions may be. `None` where C_q is singular there.
     pub(crate) fn new(
         system: &System,
         (t, q): (f64, &[f64]),
         (mut graph, laws): (Graph, Vec<Law>),
         cells: &[Vec<(usize, Node)>],
-        outputs: impl FnOnce(&mut Graph, &Elimination<'_>) -> Vec<Node>,
+        outputs: impl FnOnce(&mut Graph, &Elimination<'_>, &mut Masks) -> Vec<Node>,
     ) -> Option<Guarded> {
         let sizes = sizes(system, t, q)?;
         let pose = Pose { t, q, sizes: &sizes };
@@ -43,11 +44,22 @@ impl Guarded {
         let eligible: Vec<Vec<Explicit>> = cells.iter().enumerate().map(eligible).collect();
         let rows: Vec<&[(usize, Node)]> = cells.iter().map(Vec::as_slice).collect();
         let order = ordered(&rows, q.len(), eligible);
-        let elimination = Elimination::new(&mut graph, &order, cells, &sizes, at).ok()?;
+        let mut masks = Masks::default();
+        let masked = |row: &Vec<(usize, Node)>| -> Vec<(usize, Node)> {
+            row.iter().map(|(column, cell)| (*column, masks.of(&mut graph, *cell))).collect()
+        };
+        let cells: Vec<Vec<(usize, Node)>> = cells.iter().map(masked).collect();
+        let values = at(&graph, masks.behind());
+        let by_cells = |graph: &Graph, nodes: &[Node]| {
+            numbers(graph, nodes, &Masked { at: At { pose, laws: &laws }, values: &values })
+        };
+        let elimination = Elimination::new(&mut graph, &order, &cells, &sizes, by_cells).ok()?;
         let guards = elimination.guards().concat();
-        let outputs = outputs(&mut graph, &elimination);
-        let marks = at(&graph, &guards);
-        let tape = straight(graph, laws, &[guards, outputs].concat());
+        let outputs = outputs(&mut graph, &elimination, &mut masks);
+        let count = guards.len();
+        let outputs = masks.removed(&mut graph, &[guards, outputs].concat());
+        let marks = at(&graph, &outputs[..count]);
+        let tape = straight(graph, laws, &outputs);
         Some(Guarded { tape, marks })
     }
 
@@ -61,6 +73,33 @@ impl Guarded {
     ) -> Option<Vec<usize>> {
         let port = |input| port(motion, input).or_else(|| beside(input));
         OverTimes { tape: &self.tape, times: motion.times.len(), port: &port, marks: &self.marks, sink }.run()
+    }
+}
+
+/// A pose, and the numbers behind masks there.
+struct Masked<'a> {
+    at: At<'a>,
+    values: &'a [f64],
+}
+
+impl Source<f64> for Masked<'_> {
+    fn input(&self, input: Input) -> f64 {
+        match input {
+            Input::Timed(number) => self.values.get(number).copied().unwrap_or(f64::NAN),
+            input => self.at.input(input),
+        }
+    }
+
+    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
+        self.at.law(law, x, order)
+    }
+
+    fn opaque(&self, number: usize, component: usize, operands: Vec<f64>) -> f64 {
+        self.at.opaque(number, component, operands)
+    }
+
+    fn leaf(&self, used: LeafUse, operands: Vec<f64>) -> f64 {
+        self.at.leaf(used, operands)
     }
 }
 

@@ -57,6 +57,25 @@ impl<'a> Reduced<'a> {
         self.places = kept;
     }
 
+    /// Inputs are these nodes from now on: what is computed from them is forgotten, and nothing else.
+    pub(crate) fn replace(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
+        let mut replaced = vec![false; self.from.len()];
+        for (input, node) in inputs {
+            let Some(own) = self.from.existing(Op::Input(input)) else { continue };
+            replaced[own.index()] = self.places[own.index()].is_some_and(|before| before != node);
+            self.places[own.index()] = Some(node);
+        }
+        // Operands have smaller numbers than what is computed from them.
+        for node in self.from.nodes() {
+            let mut stale = false;
+            self.from.each_operand(node, |operand| stale |= replaced[operand.index()]);
+            if stale {
+                replaced[node.index()] = true;
+                self.places[node.index()] = None;
+            }
+        }
+    }
+
     /// The node that stands for another one now.
     pub(crate) fn of(&mut self, node: Node) -> Node {
         let mut open = vec![node];

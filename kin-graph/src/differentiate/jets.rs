@@ -1,10 +1,11 @@
 //! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is the whole
-//! acceleration right side.
+//! acceleration right side. Along a curve q + s q̇ + ½ s² q̈ the second one has the term of q̈ too.
 
+use super::curve::Curve;
 use super::moves::{Motion, Moves};
 use super::scaled::{Depth, Tangents, relative_exponent, scaled, where_finite, where_large};
 use super::{Memo, rules};
-use crate::{Direction, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
+use crate::{Direction, Function2, Graph, LeafNumber, LeafUse, Node, Op};
 
 /// First and second derivative along the motion.
 #[derive(Clone, Copy)]
@@ -20,6 +21,7 @@ pub struct Jets {
     first: Memo<Node>,
     second: Memo<Second>,
     moves: Moves,
+    curve: Curve,
 }
 
 impl Tangents for Jets {
@@ -52,6 +54,11 @@ struct Argument<'a> {
 }
 
 impl Jets {
+    /// Along a curve: the second rate of argument k is the rate of argument k + `beyond`.
+    pub fn along_curve(beyond: usize) -> Jets {
+        Jets { curve: Curve::Bent(beyond), ..Jets::default() }
+    }
+
     /// The jet of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Jet {
         let first = self.first(g, node);
@@ -82,7 +89,7 @@ impl Jets {
         }
         let d = |n: Node| self.first.of(n);
         match g.op(node) {
-            Op::Input(input) => input_jet(g, input).first,
+            Op::Input(input) => self.curve.jet(g, input).first,
             Op::Add(a, b) => g.add(d(a), d(b)),
             Op::Sub(a, b) => g.sub(d(a), d(b)),
             Op::Neg(a) => g.neg(d(a)),
@@ -128,7 +135,7 @@ impl Jets {
         }
         let dd = |n: Node| self.second.of(n);
         match g.op(node) {
-            Op::Input(input) => plain(input_jet(g, input).second),
+            Op::Input(input) => plain(self.curve.jet(g, input).second),
             Op::Add(a, b) => both(g, Graph::add, dd(a), dd(b)),
             Op::Sub(a, b) => both(g, Graph::sub, dd(a), dd(b)),
             Op::Neg(a) => both(g, Graph::sub, plain(zero), dd(a)),
@@ -357,11 +364,6 @@ fn inverse(g: &mut Graph, a: Node) -> Node {
     g.div(one, a)
 }
 
-fn constant(g: &mut Graph) -> Jet {
-    let zero = g.zero();
-    Jet { first: zero, second: zero }
-}
-
 fn both(g: &mut Graph, combine: fn(&mut Graph, Node, Node) -> Node, a: Second, b: Second) -> Second {
     Second { outer: combine(g, a.outer, b.outer), cross: combine(g, a.cross, b.cross) }
 }
@@ -374,24 +376,4 @@ fn double(g: &mut Graph, a: Node) -> Node {
 fn sum_of_products(g: &mut Graph, terms: [(Node, Node); 2]) -> Node {
     let [left, right] = terms.map(|(a, b)| g.mul(a, b));
     g.add(left, right)
-}
-
-fn input_jet(g: &mut Graph, input: Input) -> Jet {
-    let zero = g.zero();
-    match input {
-        Input::Time => Jet { first: g.input(Input::TimeRate), second: zero },
-        Input::State(argument, Part::Sin) => angle_jet(g, argument, Part::Sin, Part::Cos, false),
-        Input::State(argument, Part::Cos) => angle_jet(g, argument, Part::Cos, Part::Sin, true),
-        Input::State(argument, part) => Jet { first: g.input(Input::Rate(argument, part)), second: zero },
-        _ => constant(g),
-    }
-}
-
-/// (sin θ)′ = θ̇ cos θ, (sin θ)″ = −θ̇² sin θ;  (cos θ)′ = −θ̇ sin θ, (cos θ)″ = −θ̇² cos θ
-fn angle_jet(g: &mut Graph, argument: usize, part: Part, other: Part, minus: bool) -> Jet {
-    let (this, other) = (g.input(Input::State(argument, part)), g.input(Input::State(argument, other)));
-    let rate = g.input(Input::Rate(argument, Part::Theta));
-    let (first, rate_squared) = (g.mul(rate, other), g.mul(rate, rate));
-    let second = g.mul(rate_squared, this);
-    Jet { first: if minus { g.neg(first) } else { first }, second: g.neg(second) }
 }

@@ -2,6 +2,7 @@
 //! they have in common.
 
 mod adjoint;
+mod curve;
 mod derivatives;
 mod jets;
 mod moves;

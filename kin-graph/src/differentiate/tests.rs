@@ -135,6 +135,47 @@ fn jets_are_derivatives_along_the_motion() {
     }
 }
 
+/// Along x = x0 + v s + ½ a s² the second jet is f″ v² + f′ a; of an angle by sine and cosine too.
+#[test]
+fn jets_along_a_curve_have_the_term_of_the_second_rate() {
+    let (beyond, [v, a]) = (5, [1.7, -0.6]);
+    for &f in Function::ALL {
+        let mut g = Graph::default();
+        let x = g.input(Input::State(0, Part::R(0)));
+        let y = g.call(f, x);
+        let column = g.columns(&[y])[0];
+        let mut d = Partial::by_column(column);
+        let first = d.of(&mut g, y);
+        let second = d.of(&mut g, first);
+        let jet = Jets::along_curve(beyond).of(&mut g, y);
+        for at in ordinary(f) {
+            let rates = [(Input::Rate(0, Part::R(0)), v), (Input::Rate(beyond, Part::R(0)), a)];
+            let inputs = HashMap::from_iter(rates.into_iter().chain([(Input::State(0, Part::R(0)), at)]));
+            let expected = value(&g, second, &inputs) * v * v + value(&g, first, &inputs) * a;
+            let got = value(&g, jet.second, &inputs);
+            assert!(
+                (got - expected).abs() < 1e-12 * (1.0 + expected.abs()),
+                "{f:?} at {at}: {got} {expected}"
+            );
+        }
+    }
+    let mut g = Graph::default();
+    let [sin, cos] = [Part::Sin, Part::Cos].map(|part| g.input(Input::State(0, part)));
+    let mut jets = Jets::along_curve(beyond);
+    let [sin, cos] = [sin, cos].map(|node| jets.of(&mut g, node));
+    let x = 0.4_f64;
+    let inputs = HashMap::from([
+        (Input::State(0, Part::Sin), x.sin()),
+        (Input::State(0, Part::Cos), x.cos()),
+        (Input::Rate(0, Part::Theta), v),
+        (Input::Rate(beyond, Part::Theta), a),
+    ]);
+    let expected = [a * x.cos() - v * v * x.sin(), -a * x.sin() - v * v * x.cos()];
+    for (jet, expected) in [sin, cos].into_iter().zip(expected) {
+        assert!((value(&g, jet.second, &inputs) - expected).abs() < 1e-15);
+    }
+}
+
 /// x^1.5 at 0 has value and slope 0; an exponent that is a plain number must bring in no logarithm.
 #[test]
 fn power_of_zero_is_finite() {

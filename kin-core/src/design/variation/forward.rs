@@ -1,10 +1,16 @@
 //! q_p, q̇_p and q̈_p of each name as outputs of a tape.
+//!
+//! With δ = q_p the variation of C by p is C_q δ + C_p, and zero at all times. C_q δ is the tangent of C
+//! along δ, and is differentiated by time as it is: C_q has many cells, of which C along one direction needs
+//! none.
 
-use kin_graph::{Graph, Node};
+use kin_graph::differentiate::{Jet, Jets};
+use kin_graph::{Graph, Input, Node};
 
-use super::nodes::{JetCells, NodeJet, Variation};
+use super::nodes::{Gathered, JetCells, moved, put_rates};
 use crate::design::along::Prepared;
-use crate::program::{Elimination, Guarded, IntoRows, take};
+use crate::model::law::Law;
+use crate::program::{Elimination, Guarded, IntoRows, Masks, Reduced, SELF};
 use crate::solve::motion::Motion;
 
 /// Fills the lists of each name, one an order, with a row for each time of a motion; gives the times that are
@@ -21,37 +27,103 @@ pub(in crate::design) fn forward(
 
 /// The tape, its elimination chosen at the first time.
 pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion) -> Option<Guarded> {
-    Variation::of(prepared).ok()?.guarded(prepared.system, motion, |graph, elimination, [by_q, by_p]| {
-        by_p.iter().flat_map(|by_p| solved(graph, elimination, (by_q, by_p)).concat()).collect()
+    let varied = Varied::of(Gathered::of(prepared).ok()?.by_turns(prepared.system));
+    let begin = (*motion.times().first()?, motion.q(0));
+    let mut reduced = Reduced::of_all(&varied.graph);
+    put_rates(&mut reduced, varied.n, 2 * varied.n);
+    let zero = reduced.graph.zero();
+    (0..varied.n).for_each(|j| reduced.put(Input::Rate(3 * varied.n + j, SELF), zero));
+    let mut row = |row: &Vec<(usize, Node)>| -> Vec<(usize, Node)> {
+        row.iter().map(|(column, cell)| (*column, reduced.of(*cell))).collect()
+    };
+    let cells: Vec<Vec<(usize, Node)>> = varied.by_q.iter().map(&mut row).collect();
+    let by_p = moved(&mut reduced, &varied.by_p);
+    let made = (std::mem::take(&mut reduced.graph), varied.laws.clone());
+    Guarded::new(prepared.system, begin, made, &cells, |graph, elimination, masks| {
+        std::mem::swap(graph, &mut reduced.graph);
+        let mut solved = |by_p| varied.solved(&mut reduced, (elimination, masks), by_p).concat();
+        let outputs = by_p.iter().flat_map(&mut solved).collect();
+        std::mem::swap(graph, &mut reduced.graph);
+        outputs
     })
 }
 
-/// q_p, q̇_p and q̈_p: J q_p = −P, J q̇_p = −Ṗ − J̇ q_p, J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p.
-fn solved(
-    graph: &mut Graph,
-    elimination: &Elimination<'_>,
-    (by_q, by_p): (&[JetCells], &[(usize, NodeJet)]),
-) -> [Vec<Node>; 3] {
-    let mut found: [Vec<Node>; 3] = Default::default();
-    let two = graph.constant(2.0);
-    for order in 0..3 {
-        let mut b = vec![graph.zero(); by_q.len()];
-        for (row, jet) in by_p {
-            b[*row] = graph.sub(b[*row], jet[order]);
+/// C_q δ with two derivatives by time, as nodes of one graph. δ_j is coordinate n + j in it, and the second
+/// rate of coordinate k the rate of coordinate 2 n + k.
+struct Varied {
+    graph: Graph,
+    laws: Vec<Law>,
+    n: usize,
+    by_q: Vec<Vec<(usize, Node)>>,
+    by_p: Vec<JetCells>,
+    /// The first and second derivative of each row.
+    rows: Vec<[Node; 2]>,
+}
+
+impl Varied {
+    fn of(Gathered { mut whole, residuals, by_q, by_p }: Gathered) -> Self {
+        let (n, mut tangents) = (whole.n, Jets::default());
+        let tangents: Vec<Node> =
+            residuals.into_iter().map(|row| tangents.first(&mut whole.graph, row)).collect();
+        let mut varied = Reduced::of_all(&whole.graph);
+        let zero = varied.graph.zero();
+        varied.put(Input::TimeRate, zero);
+        for j in 0..n {
+            let delta = varied.graph.input(Input::State(n + j, SELF));
+            varied.put(Input::Rate(j, SELF), delta);
         }
-        for (b, cells) in b.iter_mut().zip(by_q) {
-            for (column, [_, first, second]) in cells {
-                if order == 1 {
-                    take(graph, b, *first, found[0][*column]);
-                }
-                if order == 2 {
-                    let twice = graph.mul(two, found[1][*column]);
-                    take(graph, b, *first, twice);
-                    take(graph, b, *second, found[0][*column]);
+        let mut cells = |row: Vec<(usize, Node)>| -> Vec<(usize, Node)> {
+            row.into_iter().map(|(k, cell)| (k, varied.of(cell))).collect()
+        };
+        let by_q = by_q.into_iter().map(&mut cells).collect();
+        let by_p: Vec<Vec<(usize, Node)>> = by_p.into_iter().map(&mut cells).collect();
+        let tangents: Vec<Node> = tangents.into_iter().map(|row| varied.of(row)).collect();
+        let (mut graph, mut jets) = (varied.graph, Jets::along_curve(2 * n));
+        let mut jet = |node: Node| {
+            let Jet { first, second } = jets.of(&mut graph, node);
+            [node, first, second]
+        };
+        let rows = tangents.into_iter().map(&mut jet).map(|[_, first, second]| [first, second]).collect();
+        let mut jets = |own: Vec<(usize, Node)>| own.into_iter().map(|(k, node)| (k, jet(node))).collect();
+        let by_p = by_p.into_iter().map(&mut jets).collect();
+        Varied { graph, laws: whole.laws, n, by_q, by_p, rows }
+    }
+
+    /// q_p, q̇_p and q̈_p: J q_p = −P, J q̇_p = −Ṗ − J̇ q_p, J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p.
+    fn solved(
+        &self,
+        reduced: &mut Reduced<'_>,
+        (elimination, masks): (&Elimination<'_>, &mut Masks),
+        by_p: &JetCells,
+    ) -> [Vec<Node>; 3] {
+        let (n, zero) = (self.n, reduced.graph.zero());
+        let mut found: [Vec<Node>; 3] = Default::default();
+        for order in 0..3_usize {
+            let mut b = vec![zero; n];
+            if let Some(order) = order.checked_sub(1) {
+                for (b, row) in b.iter_mut().zip(&self.rows) {
+                    let own = reduced.of(row[order]);
+                    *b = reduced.graph.neg(own);
                 }
             }
+            for (row, jet) in by_p {
+                b[*row] = reduced.graph.sub(b[*row], jet[order]);
+            }
+            let b = masks.all(&mut reduced.graph, &b);
+            let solved = elimination.solve(&mut reduced.graph, &b);
+            found[order] = masks.all(&mut reduced.graph, &solved);
+            // A rate is zero until it is solved for.
+            let delta = |(j, node): (usize, &Node)| (Input::State(n + j, SELF), *node);
+            let rate = |(j, node): (usize, &Node)| (Input::Rate(n + j, SELF), *node);
+            match order {
+                0 => {
+                    let still = (0..n).map(|j| (Input::Rate(n + j, SELF), zero));
+                    reduced.replace(found[0].iter().enumerate().map(delta).chain(still));
+                }
+                1 => reduced.replace(found[1].iter().enumerate().map(rate)),
+                _ => {}
+            }
         }
-        found[order] = elimination.solve(graph, &b);
+        found
     }
-    found
 }

@@ -2,9 +2,10 @@
 //! the motion at once: what `along.rs` walks equation by equation, and the solves with it.
 //!
 //! The position and its rates are known, so that nothing is iterated: C_q, C_p and their derivatives by time
-//! are nodes of coordinates and rates (`nodes.rs`), C_q is eliminated in an order that is chosen at one
-//! time of the motion, and what is asked for are outputs: the derivatives (`forward.rs`), or one sum of them
-//! (`backward.rs`). A time at which a pivot is small beside what it was there is left to the walk.
+//! are nodes of coordinates and rates (`nodes.rs`), the points of a turning body made of shared sums
+//! (`turns.rs`), C_q is eliminated in an order that is chosen at one time of the motion, and what is asked
+//! for are outputs: the derivatives (`forward.rs`), or one sum of them (`backward.rs`). A time at which a
+//! pivot is small beside what it was there is left to the walk.
 
 use crate::solve::motion::Motion;
 
@@ -13,6 +14,7 @@ mod forward;
 mod nodes;
 #[cfg(test)]
 mod tests;
+mod turns;
 
 pub(super) use backward::adjoint;
 pub(super) use forward::forward;

@@ -102,8 +102,10 @@ fn tape_with(
     let Acts { by_q, kinetic, rate, potential, loads, largest, .. } = Acts::new(&mut whole, system, loads)?;
     let (cells, by_time): (Vec<_>, Vec<Node>) =
         whole.rows.into_iter().map(|row| (row.slopes, row.by_time)).unzip();
-    let made = Guarded::new(system, begin, (whole.graph, whole.laws), &cells, |graph, elimination| {
-        let mut lambda = elimination.solve_transposed(graph, &by_q);
+    let made = Guarded::new(system, begin, (whole.graph, whole.laws), &cells, |graph, elimination, masks| {
+        let by_q = masks.all(graph, &by_q);
+        let lambda = elimination.solve_transposed(graph, &by_q);
+        let mut lambda = masks.all(graph, &lambda);
         spoil(graph, &mut lambda);
         let drives = along(graph, &lambda, &by_time);
         lambda.into_iter().chain([kinetic, potential, rate, drives, loads, largest]).collect()

@@ -1,6 +1,7 @@
 //! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is
 //! found out once a run.
 
+mod masks;
 mod places;
 pub(in crate::program) mod replay;
 mod rows;
@@ -8,6 +9,7 @@ mod schedule;
 mod straight;
 pub(crate) mod times;
 
+pub(crate) use masks::Masks;
 pub(crate) use schedule::{schedule, straight};
 pub(crate) use straight::{IntoRows, OverTimes, Rows, Sink, Straight, Summed};
 

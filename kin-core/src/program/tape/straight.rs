@@ -190,14 +190,19 @@ impl<S: Level> Turning<'_, S> {
     #[inline(always)]
     fn turn<const WIDTH: usize>(&self, column: usize, rows: &mut [f64]) {
         let Turning { simd, outputs, width, first } = *self;
-        for (lane, rows) in (0..).step_by(SIDE).zip(rows.chunks_mut(SIDE * width)) {
+        // Lines beyond the last column are turned for nothing.
+        let mut lines = [outputs.of(first + column); SIDE];
+        for (k, line) in lines.iter_mut().enumerate().take(WIDTH) {
+            *line = outputs.of(first + column + k);
+        }
+        let lanes = rows.len() / width;
+        for lane in (0..lanes).step_by(SIDE) {
             let mut square = [[0.0; SIDE]; SIDE];
-            for (k, line) in square.iter_mut().enumerate().take(WIDTH) {
-                line.copy_from_slice(&outputs.of(first + column + k)[lane..][..SIDE]);
+            for (own, line) in square.iter_mut().zip(lines) {
+                own.copy_from_slice(&line[lane..][..SIDE]);
             }
-            let turned = simd.turn(square);
-            for (row, own) in rows.chunks_exact_mut(width).zip(&turned) {
-                row[column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
+            for (k, own) in simd.turn(square).iter().enumerate().take(lanes - lane) {
+                rows[(lane + k) * width + column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
             }
         }
     }
