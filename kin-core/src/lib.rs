@@ -50,7 +50,9 @@ pub use design::{
     Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Objective, Proved, Samples, Sampling,
     SecondOrder, Sensitivities, Sensitivity, Tolerance,
 };
-pub use dimension::{Dimension, DimensionError, Distribution, IntoNumber, IntoParameter};
+pub use dimension::{
+    Dimension, DimensionError, Distribution, IntoGravity, IntoNumber, IntoParameter, IntoVector,
+};
 pub use error::{Error, Result};
 pub use forces::library as loads;
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};
@@ -59,7 +61,8 @@ pub use kin_macros::{constraint, force, helper, law, potential};
 pub use law::{Break, Ends, Law};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
-    ConstraintId, IntoConstraint, Marker, Mechanism, Pose, Preferred, SpatialPose, deg, linspace, pose,
+    ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Mechanism, Pose, Preferred,
+    SpatialPose, deg, linspace, pose,
 };
 pub use model::growth::{Growth, Unbounded};
 pub use model::jammed::Jammed;

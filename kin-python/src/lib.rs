@@ -8,6 +8,7 @@ mod design;
 mod equation;
 mod fault;
 mod forces;
+mod given;
 mod held;
 mod law;
 mod mechanism;

@@ -2,7 +2,7 @@
 //! they are its own.
 
 use kin::data::{ConstraintData, LoadData, MechanismData};
-use kin::text::{Making, On, Parameter};
+use kin::text::On;
 use kin::{Dimension, Friction, Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
 
@@ -10,15 +10,16 @@ use crate::design::distribution_of;
 use crate::equation::{Equation, Given, Number, Terms, terms};
 use crate::fault::{or_raise, unreadable, wrong_type};
 use crate::forces::{Mass, solid};
+use crate::given::unknown;
 use crate::numbers::{vec2, vec3};
 use crate::system::{System, Verdict};
 
 /// A mechanism.
 #[pyclass(module = "kin._native")]
-pub struct Mechanism(kin::Mechanism);
+pub struct Mechanism(pub(crate) kin::Mechanism);
 
 /// A body or coordinate: its kind and its name; the ground has none.
-type Place = (String, Option<String>);
+pub(crate) type Place = (String, Option<String>);
 
 #[pymethods]
 impl Mechanism {
@@ -63,6 +64,22 @@ impl Mechanism {
         or_raise(py, done)
     }
 
+    /// The same by numbers that may hang on dimensions: the mass, the centre, the inertia by rows.
+    fn mass(&mut self, py: Python<'_>, place: Place, given: Vec<Number>) -> PyResult<()> {
+        let given = self.numbers(py, given)?;
+        let [mass, x, y, z, j @ ..] = &given[..] else { return Err(wrong_type("a mass has 13 numbers")) };
+        let (Some((rows, _)), (m, x, y, z)) = (j.split_first_chunk::<9>(), (*mass, *x, *y, *z)) else {
+            return Err(wrong_type("an inertia has nine numbers"));
+        };
+        let [a, b, c, d, e, f, g, h, i] = *rows;
+        let done = match self.on(&place)? {
+            On::Spatial(body) => self.0.mass(body, m, [x, y, z], [[a, b, c], [d, e, f], [g, h, i]]),
+            On::Planar(body) => self.0.mass(body, m, [x, y], i),
+            _ => self.0.mass(kin::PlanarBody::from(Ground), m, [x, y], i),
+        };
+        or_raise(py, done)
+    }
+
     /// Gives a point, which an equation says, its mass.
     fn point_mass(
         &mut self,
@@ -71,8 +88,9 @@ impl Mechanism {
         equation: &Bound<'_, Equation>,
         on: Vec<Place>,
         parameters: Vec<(String, Given)>,
-        mass: f64,
+        mass: Number,
     ) -> PyResult<()> {
+        let mass = self.number(py, mass)?;
         let point = or_raise(py, self.making(py, equation, on, parameters)?.constraint())?;
         or_raise(py, self.0.point_mass(name, point, mass))
     }
@@ -84,10 +102,12 @@ impl Mechanism {
         py: Python<'_>,
         joint: &str,
         pin: bool,
-        coefficient: f64,
-        sizes: [f64; 2],
-        rate: f64,
+        coefficient: Number,
+        sizes: (Number, Number),
+        rate: Number,
     ) -> PyResult<()> {
+        let [coefficient, rate] = [self.number(py, coefficient)?, self.number(py, rate)?];
+        let sizes = [self.number(py, sizes.0)?, self.number(py, sizes.1)?];
         let friction = match pin {
             true => Friction::pin(coefficient, sizes[0], rate).length(sizes[1]),
             false => Friction::slide(coefficient, sizes, rate),
@@ -95,8 +115,12 @@ impl Mechanism {
         or_raise(py, self.0.friction(joint, friction))
     }
 
-    fn gravity(&mut self, g: [f64; 3]) {
-        self.0.gravity(vec3(g));
+    fn gravity(&mut self, py: Python<'_>, g: Vec<Number>) -> PyResult<()> {
+        match self.numbers(py, g)?[..] {
+            [x, y, z] => self.0.gravity(kin::Vec3::from([x, y, z])),
+            _ => return Err(wrong_type("gravity has three components")),
+        }
+        Ok(())
     }
 
     /// Adds a load, described as in a file, with the texts of the functions that it names.
@@ -240,17 +264,20 @@ impl Mechanism {
     }
 
     /// Prefers a coordinate, or a measure of a joint, near a value.
-    fn prefer(&mut self, what: &str, value: f64) {
+    fn prefer(&mut self, py: Python<'_>, what: &str, value: Number) -> PyResult<()> {
+        let value = self.number(py, value)?;
         match self.0.coordinate_named(what) {
             Some(coordinate) => self.0.prefer(coordinate, value),
             None => self.0.prefer(what, value),
         }
+        Ok(())
     }
 
-    fn prefer_turn(&mut self, body: &str, p: [f64; 4]) -> PyResult<()> {
+    fn prefer_turn(&mut self, py: Python<'_>, body: &str, p: Vec<Number>) -> PyResult<()> {
+        let p = self.numbers(py, p)?;
         let body = self.0.spatial_named(body).ok_or_else(|| unknown(body))?;
-        let [e0, e1, e2, e3] = p;
-        self.0.prefer(body, kin::EulerParameters::new(e0, e1, e2, e3));
+        let [e0, e1, e2, e3] = p[..] else { return Err(wrong_type("there are four Euler parameters")) };
+        self.0.prefer(body, kin::EulerParameters { e0, e1, e2, e3 });
         Ok(())
     }
 
@@ -303,74 +330,6 @@ impl Mechanism {
         });
         crate::system::diagnosis(&or_raise(py, found)?)
     }
-}
-
-impl Mechanism {
-    fn coordinate(&self, name: &str) -> PyResult<kin::Coordinate> {
-        self.0.coordinate_named(name).ok_or_else(|| unknown(name))
-    }
-
-    fn on(&self, (kind, name): &Place) -> PyResult<On> {
-        let Some(name) = name else { return Ok(On::from(Ground)) };
-        Ok(match kind.as_str() {
-            "planar" => self.0.planar_named(name).ok_or_else(|| unknown(name))?.into(),
-            "spatial" => self.0.spatial_named(name).ok_or_else(|| unknown(name))?.into(),
-            "coord" => self.coordinate(name)?.into(),
-            "ground_coord" => ground_coordinate(name)?.into(),
-            _ => return Err(wrong_type(format!("`{kind}` is no kind of a body or coordinate"))),
-        })
-    }
-
-    fn number(&self, py: Python<'_>, number: Number) -> PyResult<Dimension> {
-        match number {
-            Number::Plain(x) => Ok(x.into()),
-            Number::Expression(text) => or_raise(py, self.0.expression(&text)),
-        }
-    }
-
-    fn parameter(&self, py: Python<'_>, given: Given) -> PyResult<Parameter> {
-        match given {
-            Given::Law(json) => {
-                let data = serde_json::from_str(&json).map_err(|error| unreadable(&error))?;
-                or_raise(py, self.0.law(&data, &kin::text::registry())).map(Parameter::Law)
-            }
-            Given::Numbers(numbers) => {
-                let numbers = numbers.into_iter().map(|number| self.number(py, number));
-                numbers.collect::<PyResult<_>>().map(Parameter::Numbers)
-            }
-        }
-    }
-
-    fn making(
-        &self,
-        py: Python<'_>,
-        equation: &Bound<'_, Equation>,
-        on: Vec<Place>,
-        parameters: Vec<(String, Given)>,
-    ) -> PyResult<Making> {
-        let on = on.iter().map(|place| self.on(place)).collect::<PyResult<Vec<On>>>()?;
-        let mut on = on.into_iter();
-        let first = on.next().ok_or_else(|| wrong_type("an equation needs a body or coordinate"))?;
-        let making = on.fold(equation.get().0.on(first), Making::on);
-        parameters
-            .into_iter()
-            .try_fold(making, |making, (name, value)| Ok(making.with(&name, self.parameter(py, value)?)))
-    }
-}
-
-/// One of the ground's coordinates as a planar body, by its number.
-fn ground_coordinate(number: &str) -> PyResult<kin::Coordinate> {
-    let ground = kin::PlanarBody::from(Ground);
-    Ok(match number {
-        "0" => ground.x(),
-        "1" => ground.y(),
-        "2" => ground.theta(),
-        _ => return Err(unknown(number)),
-    })
-}
-
-fn unknown(name: &str) -> PyErr {
-    wrong_type(format!("there is no `{name}` of that kind in this mechanism"))
 }
 
 fn planar_pose([x, y, theta]: [f64; 3]) -> Pose {

@@ -156,9 +156,46 @@ def test_a_name_for_an_expression_is_a_dimension():
         system.set("half", 0.3)
 
 
+def loaded(numbers):
+    """An arm with all that has mass and acts, its numbers given by a function of mechanism, name and value."""
+    m = kin.Mechanism("arm")
+    mass, c, g, k, f, mu, side = (numbers(m, *one) for one in LOADS.items())
+    arm = m.link("arm", 0.5)
+    m.add("O", kin.revolute(arm, m.ground, arm.start, (0, 0)))
+    m.add("motor", kin.drive_angle(arm, kin.Law.sine(0.5, 3.0)))
+    m.mass(arm, mass, (c, 0.0), 0.1 * mass)
+    m.gravity((0.0, g))
+    m.load("spring", kin.loads.spring(arm, m.ground, (c, 0.0), (0.3, 0.8), k, 0.4))
+    m.load("hook", kin.Load.force(arm, (0.0, c), (f, 0.0)) + kin.Load.torque(arm, 2 * f))
+    m.friction("O", kin.Friction.pin(mu, 0.02, 1e-3).length(c))
+    m.prefer(arm, side)
+    return m, arm
+
+
+LOADS = {"mass": 1.2, "c": 0.1, "g": -9.81, "k": 80.0, "f": 5.0, "mu": 0.2, "side": 0.3}
+
+
+def test_masses_loads_friction_and_preferences_hang_on_dimensions():
+    others = {"mass": 2.5, "c": 0.2, "g": -1.62, "k": 35.0, "f": -12.0, "mu": 0.35, "side": -0.2}
+    m, _ = loaded(lambda m, name, value: m.dimension(name, value))
+    plain, _ = loaded(lambda _, name, value: others[name])
+    for mechanism in (m, pickle.loads(pickle.dumps(m))):
+        system = mechanism.build()
+        for name, value in others.items():
+            system.set(name, value)
+        built = plain.build()
+        efforts = [one.forces(one.run(TIMES)).drive("motor").effort.value for one in (system, built)]
+        assert np.allclose(*efforts, rtol=1e-13, atol=1e-13) and np.ptp(efforts[0]) > 1.0
+        with pytest.raises(kin.DimensionError, match="`mass`: with -1 `arm`"):
+            system.set("mass", -1.0)
+        assert system.dimensions["mass"] == 2.5
+
+
 MISTAKES = [
     ("foreign", lambda m, a, o: m.link("l", o), "`l`: a dimension of another mechanism than"),
     ("foreign in a joint", lambda m, a, o: m.add("O", kin.fixed(m.planar("b"), (0, o), 0)), "`O`: a dimension of another"),
+    ("foreign in a mass", lambda m, a, o: m.mass(m.planar("b"), o, (0, 0), 1), "`mass`: a dimension of another mechanism"),
+    ("foreign in gravity", lambda m, a, o: m.gravity((0, o)), "`gravity`: a dimension of another mechanism"),
     ("foreign in a law", lambda m, a, o: m.add("O", kin.drive_angle(m.planar("b"), kin.Law.ramp(o))), "`O`: a dim"),
     ("several", lambda m, a, o: a + o, "`a` and `o` are dimensions of two mechanisms"),
     ("NaN", lambda m, a, o: m.dimension("n", math.nan), "`n`: it is NaN; give a finite number"),

@@ -212,7 +212,8 @@ def refused_masses(m, body):
         (lambda: m.mass("arm", 1.0, (0, 0), 0.1), TypeError, "takes a body"),
         (lambda: m.mass(kin.Mechanism("other").planar("b"), 1.0, (0, 0), 0.1), kin.ForeignBody, "`mass`"),
         (lambda: m.gravity((0.0,)), TypeError, "two or three components"),
-        (lambda: m.mass(body, m.dimension("d", 1.0), (0, 0), 0.1), TypeError, "write `.value`"),
+        (lambda: m.mass(body, kin.Mechanism("other").dimension("d", 1.0), (0, 0), 0.1), kin.DimensionError, "of another"),
+        (lambda: kin.Solid.bar(m.dimension("d", 1.0), 0.1, 0.1, 1.0), TypeError, "write `.value`"),
         (lambda: kin.Solid.plate([(0, 0), (1, 0)], 0.1, 1.0), ValueError, "`plate`"),
     ]
 

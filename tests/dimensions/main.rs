@@ -4,6 +4,8 @@ mod axes;
 #[path = "../data/engines.rs"]
 mod engines;
 mod files;
+mod loads;
+mod meant;
 mod mistakes;
 mod names;
 mod poses;

@@ -41,27 +41,6 @@ fn what_makes_no_sense_is_told_by_name() {
     }
 }
 
-#[constraint]
-fn height(j: Planar, weight: f64) -> f64 {
-    j.r.y * weight
-}
-
-impl kin::Potential for height {}
-
-/// Loads do not follow dimensions: one that was given some would keep an old number in silence.
-#[test]
-fn loads_refuse_dimensions() {
-    let mut m = Mechanism::new("loads");
-    let a = m.dimension("a", 1.0).unwrap();
-    let body = m.planar("body", pose(0.0, 0.0, 0.0)).unwrap();
-    let energy = m.load("energy", height(body, a)).unwrap_err();
-    let force = [Law::constant(a), Law::constant(0.0)];
-    let force = m.load("force", kin::Load::force(body, (0.0, 0.0), force)).unwrap_err();
-    for error in [energy, force] {
-        assert!(error.to_string().contains("do not follow dimensions"), "{error}");
-    }
-}
-
 /// A law of which one number is set by hand keeps the others where they hang.
 #[test]
 fn a_law_that_is_set_keeps_its_dimensions() {

@@ -217,3 +217,32 @@ fn of_what_no_bounds_are_known_there_is_no_proof() {
     });
     assert!(odd.contains("`odd"), "{odd}");
 }
+
+/// An axis is worked out of its directions beside the equations, where no bounds are known of it: a tolerance
+/// on one is refused by name, and one on another dimension of the same mechanism is not.
+#[test]
+fn an_axis_that_hangs_on_a_toleranced_dimension_is_refused_by_name() {
+    let build = |tilted: bool| {
+        let mut m = Mechanism::new("door");
+        let out = m.dimension("out", 0.4).expect("a dimension");
+        let tilt = m.dimension("tilt", 0.1).expect("a dimension");
+        if tilted {
+            tilt.tolerance(1e-3)
+        } else {
+            out.tolerance(1e-3)
+        };
+        let (zero, z) = (kin::Dimension::from(0.0), vec3(0.0, 0.0, 1.0));
+        let door = m.spatial("door", SpatialPose::at((0.4, 0.0, 0.0))).expect("a body");
+        let along = [tilt, zero, 1.0.into()];
+        let at = [-out, zero, zero];
+        m.add("hinge", spatial::revolute(door, Ground, at, (0.0, 0.0, 0.0), z, along)).expect("adds");
+        m.add("motor", spatial::drive_turn(door, Ground, z, along, Law::linear(0.2, 1.0))).expect("adds");
+        let system = m.build().expect("a door");
+        let motion = system.run_both([0.0, 0.5]).expect("a motion");
+        system.tolerance_proved(&motion, "door.R_x", 0.5).map(|found| found.proved.expect("bounds"))
+    };
+    let error = build(true).expect_err("an axis").to_string();
+    assert!(error.contains("`motor.h_j` is an axis that hangs on dimensions"), "{error}");
+    let proved = build(false).expect("a proof");
+    assert!(proved.low < proved.high && proved.high - proved.low < 2.1e-3, "{proved:?}");
+}

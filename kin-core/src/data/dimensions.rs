@@ -191,7 +191,7 @@ impl Mechanism {
         self.read_expression(text).map_err(|reason| Error::Data { place, reason })
     }
 
-    fn read_expression(&self, text: &str) -> std::result::Result<Dimension, String> {
+    pub(super) fn read_expression(&self, text: &str) -> std::result::Result<Dimension, String> {
         let read = expression::read(text, &mut |name| self.dimension_named(name))?;
         match read.value() {
             value if value.is_finite() => Ok(read),

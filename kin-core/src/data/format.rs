@@ -4,9 +4,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use super::dimensions::{DimensionData, NumberData};
+use super::dynamics::{FrictionData, LoadData, MassData, PointMassData};
 use super::is_first;
-use super::loads::{FrictionData, LoadData, PointMassData};
-use super::masses::MassData;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::layout::Kind;
 use crate::model::units::Units;
@@ -48,7 +47,7 @@ pub struct MechanismData {
     pub point_masses: Vec<PointMassData>,
     /// The acceleration of gravity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub gravity: Option<[f64; 3]>,
+    pub gravity: Option<[NumberData; 3]>,
     /// Loads in their order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<LoadData>,
@@ -98,7 +97,7 @@ pub struct PreferredData {
     /// The measure, such as `elbow.angle`.
     pub measure: String,
     /// Its value, in its unit.
-    pub value: f64,
+    pub value: NumberData,
 }
 
 /// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
@@ -127,13 +126,17 @@ pub struct BodyData {
     pub guess: Vec<NumberData>,
     /// Preferred values of its coordinates, where there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub preferred: Vec<Option<f64>>,
+    pub preferred: Vec<Option<NumberData>>,
     /// Length between the pins of a link.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<NumberData>,
     /// The points that a spatial body is drawn between, of which its guess then is worked out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<[[NumberData; 3]; 2]>,
+    /// The place of a spatial body and the components of one or two directions that it faces, of which its guess
+    /// then is worked out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub facing: Option<Vec<NumberData>>,
 }
 
 /// Kinds of bodies.

@@ -3,20 +3,20 @@
 use std::path::Path;
 
 use super::dimensions::{NumberData, Texts, law_without_expressions};
+use super::dynamics::{Carried, carry};
 use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData};
 use super::law::LawData;
-use super::loads::{Carried, carry};
 use super::names::plain;
 use super::{FORMAT, Registry, understood};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
-use crate::model::dimension::{Bound, Dimension};
+use crate::model::dimension::{Bound, Dimension, Holder};
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::layout::{Kind, Place};
-use crate::model::mechanism::place::between;
-use crate::model::mechanism::{ConstraintId, Limit, Mechanism};
+use crate::model::mechanism::place::{self, between};
+use crate::model::mechanism::{ConstraintId, Limit, Mechanism, SpatialPose};
 use crate::model::units::Units;
 
 impl Mechanism {
@@ -46,7 +46,7 @@ impl Mechanism {
         let mut equations = Carried::new();
         let constraints = self.constraints.iter().enumerate().map(|(number, (name, constraint))| {
             let (mut data, equation) = self.constraint_data(name, constraint.as_ref())?;
-            texts.put(number, constraint.as_ref(), &mut data.parameters);
+            texts.put(Holder::Constraint(number), constraint.as_ref(), &mut data.parameters);
             carry(&format!("constraint `{name}`"), &data.kind, equation, &mut equations)?;
             Ok(data)
         });
@@ -59,17 +59,17 @@ impl Mechanism {
         };
         let limits = self.limits.iter().map(limit).collect();
         let units = self.layout.words.clone();
-        let preferred = self.preferred_data();
-        let (masses, gravity) = self.mass_data();
-        let point_masses = self.point_mass_data(&mut equations)?;
-        let loads = self.load_data(&mut equations)?;
+        let preferred = self.preferred_data(&texts);
+        let (masses, gravity) = self.mass_data(&texts);
+        let point_masses = self.point_mass_data(&texts, &mut equations)?;
+        let loads = self.load_data(&texts, &mut equations)?;
         Ok(MechanismData {
             format: FORMAT,
             masses,
             point_masses,
             gravity,
             loads,
-            frictions: self.friction_data(),
+            frictions: self.friction_data(&texts),
             name: self.name.clone(),
             units,
             dimensions: self.dimension_data()?,
@@ -86,9 +86,10 @@ impl Mechanism {
         let body = self.layout.items.iter().enumerate().map(|(index, item)| {
             let columns = item.first..item.first + item.kind.coordinates().len();
             let preference = |column: usize| {
-                self.preferred.iter().find(|(known, _)| *known == column).map(|(_, value)| *value)
+                let own = self.preferred.iter().find(|(known, _)| *known == column);
+                own.map(|(_, value)| texts.number(Bound::Preferred(column), *value))
             };
-            let mut preferred: Vec<Option<f64>> = columns.clone().map(preference).collect();
+            let mut preferred: Vec<Option<NumberData>> = columns.clone().map(preference).collect();
             if preferred.iter().all(Option::is_none) {
                 preferred.clear();
             }
@@ -102,15 +103,18 @@ impl Mechanism {
                 preferred,
                 length,
                 between: texts.between(item.first),
+                facing: texts.facing(item.first),
             }
         });
         body.collect()
     }
 
     /// Preferred measures as data.
-    fn preferred_data(&self) -> Vec<PreferredData> {
-        let data =
-            |(measure, value): &(String, f64)| PreferredData { measure: measure.clone(), value: *value };
+    fn preferred_data(&self, texts: &Texts) -> Vec<PreferredData> {
+        let data = |(measure, value): &(String, f64)| PreferredData {
+            measure: measure.clone(),
+            value: texts.number(Bound::PreferredMeasure(measure.clone()), *value),
+        };
         self.asked.iter().map(data).collect()
     }
 
@@ -190,9 +194,10 @@ impl Mechanism {
             mechanism.limit(measure, from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))?;
         }
         for PreferredData { measure, value } in &data.preferred {
-            mechanism.prefer(measure, *value);
+            let value = mechanism.number(&format!("preferred `{measure}`"), value)?;
+            mechanism.prefer(measure, value);
         }
-        mechanism.take_masses(&data.masses, data.gravity)?;
+        mechanism.take_masses(&data.masses, data.gravity.as_ref())?;
         mechanism.take_point_masses(&data.point_masses, registry)?;
         mechanism.take_loads(&data.loads, registry)?;
         mechanism.take_frictions(&data.frictions)?;
@@ -226,50 +231,63 @@ impl Mechanism {
     }
 
     fn add_body(&mut self, body: &BodyData) -> Result<()> {
-        let kind = Kind::from(body.kind);
+        let (kind, place) = (Kind::from(body.kind), format!("body `{}`", body.name));
         let count = kind.coordinates().len();
-        let fail = |reason: String| Error::Data { place: format!("body `{}`", body.name), reason };
+        let fail = |reason: String| Error::Data { place: place.clone(), reason };
         if body.guess.len() != count || !(body.preferred.is_empty() || body.preferred.len() == count) {
             return Err(fail(format!("it has {count} coordinates; its guess has {}", body.guess.len())));
         }
-        let place = format!("body `{}`", body.name);
         let number = |number: &NumberData| self.number(&place, number);
-        let guess = body.guess.iter().map(number).collect::<Result<Vec<Dimension>>>()?;
+        let numbers = |all: &[NumberData]| all.iter().map(number).collect::<Result<Vec<Dimension>>>();
+        let guess = numbers(&body.guess)?;
         let length = body.length.as_ref().map(number).transpose()?;
+        let mut preferred = Vec::new();
+        for (axis, value) in body.preferred.iter().enumerate() {
+            let Some(value) = value.as_ref().map(number).transpose()? else { continue };
+            if !value.value().is_finite() {
+                return Err(fail(format!("a preferred value is {}", value.value())));
+            }
+            preferred.push((axis, value));
+        }
+        let points = body.between.as_ref().map(|points| numbers(points.as_flattened())).transpose()?;
+        let facing = body.facing.as_deref().map(numbers).transpose()?;
         let index = self.declare_hung(plain("body", &body.name)?, kind, &guess)?;
         let first = self.layout.items[index].first;
-        for (axis, value) in
-            body.preferred.iter().enumerate().filter_map(|(axis, value)| Some((axis, (*value)?)))
-        {
-            if !value.is_finite() {
-                return Err(fail(format!("a preferred value is {value}")));
-            }
-            self.preferred.push((first + axis, value));
+        for (axis, value) in preferred {
+            self.prefer_one(first + axis, value)?;
         }
-        if let Some(points) = &body.between {
-            self.draw_between(&body.name, (kind, first), points)?;
+        if let Some(points) = points {
+            let told = "`between` is two points in space that a spatial body is drawn between";
+            let pose = between(points.iter().map(|x| x.value()));
+            self.draw((&body.name, told), (kind, first), pose)?;
+            self.hang_pose(&body.name, &points, |part| Bound::Between { first, part })?;
+        }
+        if let Some(facing) = facing {
+            let told = "`facing` is where a spatial body is, and one or two directions that it faces";
+            if !matches!(facing.len(), 6 | 9) {
+                return Err(fail(told.to_string()));
+            }
+            let pose = place::facing(facing.iter().map(|x| x.value()));
+            self.draw((&body.name, told), (kind, first), pose)?;
+            self.hang_pose(&body.name, &facing, |part| Bound::Facing { first, part })?;
         }
         length.map_or(Ok(()), |length| self.note_length(&body.name, Some(index), length))
     }
 
-    /// Draws a spatial body, whose coordinates begin there, between two points.
-    fn draw_between(
+    /// Draws a spatial body, whose coordinates begin there, at a pose. Errors: what was told of it is no such
+    /// pose.
+    fn draw(
         &mut self,
-        name: &str,
+        (name, told): (&str, &str),
         (kind, first): (Kind, usize),
-        points: &[[NumberData; 3]; 2],
+        pose: SpatialPose,
     ) -> Result<()> {
-        let place = format!("body `{name}`");
-        let numbers = points.as_flattened().iter().map(|number| self.number(&place, number));
-        let numbers = numbers.collect::<Result<Vec<Dimension>>>()?;
-        let pose = between(numbers.iter().map(|x| x.value())).coordinates().map(Dimension::value);
+        let pose = pose.coordinates().map(Dimension::value);
         if kind != Kind::Spatial || pose.iter().any(|x| !x.is_finite()) {
-            let reason = "`between` is two points in space that a spatial body is drawn between".to_string();
-            return Err(Error::Data { place, reason });
+            return Err(Error::Data { place: format!("body `{name}`"), reason: told.to_string() });
         }
         self.initial[first..first + pose.len()].copy_from_slice(&pose);
-        let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k| numbers[k]);
-        self.hang_between(name, first, [[a, b, c], [d, e, f]])
+        Ok(())
     }
 
     /// The planar body of that name.

@@ -4,12 +4,11 @@
 //! a user's own constraints are added: `Registry::new().with::<parabolic_slot>()`.
 
 mod dimensions;
+mod dynamics;
 mod expression;
 mod format;
 mod joints;
 mod law;
-mod loads;
-mod masses;
 mod mechanism;
 mod motion;
 mod names;
@@ -24,13 +23,14 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::model::describer::Describer;
 pub use dimensions::{DimensionData, NumberData};
+pub use dynamics::{
+    ActingData, FormulaData, FrictionData, FrictionShape, LoadData, MassData, PointMassData, ScalarData,
+};
 pub use format::{
     ArgumentData, BodyData, BodyKind, ColumnData, ConstraintData, ForcesData, LimitData, MechanismData,
     PreferredData,
 };
 pub use law::{LawData, LawReader};
-pub use loads::{ActingData, FormulaData, FrictionData, FrictionShape, LoadData, PointMassData, ScalarData};
-pub use masses::MassData;
 pub use motion::{BreakData, MotionData, OutputData};
 pub use registry::{Described, Reader, Registry};
 pub use schema::schema;

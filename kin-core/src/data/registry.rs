@@ -30,7 +30,7 @@ pub trait Described: Constraint + Sized + 'static {
 type Make = Arc<dyn Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync>;
 type Key = (String, Vec<ArgumentKind>);
 /// A constraint, and which of its parameters are expressions of dimensions.
-type Made = (Box<dyn Constraint>, Vec<(String, Dimension)>);
+pub(super) type Made = (Box<dyn Constraint>, Vec<(String, Dimension)>);
 type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
 type ReadLaw = fn(&LawReader<'_>) -> Result<Law, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;

@@ -66,7 +66,7 @@ pub fn schema(registry: &Registry) -> Value {
             ]),
             "preferred": object("The value of a measure in the assembly that is meant.", &["measure", "value"], &[
                 ("measure", text("The measure, such as elbow.angle.")),
-                ("value", json!({ "type": "number" })),
+                ("value", named("number")),
             ]),
         },
     })
@@ -85,7 +85,7 @@ fn body() -> Value {
                 "preferred",
                 json!({
                     "description": "Preferred values of its coordinates, null for none.",
-                    "type": "array", "items": { "type": ["number", "null"] },
+                    "type": "array", "items": { "type": ["number", "string", "null"] },
                 }),
             ),
             (
@@ -101,6 +101,13 @@ fn body() -> Value {
                     "description": "The points that a spatial body is drawn between, for a guess that hangs on dimensions.",
                     "type": ["array", "null"], "minItems": 2, "maxItems": 2,
                     "items": { "type": "array", "items": named("number"), "minItems": 3, "maxItems": 3 },
+                }),
+            ),
+            (
+                "facing",
+                json!({
+                    "description": "Where a spatial body is, and the components of one or two directions that it faces, for a guess that hangs on dimensions.",
+                    "type": ["array", "null"], "items": named("number"), "minItems": 6, "maxItems": 9,
                 }),
             ),
         ],
@@ -140,7 +147,7 @@ fn mass() -> Value {
         &["body", "mass", "centre", "inertia"],
         &[
             ("body", text("Name of the body.")),
-            ("mass", json!({ "type": "number", "minimum": 0 })),
+            ("mass", json!({ "type": ["number", "string"], "minimum": 0 })),
             ("centre", vector("The centre of mass; z is 0 in a plane.")),
             ("inertia", rows),
         ],
@@ -154,7 +161,7 @@ fn point_mass() -> Value {
         &[
             ("name", text("Its name.")),
             ("point", named("scalar")),
-            ("mass", json!({ "type": "number", "exclusiveMinimum": 0 })),
+            ("mass", json!({ "type": ["number", "string"], "exclusiveMinimum": 0 })),
         ],
     )
 }
@@ -177,8 +184,9 @@ fn load() -> Value {
 }
 
 fn friction() -> Value {
-    let above_zero = |told: &str| json!({ "description": told, "type": "number", "exclusiveMinimum": 0 });
-    let at_least_zero = |told: &str| json!({ "description": told, "type": "number", "minimum": 0 });
+    let kinds = ["number", "string"];
+    let above_zero = |told: &str| json!({ "description": told, "type": kinds, "exclusiveMinimum": 0 });
+    let at_least_zero = |told: &str| json!({ "description": told, "type": kinds, "minimum": 0 });
     let pin = [
         ("radius", above_zero("The radius of the pin.")),
         ("length", at_least_zero("The length of its bearing; 0 where it is short.")),
@@ -252,7 +260,7 @@ fn formula() -> Value {
 fn vector(told: &str) -> Value {
     json!({
         "description": told,
-        "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3,
+        "type": "array", "items": named("number"), "minItems": 3, "maxItems": 3,
     })
 }
 

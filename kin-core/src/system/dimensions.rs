@@ -2,13 +2,19 @@
 
 use std::sync::Arc;
 
-use super::System;
 use super::parameters::CasePlace;
+use super::{PreferredMeasure, System};
+use crate::model::constraint::Constraint;
 use crate::model::describer::Describer;
-use crate::model::dimension::{Bound, Dimension, DimensionError, Distribution, Entry, Snapshot};
+use crate::model::dimension::{
+    Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Snapshot,
+};
 use crate::model::error::{Error, Result};
+use crate::model::layout::Kind;
+use crate::model::loads::{Acting, sensible_gravity, sensible_point_mass};
+use crate::model::mechanism::SpatialPose;
 use crate::model::mechanism::admission::sensible_parameters;
-use crate::model::mechanism::place::between;
+use crate::model::mechanism::place::{between, facing};
 use crate::numbers::algebra::Axis;
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual64, Real};
@@ -49,10 +55,12 @@ impl System {
         all.entries.iter().map(|entry| entry.name.clone()).zip(all.named(values)).collect()
     }
 
-    /// The dimensions that may be off.
+    /// The dimensions that may be off, but for those of masses and loads alone, which move nothing.
     pub(crate) fn toleranced(&self) -> Vec<Toleranced> {
-        let entries = self.dimensions.iter().flat_map(|own| &own.all.entries);
-        let off = |entry: &Entry| {
+        let Some(Dimensions { all, .. }) = &self.dimensions else { return Vec::new() };
+        let moves = |k: usize| all.on(k).any(|number| !all.hung[number].at.is_beside());
+        let off = |(k, entry): (usize, &Entry)| {
+            let entry = Some(entry).filter(|_| moves(k))?;
             let tolerance = entry.tolerance.filter(|tolerance| *tolerance > 0.0 && !entry.is_derived)?;
             Some(Toleranced {
                 name: entry.name.clone(),
@@ -62,7 +70,7 @@ impl System {
                 clearance: entry.clearance.clone(),
             })
         };
-        entries.filter_map(off).collect()
+        all.entries.iter().enumerate().filter_map(off).collect()
     }
 
     /// The system with this pose for a guess: no other one is preferred, and it hangs on no dimensions.
@@ -162,57 +170,139 @@ impl System {
             let together = || all.with(number).into_iter().map(|other| numbers[other]);
             let value = numbers[number];
             match &all.hung[number].at {
-                Bound::Parameter { constraint, index, .. } => {
-                    done &= self.put(CasePlace::Parameter { block: *constraint, index: *index }, value);
-                }
+                Bound::Parameter { of, index, .. } => done &= self.put_in(*of, *index, value),
                 Bound::Guess(column) => self.initial[*column] = value,
                 Bound::Length(link) => self.lengths[*link].1 = value,
-                Bound::Axis { constraint, name, .. } => {
+                Bound::Axis { of, name, .. } => {
                     let axis = Axis::given(&together().collect::<Vec<f64>>()).numbers();
-                    let Some(block) = self.equations.blocks.get_mut(*constraint) else { continue };
+                    let Some(constraint) = self.held_mut(*of) else { continue };
                     for (part, value) in axis.into_iter().enumerate() {
-                        done &= block.constraint.set_parameter(&Axis::name_of(name, part), value);
+                        done &= constraint.set_parameter(&Axis::name_of(name, part), value);
                     }
                 }
-                Bound::Between { first, .. } => {
-                    let pose = between(together()).coordinates().map(Dimension::value);
-                    self.initial[*first..first + 7].copy_from_slice(&pose);
+                Bound::Between { first, .. } => self.place(*first, between(together())),
+                Bound::Facing { first, .. } => self.place(*first, facing(together())),
+                Bound::Preferred(column) => {
+                    done &= self.put(CasePlace::Coordinate(*column), value);
                 }
+                Bound::PreferredMeasure(name) => self.put_preferred(name, value),
+                Bound::Beside { of, name } => done &= Arc::make_mut(&mut self.loads).put(of, name, value),
             }
         }
         self.links = self.layout.planar(&self.lengths);
         done
     }
 
+    /// The constraint of that place, to be changed.
+    fn held_mut(&mut self, of: Holder) -> Option<&mut Box<dyn Constraint>> {
+        match of {
+            Holder::Constraint(k) => self.equations.blocks.get_mut(k).map(|block| &mut block.constraint),
+            _ => Arc::make_mut(&mut self.loads).held_mut(of),
+        }
+    }
+
+    /// Sets parameter `index` of a constraint; false if it cannot be set.
+    fn put_in(&mut self, of: Holder, index: usize, value: f64) -> bool {
+        match of {
+            Holder::Constraint(block) => self.put(CasePlace::Parameter { block, index }, value),
+            _ => self.held_mut(of).is_some_and(|constraint| constraint.set_parameter_at(index, value)),
+        }
+    }
+
+    /// The guess of the spatial body whose coordinates begin there.
+    fn place(&mut self, first: usize, pose: SpatialPose) {
+        let pose = pose.coordinates().map(Dimension::value);
+        self.initial[first..first + pose.len()].copy_from_slice(&pose);
+    }
+
+    /// Another value for a measure that is preferred.
+    fn put_preferred(&mut self, name: &str, value: f64) {
+        if let Some(column) = self.coordinate_names().iter().position(|known| known == name) {
+            self.put(CasePlace::Coordinate(column), value);
+        } else if let Some(place) = self.place_of(name) {
+            let own =
+                |asked: &&mut PreferredMeasure| (asked.block, asked.number) == (place.block, place.number);
+            self.asked.iter_mut().filter(own).for_each(|asked| asked.value = value);
+        }
+    }
+
     /// An error by name where what hangs on a dimension makes no sense.
     fn check_dimension(&self, k: usize, value: f64) -> Result<()> {
         let Some(Dimensions { all, values }) = &self.dimensions else { return Ok(()) };
-        let numbers = all.numbers(values);
-        let name = &all.entries[k].name;
+        let (name, numbers) = (&all.entries[k].name, all.numbers(values));
+        let invalid = |reason: String| Err(DimensionError::invalid(name, reason));
         for number in all.on(k) {
             let found = numbers[number];
             match &all.hung[number].at {
-                Bound::Parameter { constraint, name: parameter, .. } => {
-                    let block = &self.equations.blocks[*constraint];
-                    if !found.is_finite() {
-                        let reason = format!("with {value} `{}.{parameter}` is {found}", block.name);
-                        return Err(DimensionError::invalid(name, reason));
-                    }
+                Bound::Parameter { of, name: parameter, .. } if !found.is_finite() => {
+                    let of = self.held(*of).map_or("", |(of, _)| of);
+                    return invalid(format!("with {value} `{of}.{parameter}` is {found}"));
                 }
                 Bound::Length(link) if !(found.is_finite() && found > 0.0) => {
                     let (item, length) = self.lengths[*link];
                     return Err(Error::InvalidLength { link: self.layout.items[item].name.clone(), length });
                 }
-                Bound::Guess(_) | Bound::Between { .. } if !found.is_finite() => {
-                    return Err(DimensionError::invalid(name, format!("with {value} a guess is {found}")));
+                at if at.is_guess() && !found.is_finite() => {
+                    return invalid(format!("with {value} a guess is {found}"));
+                }
+                Bound::Facing { first, .. }
+                    if self.initial[*first..*first + 7].iter().any(|x| !x.is_finite()) =>
+                {
+                    return invalid(format!("with {value} a body faces no direction"));
                 }
                 _ => {}
             }
         }
-        self.blocks_on(k).try_for_each(|block| {
-            let block = &self.equations.blocks[block];
-            sensible_parameters(&block.name, block.constraint.as_ref())
+        all.on(k).try_for_each(|number| match &all.hung[number].at {
+            Bound::Parameter { of, .. } | Bound::Axis { of, .. } => {
+                self.held(*of).map_or(Ok(()), |(of, constraint)| sensible_parameters(of, constraint))
+            }
+            Bound::Beside { of, .. } => {
+                self.sensible_beside(of).or_else(|error| invalid(format!("with {value} {error}")))
+            }
+            _ => Ok(()),
         })
+    }
+
+    /// The name and the constraint of that place.
+    fn held(&self, of: Holder) -> Option<(&str, &dyn Constraint)> {
+        match of {
+            Holder::Constraint(k) => {
+                self.equations.blocks.get(k).map(|block| (block.name.as_str(), block.constraint.as_ref()))
+            }
+            _ => self.loads.held(of),
+        }
+    }
+
+    /// An error by name where the numbers of what has mass or acts make no sense.
+    fn sensible_beside(&self, of: &Beside) -> Result<()> {
+        let loads = &self.loads;
+        match of {
+            Beside::Solid(item) => {
+                let own = loads.solids.iter().find(|(known, _)| known == item);
+                own.map_or(Ok(()), |(item, solid)| {
+                    let item = &self.layout.items[*item];
+                    solid.sensible(&item.name, item.kind == Kind::Planar)
+                })
+            }
+            Beside::PointMass(k) => {
+                loads.points.get(*k).map_or(Ok(()), |(name, _, mass)| sensible_point_mass(name, *mass))
+            }
+            Beside::Gravity => sensible_gravity(&loads.gravity),
+            Beside::OnBody { load, part } => {
+                let Some((name, load)) = loads.loads.get(*load) else { return Ok(()) };
+                match load.part(*part) {
+                    Some(Acting::OnBody(on)) => on.sensible(name),
+                    _ => Ok(()),
+                }
+            }
+            Beside::Friction(joint) => {
+                let own = loads.frictions.iter().find(|(known, _)| known == joint);
+                let block = self.equations.blocks.iter().find(|block| block.name == *joint);
+                let (Some((_, friction)), Some(block)) = (own, block) else { return Ok(()) };
+                friction.seat_in(joint, block.constraint.as_ref()).map(|_| ())
+            }
+        }
     }
 
     /// The constraints with parameters that hang on dimension k.
@@ -221,7 +311,8 @@ impl System {
         all.into_iter().flat_map(move |all| {
             let on: Vec<usize> = all.on(k).collect();
             let block = |number: usize| match &all.hung[number].at {
-                Bound::Parameter { constraint, .. } | Bound::Axis { constraint, .. } => Some(*constraint),
+                Bound::Parameter { of: Holder::Constraint(k), .. }
+                | Bound::Axis { of: Holder::Constraint(k), .. } => Some(*k),
                 _ => None,
             };
             on.into_iter().filter_map(block).collect::<Vec<_>>()
@@ -241,15 +332,15 @@ impl System {
         let mut moved: Vec<Moved> = Vec::new();
         for number in all.on(k) {
             match &all.hung[number].at {
-                Bound::Parameter { constraint, name, .. } => {
-                    moved.push(Moved { block: *constraint, name: name.clone(), slope: numbers[number].0.eps })
+                Bound::Parameter { of: Holder::Constraint(block), name, .. } => {
+                    moved.push(Moved { block: *block, name: name.clone(), slope: numbers[number].0.eps })
                 }
-                Bound::Axis { constraint, name, .. } => {
+                Bound::Axis { of: Holder::Constraint(block), name, .. } => {
                     let together = all.with(number);
                     // Once for all of its numbers.
                     if all.on(k).find(|other| together.contains(other)) == Some(number) {
                         let given: Vec<Real<Dual64>> = together.iter().map(|other| numbers[*other]).collect();
-                        moved.extend(Moved::axis(*constraint, name, Axis::given(&given)));
+                        moved.extend(Moved::axis(*block, name, Axis::given(&given)));
                     }
                 }
                 _ => {}

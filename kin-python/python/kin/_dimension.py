@@ -38,8 +38,8 @@ _SIGNS: dict[str, Callable[[float, float], bool]] = {
 
 class Dimension(Number):
     """A named number that others hang on, from `m.dimension(…)`, or an expression of such numbers: `a / 2`, `kin.hypot(dx,
-    dy)`. It stands wherever a parameter of a constraint, the length of a link, a coefficient of a law or a planar guess is
-    a number; `system.set("crank", 0.16)` then moves all that hangs on it, without a rebuild.
+    dy)`. It stands wherever a parameter of a constraint, the length of a link, a coefficient of a law, a planar guess, a
+    mass or a number of a load is a number; `system.set("crank", 0.16)` then moves all that hangs on it, without a rebuild.
 
     It compares with other numbers by its `value`, that of the nominal dimensions. Where a plain number is needed, as in
     `math.sin`, the name would be forgotten without a word: there it is an error, and `.value` says what is meant.

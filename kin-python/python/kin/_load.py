@@ -9,9 +9,10 @@ from typing import Any, Callable, Protocol, Union
 
 from . import _mistakes
 from ._constraint import Argument, Constraint, Traced, _arguments
+from ._dimension import written
 from ._handles import Coordinate, Ground, Handle, PlanarBody, SpatialBody
 from ._joint import Joint, foreign, joint
-from ._values import flat, law_of
+from ._values import items, law_of
 
 # A length or an angle to act along: what is zero where a constraint holds is a number everywhere.
 Along = Union[Joint, Constraint]
@@ -110,10 +111,10 @@ class _OnBody:
         size = 2 if isinstance(self.body, PlanarBody) else 3
         data: dict[str, Any] = {"body": self.body.name, "in_body": self.in_body}
         if self.force is not None:
-            force, point = _components(name, "force", self.force, size), flat(self.u)
+            force, point = _components(name, "force", self.force, size), items(self.u)
             if len(point) != size:
                 raise TypeError(f"`{name}`: a point of `{self.body.name}` has {size} numbers, not {self.u!r}")
-            data["point"] = point + [0.0] * (3 - size)
+            data["point"] = [written(name, mechanism, own, one) for one in point] + [0.0] * (3 - size)
             data["force"] = [law_of(name, "force", one)._written(name, mechanism, own) for one in force]
         if self.torque is not None:
             torque = _components(name, "torque", self.torque, 2 * size - 3)

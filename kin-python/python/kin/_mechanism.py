@@ -29,7 +29,7 @@ from ._load import Load
 from ._friction import Friction
 from ._solid import Solid, in_space, inertia_of
 from ._system import System
-from ._values import axis_of, euler_of, flat, law_of
+from ._values import axis_of, flat, items, law_of
 from ._vectors import Vec2, Vec3
 
 Body = Union[PlanarBody, SpatialBody]
@@ -243,15 +243,16 @@ class Mechanism:
 
     def prefer(self, what: Union[Body, Coordinate, str], value: Any) -> None:
         """Which of several assemblies: the one with this nearest the value: a coordinate, a planar body by its θ, a
-        spatial body by its Euler parameters, a measure of a joint by its name.   [m or rad]"""
+        spatial body by its Euler parameters, a measure of a joint by its name. The value may be a dimension.   [m or rad]"""
         if isinstance(what, str):
-            self._native.prefer(what, float(value))
+            self._native.prefer(what, self._number("prefer", value))
         elif isinstance(what, SpatialBody):
-            self._native.prefer_turn(self._own("prefer", what), euler_of(value))
+            turn = [self._number("prefer", one) for one in items(value)]
+            self._native.prefer_turn(self._own("prefer", what), turn)
         elif isinstance(what, PlanarBody):
-            self._native.prefer(self._own("prefer", what.theta), float(value))
+            self._native.prefer(self._own("prefer", what.theta), self._number("prefer", value))
         else:
-            self._native.prefer(self._own("prefer", what), float(value))
+            self._native.prefer(self._own("prefer", what), self._number("prefer", value))
 
     def limit(self, measure: str, start: float, end: float) -> None:
         """The range that a measure of a joint or a coordinate should keep to: a run tells when it leaves it."""
@@ -284,21 +285,22 @@ class Mechanism:
 
     # Masses, weight and loads.
 
-    def mass(self, body: Body, mass: float, centre: Any, inertia: Any) -> None:
+    def mass(self, body: Body, mass: NumberLike, centre: Any, inertia: Any) -> None:
         """The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the plane one moment,
-        in space a tensor in the body's axes, or its diagonal. Given again it takes the place of what was given.   [kg, m, kg
-        m²]
+        in space a tensor in the body's axes, or its diagonal. Each of the numbers may be a dimension. Given again it takes
+        the place of what was given.   [kg, m, kg m²]
 
         Raises an error by name: the ground, a body of another mechanism, a mass not above zero, an inertia that no body has.
         """
         place, in_plane = self._massive("mass", body)
-        self._native.solid(place, (float(mass), in_space(centre), inertia_of(inertia, in_plane)))
+        numbers = [mass, *in_space(centre), *inertia_of(inertia, in_plane)]
+        self._native.mass(place, [self._number("mass", one) for one in numbers])
 
     def solid(self, body: Body, solid: Solid) -> None:
         """The same by a shape and a density: `m.solid(crank, kin.Solid.bar(0.1, 0.02, 0.01, kin.Solid.STEEL))`."""
         self._native.solid(self._massive("solid", body)[0], solid._tuple())
 
-    def point_mass(self, name: str, point: Constraint, mass: float) -> None:
+    def point_mass(self, name: str, point: Constraint, mass: NumberLike) -> None:
         """A mass at a point that moves with coordinates, for mechanisms that have no bodies: the point is a function of your own
         of two or three rows, its global coordinates, `m.point_mass("bob", tip(theta, 0.4), 2.0)`.   [m, kg]
 
@@ -308,7 +310,7 @@ class Mechanism:
             text = f"`{name}`: {point!r} is no point: call a function under @kin.constraint of two or three rows"
             raise TypeError(text)
         equation, on, parameters = self._making(name, point)
-        self._native.point_mass(name, equation, on, parameters, mass)
+        self._native.point_mass(name, equation, on, parameters, self._number(name, mass))
 
     def friction(self, joint: str, friction: Friction) -> None:
         """Dry friction in a joint that is there: `m.friction("shaft", kin.Friction.pin(0.1, 0.02, 1e-3))`. Reactions, efforts
@@ -319,12 +321,12 @@ class Mechanism:
         """
         if not isinstance(friction, Friction):
             raise TypeError(f"`{joint}`: {friction!r} is no friction: call kin.Friction.pin(…) or kin.Friction.slide(…)")
-        self._native.friction(joint, *friction._told())
+        self._native.friction(joint, *friction._told(lambda number: self._number(joint, number)))
 
     def load(self, name: str, load: Load) -> None:
         """Lets something act on the mechanism, under a name: `kin.loads.spring(…)` and the others of that library,
-        `kin.Load.force(body, u, force)`, a function under `@kin.potential` or `@kin.force`; `a + b` is both. Numbers of loads do not
-        follow dimensions.
+        `kin.Load.force(body, u, force)`, a function under `@kin.potential` or `@kin.force`; `a + b` is both. Numbers of it may be
+        dimensions.
 
         Raises an error by name: the ground, a body of another mechanism, a length of several rows, a name that is taken.
         """
@@ -337,8 +339,8 @@ class Mechanism:
         self._native.load(json.dumps(data), texts)
 
     def gravity(self, g: Any) -> None:
-        """The acceleration of gravity, such as (0, -9.81); zero without it.   [m/s²]"""
-        self._native.gravity(in_space(g))
+        """The acceleration of gravity, such as (0, -9.81); zero without it. Its components may be dimensions.   [m/s²]"""
+        self._native.gravity([self._number("gravity", one) for one in in_space(g)])
 
     def _massive(self, place: str, body: Any) -> tuple[tuple[str, Optional[str]], bool]:
         if isinstance(body, Ground):

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Sequence
 
-import numpy as np
-
 from . import _native
-from ._values import euler_of, flat
+from ._values import euler_of, flat, items
 from ._vectors import VectorLike
 
 Mass = tuple[float, tuple[float, ...], tuple[tuple[float, ...], ...]]
@@ -64,7 +62,7 @@ class Solid:
 
     def at(self, centre: VectorLike) -> "Solid":
         """The same with its centre at another point of the body.   [m]"""
-        return Solid(self.mass, tuple(in_space(centre)), self.inertia)
+        return Solid(self.mass, tuple(in_space(flat(centre))), self.inertia)
 
     def turned(self, p: Any) -> "Solid":
         """The same turned about the body's origin by Euler parameters: c̄ → A c̄, J → A J Aᵀ."""
@@ -86,22 +84,23 @@ def _solid(made: tuple[float, list[float], list[list[float]]]) -> Solid:
     return Solid(made[0], tuple(made[1]), tuple(tuple(row) for row in made[2]))
 
 
-def in_space(vector: Any) -> list[float]:
+def in_space(vector: Any) -> list[Any]:
     """A vector of the plane or of space as one of space."""
-    found = flat(vector)
+    found = items(vector)
     if len(found) not in (2, 3):
         raise TypeError(f"a vector has two or three components, not {len(found)}")
     return found + [0.0] * (3 - len(found))
 
 
-def inertia_of(inertia: Any, in_plane: bool) -> tuple[tuple[float, ...], ...]:
+def inertia_of(inertia: Any, in_plane: bool) -> list[Any]:
     """A moment in the plane, a tensor in space (three numbers are its diagonal), by rows."""
-    found = flat(inertia)
+    found = items(inertia)
     if in_plane and len(found) == 1:
-        return ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, found[0]))
+        return [0.0] * 8 + found
     if not in_plane and len(found) == 3:
-        return tuple(tuple(row) for row in np.diag(found).tolist())
+        a, b, c = found
+        return [a, 0.0, 0.0, 0.0, b, 0.0, 0.0, 0.0, c]
     if not in_plane and len(found) == 9:
-        return tuple(tuple(row) for row in np.reshape(found, (3, 3)).tolist())
+        return found
     wanted = "one moment about its centre" if in_plane else "a tensor of three rows, or its diagonal"
     raise TypeError(f"the inertia of a body in {'the plane' if in_plane else 'space'} is {wanted}, not {inertia!r}")

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 
 use super::{NumberData, is_of, names, too_long};
 use crate::model::constraint::Constraint;
-use crate::model::dimension::{Bound, text_of};
+use crate::model::dimension::{Beside, Bound, Holder, text_of};
 use crate::model::error::Result;
 use crate::model::mechanism::Mechanism;
 
@@ -31,23 +31,23 @@ impl Texts {
         }
     }
 
-    /// Puts the expressions into the parameters of constraint number `number`. An axis becomes the directions
-    /// that it was given by.
+    /// Puts the expressions into the parameters of the constraint of that place. An axis becomes the
+    /// directions that it was given by.
     pub(in crate::data) fn put(
         &self,
-        number: usize,
+        holder: Holder,
         of: &dyn Constraint,
         parameters: &mut Map<String, Value>,
     ) {
         for (at, text) in &self.0 {
             match at {
-                Bound::Parameter { constraint, name, .. } if *constraint == number => {
+                Bound::Parameter { of: known, name, .. } if *known == holder => {
                     if let Some(place) = place_of(of, parameters, name) {
                         *place = Value::String(text.clone());
                     }
                 }
-                Bound::Axis { constraint, name, part: 0 } if *constraint == number => {
-                    let own = |part: usize| Bound::Axis { constraint: number, name: name.clone(), part };
+                Bound::Axis { of: known, name, part: 0 } if *known == holder => {
+                    let own = |part: usize| Bound::Axis { of: holder, name: name.clone(), part };
                     parameters.insert(name.clone(), self.directions(own));
                 }
                 _ => {}
@@ -70,6 +70,39 @@ impl Texts {
         let number = |part: usize| Some(number_of(self.text(&Bound::Between { first, part })?));
         let point = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
         Some([point(0)?, point(3)?])
+    }
+
+    /// The place of the spatial body whose coordinates begin there, and the directions that it faces, if they
+    /// hang on dimensions.
+    pub(in crate::data) fn facing(&self, first: usize) -> Option<Vec<NumberData>> {
+        let number = |part: usize| Some(number_of(self.text(&Bound::Facing { first, part })?));
+        let all: Vec<NumberData> = (0..9).map_while(number).collect();
+        (!all.is_empty()).then_some(all)
+    }
+
+    /// The numbers of what has mass or acts, by their names there.
+    pub(in crate::data) fn beside<const N: usize>(
+        &self,
+        of: &Beside,
+        names: [&str; N],
+        values: [f64; N],
+    ) -> [NumberData; N] {
+        let mut names = names.into_iter();
+        values.map(|value| {
+            let name = names.next().unwrap_or_default().to_string();
+            self.number(Bound::Beside { of: of.clone(), name }, value)
+        })
+    }
+
+    /// Puts the expressions into the data of a law of a load, `name` being its name there.
+    pub(in crate::data) fn put_law(&self, of: &Beside, name: &str, law: &mut Value) {
+        for (at, text) in &self.0 {
+            let Bound::Beside { of: known, name: own } = at else { continue };
+            let own = own.strip_prefix(name).and_then(|rest| rest.strip_prefix('.'));
+            if let Some(place) = own.filter(|_| known == of).and_then(|own| in_law(law, own)) {
+                *place = Value::String(text.clone());
+            }
+        }
     }
 
     fn text(&self, at: &Bound) -> Option<&str> {

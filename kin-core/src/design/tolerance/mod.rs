@@ -154,7 +154,8 @@ impl System {
     fn sources_of_error(&self, distribution: Option<Distribution>) -> Result<(Vec<Source>, Vec<String>)> {
         let dimensions = self.toleranced();
         if dimensions.is_empty() {
-            let reason = "none of them has a tolerance; give one by `m.dimension(…)?.tolerance(…)`";
+            let reason =
+                "none of them has a tolerance, or moves anything; give one by `m.dimension(…)?.tolerance(…)`";
             return Err(DimensionError::invalid("dimensions", reason));
         }
         let names = dimensions.iter().map(|one| one.name.clone()).collect();

@@ -37,7 +37,7 @@ fn massed(mut system: System) -> System {
         let part = |fixed| {
             let (force, torque) = ([law(3.0), law(-2.0), law(0.5)], [law(0.1), law(0.2), law(0.3)]);
             let point = [0.2, -0.1, 0.0];
-            Load(Acting::OnBody(OnBody { target, point, force, torque, fixed }))
+            Load(Acting::OnBody(Box::new(OnBody { point, force, torque, ..OnBody::on(target, fixed) })))
         };
         vec![("push".to_string(), part(false)), ("tool".to_string(), part(true))]
     });

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Dimension, IntoNumber, Of};
+use crate::model::law::Law;
 use crate::numbers::algebra::Axis;
 
 /// The name of a number in a constraint: written only where it is asked for.
@@ -47,6 +48,12 @@ impl Bindings {
         self.note(&Name::Own(name), number.into_number())
     }
 
+    /// The vector of these components, noted as `NAME.x`, `NAME.y` and `NAME.z` if they hang on dimensions.
+    pub(crate) fn vector(&mut self, name: &str, components: [Dimension; 3]) -> [f64; 3] {
+        let mut names = ["x", "y", "z"].into_iter();
+        components.map(|x| self.note(&Name::Field(&Name::Own(name), names.next().unwrap_or_default()), x))
+    }
+
     /// The values of the parameters `name[first]`, `name[first + 1]`, …, noted if they hang on dimensions.
     pub fn list(
         &mut self,
@@ -66,6 +73,13 @@ impl Bindings {
             self.0.extend((0..).zip(given).map(|(part, number)| (Axis::name_of(name, part), *number)));
         }
         Axis::given(&given.iter().map(|number| number.value()).collect::<Vec<f64>>())
+    }
+
+    /// Notes the numbers of a law that hang on dimensions, under their names.
+    pub(crate) fn law(&mut self, name: &str, law: &Law) {
+        law.each_hung(&mut |own, number| {
+            self.note(&Name::Field(&Name::Own(name), own), number);
+        });
     }
 
     /// Those there are, which are then no longer there.

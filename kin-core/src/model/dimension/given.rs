@@ -121,6 +121,61 @@ impl IntoParameter<Law> for Law {
     }
 }
 
+impl<S: IntoNumber> IntoParameter<Mat3> for [[S; 3]; 3] {
+    fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> Mat3 {
+        Mat3::from_rows(self.map(|row| row.map(IntoNumber::into_number))).into_parameter(name, to)
+    }
+}
+
+/// Anything that gives a vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array, a tuple, made of
+/// numbers or of [`Dimension`]s.
+#[diagnostic::on_unimplemented(
+    message = "a `{V}` is wanted here, but this is `{Self}`",
+    label = "not a `{V}`",
+    note = "a vector is `vec2(1.0, 2.0)` in the plane and `vec3(1.0, 2.0, 3.0)` in space"
+)]
+pub trait IntoVector<V> {
+    /// Its components; the third is zero in a plane.
+    #[doc(hidden)]
+    fn numbers(self) -> [Dimension; 3];
+}
+
+impl<C: Components<2, Scalar: IntoNumber>> IntoVector<Vec2> for C {
+    fn numbers(self) -> [Dimension; 3] {
+        let [x, y] = self.components().map(IntoNumber::into_number);
+        [x, y, 0.0.into()]
+    }
+}
+
+impl<C: Components<3, Scalar: IntoNumber>> IntoVector<Vec3> for C {
+    fn numbers(self) -> [Dimension; 3] {
+        self.components().map(IntoNumber::into_number)
+    }
+}
+
+/// The acceleration of gravity: a [`Vec2`] or a [`Vec3`], made of numbers or of [`Dimension`]s.
+#[diagnostic::on_unimplemented(
+    message = "the acceleration of gravity is wanted here, but this is `{Self}`",
+    label = "`vec2(0.0, -9.81)` in the plane, `vec3(0.0, 0.0, -9.81)` in space"
+)]
+pub trait IntoGravity {
+    /// Its components; the third is zero in a plane.
+    #[doc(hidden)]
+    fn numbers(self) -> [Dimension; 3];
+}
+
+impl<S: IntoNumber> IntoGravity for Vec2<S> {
+    fn numbers(self) -> [Dimension; 3] {
+        IntoVector::<Vec2>::numbers(self)
+    }
+}
+
+impl<S: IntoNumber> IntoGravity for Vec3<S> {
+    fn numbers(self) -> [Dimension; 3] {
+        IntoVector::<Vec3>::numbers(self)
+    }
+}
+
 /// A vector from what a constructor takes for one.
 pub fn vector<V: From<[f64; N]>, const N: usize>(
     components: impl Components<N, Scalar: IntoNumber>,

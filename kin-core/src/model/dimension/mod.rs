@@ -2,6 +2,7 @@
 
 mod arithmetic;
 mod bindings;
+mod bound;
 mod distribution;
 mod error;
 mod given;
@@ -15,16 +16,18 @@ use kin_graph::Node;
 use crate::model::coordinates::MechanismId;
 
 pub use bindings::{Bindings, Name};
+pub(crate) use bound::{Beside, Bound, Holder};
 pub use distribution::Distribution;
 pub use error::DimensionError;
-pub use given::{IntoNumber, IntoParameter, vector};
-pub(crate) use snapshot::{Bound, Hung, Snapshot};
+pub use given::{IntoGravity, IntoNumber, IntoParameter, IntoVector, vector};
+pub(crate) use snapshot::{Hung, Snapshot};
 pub(crate) use store::{Entry, Shared};
 pub(crate) use text::text_of;
 
 /// A named number that others hang on ([`crate::Mechanism::dimension`]), or an expression of such numbers:
 /// `a / 2.0`, `a + b`, `dx.hypot(dy)`, `angle.sin()`. It is copied freely, and is accepted wherever a
-/// parameter of a constraint, a length of a link, a coefficient of a law or a guess is a number.
+/// parameter of a constraint, a length of a link, a coefficient of a law, a guess, a mass or a number of a
+/// load is a number.
 ///
 /// ```
 /// use kin::prelude::*;

@@ -2,7 +2,7 @@
 
 use kin_graph::{Graph, Input, LeafUse, Node, Number, Op, Source, evaluate};
 
-use super::Entry;
+use super::{Bound, Entry};
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::numbers::real::{Dual64, Real};
 
@@ -22,41 +22,6 @@ pub(crate) struct Snapshot {
 pub(crate) struct Hung {
     pub at: Bound,
     pub node: Node,
-}
-
-/// Where a number that hangs on dimensions stands.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Bound {
-    /// A parameter of a constraint, by its number and its name.
-    Parameter { constraint: usize, index: usize, name: String },
-    /// The guess of a coordinate.
-    Guess(usize),
-    /// The length of a link, by its number among those that have one.
-    Length(usize),
-    /// A component of the direction that an axis was given by, and after three of those one of the second
-    /// direction. The axis is worked out of all of them together.
-    Axis { constraint: usize, name: String, part: usize },
-    /// A component of the first point that a spatial body is drawn between, and after three of those one of
-    /// the second. The guess of the body, whose coordinates begin there, is worked out of all of them.
-    Between { first: usize, part: usize },
-}
-
-impl Bound {
-    /// True of the guess of a coordinate.
-    pub(crate) fn is_guess(&self) -> bool {
-        matches!(self, Bound::Guess(_) | Bound::Between { .. })
-    }
-
-    /// True if both are numbers of one axis, or of one pair of points.
-    fn is_with(&self, other: &Bound) -> bool {
-        match (self, other) {
-            (Bound::Axis { constraint, name, .. }, Bound::Axis { constraint: c, name: n, .. }) => {
-                (constraint, name) == (c, n)
-            }
-            (Bound::Between { first, .. }, Bound::Between { first: other, .. }) => first == other,
-            _ => false,
-        }
-    }
 }
 
 impl Snapshot {

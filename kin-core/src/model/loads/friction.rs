@@ -3,6 +3,7 @@
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::coordinates::Target;
 use crate::model::describer::Describer;
+use crate::model::dimension::{Dimension, IntoNumber};
 use crate::model::error::Error;
 use crate::numbers::algebra::{Vec3, vec3};
 
@@ -27,6 +28,8 @@ pub struct Friction {
     /// ω₀ or v₀.
     pub(crate) rate: f64,
     pub(crate) shape: Shape,
+    /// The numbers as they were given, in the order of their names.
+    given: [Dimension; 4],
 }
 
 /// The shape of what rubs.
@@ -43,28 +46,65 @@ pub(crate) enum Shape {
     },
 }
 
+impl Shape {
+    /// Names of its numbers.
+    pub(super) fn names(&self) -> [&'static str; 2] {
+        match self {
+            Shape::Pin { .. } => ["radius", "length"],
+            Shape::Slide { .. } => ["length", "width"],
+        }
+    }
+
+    pub(super) fn numbers_mut(&mut self) -> [&mut f64; 2] {
+        match self {
+            Shape::Pin { radius, length } => [radius, length],
+            Shape::Slide { length, width } => [length, width],
+        }
+    }
+}
+
 impl Friction {
     /// In a pin: the coefficient μ, the radius r, and the rate ω₀ at which friction has three quarters of its
-    /// full size.   \[-, m, rad/s\]
-    pub fn pin(coefficient: f64, radius: f64, rate: f64) -> Friction {
-        Friction { coefficient, rate, shape: Shape::Pin { radius, length: 0.0 } }
+    /// full size. Each of them is a number or a [`Dimension`].   \[-, m, rad/s\]
+    pub fn pin(coefficient: impl IntoNumber, radius: impl IntoNumber, rate: impl IntoNumber) -> Friction {
+        let none = Shape::Pin { radius: 0.0, length: 0.0 };
+        let given = [coefficient.into_number(), rate.into_number(), radius.into_number(), 0.0.into()];
+        Friction::of(none, given)
+    }
+
+    fn of(mut shape: Shape, given: [Dimension; 4]) -> Friction {
+        let [coefficient, rate, a, b] = given.map(Dimension::value);
+        let [first, second] = shape.numbers_mut();
+        (*first, *second) = (a, b);
+        Friction { coefficient, rate, shape, given }
+    }
+
+    /// The numbers as they were given, by their names.
+    pub(crate) fn given(&self) -> impl Iterator<Item = (&'static str, Dimension)> {
+        self.names().into_iter().zip(self.given)
     }
 
     /// In a slide: the coefficient μ, length L and width b of the guide, and the rate v₀ at which friction
     /// has three quarters of its full size. The guide's ends move with body i of the joint: a block in a
     /// long guide is body i, and so is the bush on a rod.   \[-, m, m, m/s\]
-    pub fn slide(coefficient: f64, [length, width]: [f64; 2], rate: f64) -> Friction {
-        Friction { coefficient, rate, shape: Shape::Slide { length, width } }
+    pub fn slide(
+        coefficient: impl IntoNumber,
+        [length, width]: [impl IntoNumber; 2],
+        rate: impl IntoNumber,
+    ) -> Friction {
+        let none = Shape::Slide { length: 0.0, width: 0.0 };
+        let [coefficient, rate] = [coefficient.into_number(), rate.into_number()];
+        Friction::of(none, [coefficient, rate, length.into_number(), width.into_number()])
     }
 
     /// The same of a pin whose bearing is so long that it holds bending: by forces at its two ends. In a
     /// plane nothing bends it.   \[m\]
     #[must_use]
-    pub fn length(mut self, bearing: f64) -> Friction {
-        match &mut self.shape {
-            Shape::Pin { length, .. } | Shape::Slide { length, .. } => *length = bearing,
-        }
-        self
+    pub fn length(self, bearing: impl IntoNumber) -> Friction {
+        let place = if matches!(self.shape, Shape::Pin { .. }) { 3 } else { 2 };
+        let mut given = self.given;
+        given[place] = bearing.into_number();
+        Friction::of(self.shape, given)
     }
 
     /// The reason why these numbers make no sense, if so.

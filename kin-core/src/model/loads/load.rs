@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::{ByLaws, Turning};
-use crate::model::body::{Body, Vector};
+use crate::model::body::Body;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
+use crate::model::dimension::{Bindings, Dimension, IntoVector};
 use crate::model::law::Law;
 use crate::model::mechanism::IntoConstraint;
 use crate::model::terms::Local;
-use crate::numbers::algebra::Vec3;
 
 /// f(x, ẋ, t) along a length or an angle x.
 #[derive(Clone)]
@@ -46,7 +46,7 @@ pub(crate) enum Acting {
     /// Q = f(x, ẋ, t) x_qᵀ of a length or an angle x(q, t), the row of a constraint.
     Along(Box<dyn Constraint>, ForceAlong),
     /// A force and a torque on a body.
-    OnBody(OnBody),
+    OnBody(Box<OnBody>),
     /// Several under one name.
     Sum(Vec<Load>),
 }
@@ -61,17 +61,65 @@ pub(crate) struct OnBody {
     pub torque: [Law; 3],
     /// True if components are in the body's axes.
     pub fixed: bool,
+    /// The numbers of the point that hang on dimensions; laws know their own.
+    pub hung: Bindings,
 }
 
 impl OnBody {
-    /// One that does nothing yet.
-    pub(crate) fn new<B: Body>(body: B, u: B::Vector, fixed: bool) -> OnBody {
+    /// One that does nothing yet, at a point of a body.
+    pub(crate) fn new<B: Body>(body: B, u: [Dimension; 3], fixed: bool) -> OnBody {
+        let mut on = OnBody::on(body.target(), fixed);
+        on.at(u);
+        on
+    }
+
+    /// One that does nothing yet, at the origin of a body.
+    pub(crate) fn on(target: Target, fixed: bool) -> OnBody {
         let none = || [(); 3].map(|()| Law::constant(0.0));
-        let mut point = [0.0; 3];
-        point.iter_mut().zip(0..B::Vector::NAMES.len()).for_each(|(to, k)| *to = u.component(k));
-        OnBody { target: body.target(), point, force: none(), torque: none(), fixed }
+        OnBody { target, point: [0.0; 3], force: none(), torque: none(), fixed, hung: Bindings::default() }
+    }
+
+    /// Another point of the body.
+    pub(crate) fn at(&mut self, u: [Dimension; 3]) {
+        self.point = self.hung.vector("point", u);
+    }
+
+    /// The numbers that hang on dimensions, by their names.
+    fn take_bindings(&mut self) -> Vec<(String, Dimension)> {
+        let mut hung = std::mem::take(&mut self.hung);
+        for (of, laws) in [("force", &self.force), ("torque", &self.torque)] {
+            for (law, component) in laws.iter().zip(["x", "y", "z"]) {
+                hung.law(&format!("{of}.{component}"), law);
+            }
+        }
+        hung.take()
     }
 }
+
+impl Acting {
+    /// The energy, length or angle, or the force along that.
+    pub(crate) fn constraint(&self, is_force: bool) -> Option<&dyn Constraint> {
+        match self {
+            Acting::Potential(scalar) | Acting::Along(scalar, _) if !is_force => Some(scalar.as_ref()),
+            Acting::Along(_, ForceAlong::Written(force)) if is_force => Some(force.as_ref()),
+            _ => None,
+        }
+    }
+}
+
+/// The part of a part of a load that has numbers of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Holding {
+    /// An energy, a length or an angle.
+    Scalar,
+    /// The force along it.
+    Force,
+    /// A force and torque on a body.
+    OnBody,
+}
+
+/// A number of a load that hangs on dimensions: in which part it stands, by its name there.
+pub(crate) type HungInLoad = (usize, Holding, String, Dimension);
 
 /// A constraint of one row that is an energy V(q, t), and no equation: a function with `#[potential]`. Its
 /// generalised forces are −V_qᵀ.
@@ -174,15 +222,19 @@ impl Load {
     /// # Ok(())
     /// # }
     /// ```
-    pub fn force<B: Body>(body: B, u: impl Into<B::Vector>, force: impl ByLaws<B::Vector>) -> Load {
-        let on = OnBody::new(body, u.into(), false);
-        Load(Acting::OnBody(OnBody { force: force.laws(), ..on }))
+    pub fn force<B: Body>(body: B, u: impl IntoVector<B::Vector>, force: impl ByLaws<B::Vector>) -> Load {
+        let on = OnBody::new(body, u.numbers(), false);
+        Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
 
     /// The same in the axes of the body, with which the force turns.   \[N, m\]
-    pub fn force_in_body<B: Body>(body: B, u: impl Into<B::Vector>, force: impl ByLaws<B::Vector>) -> Load {
-        let on = OnBody::new(body, u.into(), true);
-        Load(Acting::OnBody(OnBody { force: force.laws(), ..on }))
+    pub fn force_in_body<B: Body>(
+        body: B,
+        u: impl IntoVector<B::Vector>,
+        force: impl ByLaws<B::Vector>,
+    ) -> Load {
+        let on = OnBody::new(body, u.numbers(), true);
+        Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
 
     /// A torque on a body: in the plane a number or a law, counter-clockwise positive; in space a vector or
@@ -191,8 +243,8 @@ impl Load {
     where
         B::Vector: Turning,
     {
-        let on = OnBody::new(body, B::Vector::vector(Vec3::zeros()), false);
-        Load(Acting::OnBody(OnBody { torque: torque.laws(), ..on }))
+        let on = OnBody::new(body, [(); 3].map(|()| 0.0.into()), false);
+        Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))
     }
 
     /// The same in the axes of the body.   \[N m\]
@@ -200,8 +252,8 @@ impl Load {
     where
         B::Vector: Turning,
     {
-        let on = OnBody::new(body, B::Vector::vector(Vec3::zeros()), true);
-        Load(Acting::OnBody(OnBody { torque: torque.laws(), ..on }))
+        let on = OnBody::new(body, [(); 3].map(|()| 0.0.into()), true);
+        Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))
     }
 
     /// Both under one name, such as a spring and the damper in it.
@@ -213,6 +265,50 @@ impl Load {
         };
         all.push(other.into_load());
         Load(Acting::Sum(all))
+    }
+
+    /// Part `part` of those that are no sums.
+    pub(crate) fn part(&self, part: usize) -> Option<&Acting> {
+        let (mut number, mut found) = (0, None);
+        self.parts(&mut |own| {
+            found = if number == part { Some(own) } else { found };
+            number += 1;
+        });
+        found
+    }
+
+    /// The same, to be changed.
+    pub(super) fn part_mut(&mut self, part: usize) -> Option<&mut Acting> {
+        self.parts_mut().into_iter().nth(part)
+    }
+
+    fn parts_mut(&mut self) -> Vec<&mut Acting> {
+        match &mut self.0 {
+            Acting::Sum(all) => all.iter_mut().flat_map(Load::parts_mut).collect(),
+            one => vec![one],
+        }
+    }
+
+    /// The numbers of its parts that hang on dimensions, which are then no longer noted there.
+    pub(crate) fn take_bindings(&mut self) -> Vec<HungInLoad> {
+        let mut all = Vec::new();
+        for (part, acting) in self.parts_mut().into_iter().enumerate() {
+            let mut note = |holding: Holding, own: Vec<(String, Dimension)>| {
+                all.extend(own.into_iter().map(|(name, number)| (part, holding, name, number)));
+            };
+            match acting {
+                Acting::Potential(scalar) => note(Holding::Scalar, scalar.take_bindings().take()),
+                Acting::Along(scalar, force) => {
+                    note(Holding::Scalar, scalar.take_bindings().take());
+                    if let ForceAlong::Written(force) = force {
+                        note(Holding::Force, force.take_bindings().take());
+                    }
+                }
+                Acting::OnBody(on) => note(Holding::OnBody, on.take_bindings()),
+                Acting::Sum(_) => {}
+            }
+        }
+        all
     }
 
     /// Its parts that are no sums.

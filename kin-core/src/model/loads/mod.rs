@@ -3,13 +3,15 @@
 mod check;
 mod friction;
 mod load;
+mod numbers;
 mod solid;
 mod turning;
 
 pub use friction::Friction;
 pub(crate) use friction::{Seat, Shape};
-pub(crate) use load::{Acting, ForceAlong, OnBody};
+pub(crate) use load::{Acting, ForceAlong, Holding, HungInLoad, OnBody};
 pub use load::{IntoLoad, Load, Potential};
+pub(crate) use numbers::{senseless, sensible_gravity, sensible_point_mass};
 pub use solid::{Massive, Solid};
 pub use turning::{ByLaws, Turning};
 

@@ -137,7 +137,7 @@ pub trait Massive: Body {
 
     /// The numbers as a [`Solid`].
     #[doc(hidden)]
-    fn solid(mass: f64, centre: Self::Vector, inertia: Self::Inertia) -> Solid;
+    fn solid(mass: f64, centre: Vec3, inertia: Self::Inertia) -> Solid;
 }
 
 /// A body in the plane takes a number for its inertia.
@@ -146,10 +146,10 @@ macro_rules! planar {
         impl$(<$of: Scalar>)? Massive for $body$(<$of>)? {
             type Inertia = f64;
 
-            fn solid(mass: f64, centre: Vec2, inertia: f64) -> Solid {
+            fn solid(mass: f64, centre: Vec3, inertia: f64) -> Solid {
                 let zero = 0.0;
                 let rows = [[inertia, zero, zero], [zero, inertia, zero], [zero, zero, inertia]];
-                Solid { mass, centre: Vec3::new(centre.x, centre.y, zero), inertia: Mat3::from(rows) }
+                Solid { mass, centre, inertia: Mat3::from(rows) }
             }
         }
     )*};

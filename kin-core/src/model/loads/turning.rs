@@ -1,6 +1,7 @@
 //! Forces and torques of the plane and of space under one name, constant or by laws of time.
 
 use crate::model::body::Vector;
+use crate::model::dimension::IntoNumber;
 use crate::model::law::Law;
 use crate::numbers::algebra::{Vec2, Vec3};
 
@@ -76,7 +77,7 @@ fn zero() -> Law {
     Law::constant(0.0)
 }
 
-impl ByLaws<Vec2> for Vec2 {
+impl<S: IntoNumber> ByLaws<Vec2> for Vec2<S> {
     fn laws(self) -> [Law; 3] {
         [Law::constant(self.x), Law::constant(self.y), zero()]
     }
@@ -89,9 +90,9 @@ impl ByLaws<Vec2> for [Law; 2] {
     }
 }
 
-impl ByLaws<Vec3> for Vec3 {
+impl<S: IntoNumber> ByLaws<Vec3> for Vec3<S> {
     fn laws(self) -> [Law; 3] {
-        self.to_array().map(Law::constant)
+        [self.x, self.y, self.z].map(Law::constant)
     }
 }
 
@@ -101,7 +102,7 @@ impl ByLaws<Vec3> for [Law; 3] {
     }
 }
 
-impl ByLaws<f64> for f64 {
+impl<S: IntoNumber> ByLaws<f64> for S {
     fn laws(self) -> [Law; 3] {
         [zero(), zero(), Law::constant(self)]
     }

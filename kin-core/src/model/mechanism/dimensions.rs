@@ -5,7 +5,8 @@ use kin_graph::{Input, Node, Op};
 use super::Mechanism;
 use crate::model::constraint::Constraint;
 use crate::model::dimension::{
-    Bound, Dimension, DimensionError, Distribution, Entry, Hung, IntoNumber, Of, Shared, Snapshot, text_of,
+    Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Hung, IntoNumber, Of, Shared,
+    Snapshot, text_of,
 };
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
@@ -108,39 +109,67 @@ impl Mechanism {
     pub(super) fn free_guesses(&mut self, columns: std::ops::Range<usize>) {
         self.hung.retain(|hung| match hung.at {
             Bound::Guess(column) => !columns.contains(&column),
-            Bound::Between { first, .. } => columns.end <= first || first + 7 <= columns.start,
+            Bound::Between { first, .. } | Bound::Facing { first, .. } => {
+                columns.end <= first || first + 7 <= columns.start
+            }
             _ => true,
         });
     }
 
-    /// Notes which parameters of the constraint that is to be added hang on dimensions.
-    pub(super) fn hang_parameters(
-        &mut self,
+    /// The parameters of a constraint that hang on dimensions, with their places.
+    pub(super) fn hung_parameters(
+        &self,
         place: &str,
+        holder: Holder,
         bound: Vec<(String, Dimension)>,
         of: &dyn Constraint,
-    ) -> Result<()> {
+    ) -> Result<Vec<Hung>> {
         if bound.is_empty() {
-            return Ok(());
+            return Ok(Vec::new());
         }
         let mut names = Vec::new();
         of.parameters(&mut |name, _| names.push(name.to_string()));
         let mut hung = Vec::new();
         for (name, number) in bound {
             self.check_origin(place, number)?;
-            let constraint = self.constraints.len();
             let at = match (names.iter().position(|known| *known == name), axis_part(of, &name)) {
-                (Some(index), _) => Bound::Parameter { constraint, index, name },
-                (None, Some((name, part))) => Bound::Axis { constraint, name, part },
+                (Some(index), _) => Bound::Parameter { of: holder, index, name },
+                (None, Some((name, part))) => Bound::Axis { of: holder, name, part },
                 (None, None) => {
                     let reason = format!("it has no parameter `{name}` that can be set");
                     return Err(DimensionError::invalid(place, reason));
                 }
             };
-            if let Some(node) = self.node_for(&at, number) {
-                hung.push(Hung { at, node });
-            }
+            hung.extend(self.node_for(&at, number).map(|node| Hung { at, node }));
         }
+        Ok(hung)
+    }
+
+    /// The numbers of what has mass or acts that hang on dimensions, with their places.
+    pub(super) fn hung_beside(
+        &self,
+        place: &str,
+        of: &Beside,
+        bound: Vec<(String, Dimension)>,
+    ) -> Result<Vec<Hung>> {
+        let mut hung = Vec::new();
+        for (name, number) in bound {
+            self.check_origin(place, number)?;
+            let at = Bound::Beside { of: of.clone(), name };
+            hung.extend(self.node_for(&at, number).map(|node| Hung { at, node }));
+        }
+        Ok(hung)
+    }
+
+    /// Notes the same, in place of what was noted of it before.
+    pub(super) fn hang_beside(
+        &mut self,
+        place: &str,
+        of: Beside,
+        bound: Vec<(String, Dimension)>,
+    ) -> Result<()> {
+        let hung = self.hung_beside(place, &of, bound)?;
+        self.hung.retain(|known| !matches!(&known.at, Bound::Beside { of: known, .. } if *known == of));
         self.hung.extend(hung);
         Ok(())
     }
@@ -150,7 +179,7 @@ impl Mechanism {
     fn node_for(&self, at: &Bound, number: Dimension) -> Option<Node> {
         match (number.of(), at) {
             (Of::Expression(_, node), _) => Some(node),
-            (_, Bound::Axis { .. } | Bound::Between { .. }) => {
+            (_, at) if at.is_of_several() => {
                 let shared = self.dimensions.as_ref()?;
                 Some(shared.store().graph.raw(Op::Constant(number.value().to_bits())))
             }
@@ -158,21 +187,21 @@ impl Mechanism {
         }
     }
 
-    /// Notes that the guess of a spatial body hangs on the points that it is drawn between.
-    pub(crate) fn hang_between(
+    /// Notes that the guess of a spatial body hangs on the numbers that it is drawn by, if any of them hangs
+    /// on dimensions.
+    pub(crate) fn hang_pose(
         &mut self,
         place: &str,
-        first: usize,
-        points: [[Dimension; 3]; 2],
+        numbers: &[Dimension],
+        at: impl Fn(usize) -> Bound,
     ) -> Result<()> {
-        let all = points.concat();
-        all.iter().try_for_each(|number| self.check_origin(place, *number))?;
-        if all.iter().all(|number| number.of() == Of::Nothing) {
+        numbers.iter().try_for_each(|number| self.check_origin(place, *number))?;
+        if numbers.iter().all(|number| number.of() == Of::Nothing) {
             return Ok(());
         }
-        for (part, number) in all.into_iter().enumerate() {
-            let at = Bound::Between { first, part };
-            if let Some(node) = self.node_for(&at, number) {
+        for (part, number) in numbers.iter().enumerate() {
+            let at = at(part);
+            if let Some(node) = self.node_for(&at, *number) {
                 self.hung.push(Hung { at, node });
             }
         }

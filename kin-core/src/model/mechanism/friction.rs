@@ -1,14 +1,15 @@
 //! Friction in joints of a mechanism.
 
 use super::Mechanism;
+use crate::model::dimension::Beside;
 use crate::model::error::{Error, Result};
 use crate::model::loads::Friction;
 
 impl Mechanism {
     /// Dry friction in a joint that has been added, by the joint's name; given again it takes the place of
     /// what was given before. It moves nothing in a driven mechanism, but drives must give more and joints
-    /// hold more; where no force of the drives overcomes it, forces are told as jammed
-    /// ([`crate::System::forces`]).
+    /// hold more; its numbers may be dimensions. Where no force of the drives overcomes it, forces are told as
+    /// jammed ([`crate::System::forces`]).
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -39,6 +40,8 @@ impl Mechanism {
             known: self.constraints.iter().map(|(name, _)| name.clone()).collect(),
         })?;
         friction.seat_in(joint, constraint.as_ref())?;
+        let bound = friction.given().map(|(name, number)| (name.to_string(), number)).collect();
+        self.hang_beside(joint, Beside::Friction(joint.to_string()), bound)?;
         self.loads.frictions.retain(|(known, _)| known != joint);
         self.loads.frictions.push((joint.to_string(), friction));
         Ok(())

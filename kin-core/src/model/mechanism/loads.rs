@@ -1,22 +1,25 @@
 //! Masses of bodies, gravity, and what acts on a mechanism.
 
 use super::{Mechanism, Refused, admission};
-use crate::model::body::{Body, Vector};
+use crate::model::body::Body;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
+use crate::model::dimension::{
+    Beside, Bindings, Dimension, Holder, Hung, IntoGravity, IntoNumber, IntoParameter, IntoVector, Name,
+};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
-use crate::model::loads::{Acting, ForceAlong, IntoLoad, Massive, OnBody, Solid};
+use crate::model::loads::{
+    Acting, ForceAlong, Holding, HungInLoad, IntoLoad, Load, Massive, OnBody, Solid, senseless,
+    sensible_gravity, sensible_point_mass,
+};
 use crate::model::mechanism::IntoConstraint;
-
-/// Why a load with a dimension in it is refused.
-const HANGS: &str =
-    "numbers of loads and of points with mass do not follow dimensions: give the `value()` of it";
+use crate::numbers::algebra::Vec3;
 
 impl Mechanism {
     /// The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the
-    /// plane one moment, in space a tensor in the body's axes. Given again it takes the place of what was
-    /// given before.   \[kg, m, kg m²\]
+    /// plane one moment, in space a tensor in the body's axes. Each of the numbers may be a [`Dimension`].
+    /// Given again it takes the place of what was given before.   \[kg, m, kg m²\]
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -42,11 +45,15 @@ impl Mechanism {
     pub fn mass<B: Massive>(
         &mut self,
         body: B,
-        mass: f64,
-        centre: impl Into<B::Vector>,
-        inertia: impl Into<B::Inertia>,
+        mass: impl IntoNumber,
+        centre: impl IntoVector<B::Vector>,
+        inertia: impl IntoParameter<B::Inertia>,
     ) -> Result<()> {
-        self.solid(body, B::solid(mass, centre.into(), inertia.into()))
+        let mut hung = Bindings::default();
+        let mass = hung.number("mass", mass);
+        let centre = Vec3::from(hung.vector("centre", centre.numbers()));
+        let inertia = inertia.into_parameter(&Name::Own("inertia"), &mut hung);
+        self.weigh(body, B::solid(mass, centre, inertia), hung.take())
     }
 
     /// The same by a shape and a density: `m.solid(crank, Solid::bar(0.1, 0.02, 0.01, Solid::STEEL))`. In a
@@ -54,23 +61,34 @@ impl Mechanism {
     ///
     /// Errors: those of [`Mechanism::mass`].
     pub fn solid<B: Body>(&mut self, body: B, solid: Solid) -> Result<()> {
+        self.weigh(body, solid, Vec::new())
+    }
+
+    /// The same, where numbers of these names hang on dimensions.
+    pub(crate) fn weigh<B: Body>(
+        &mut self,
+        body: B,
+        solid: Solid,
+        bound: Vec<(String, Dimension)>,
+    ) -> Result<()> {
         let target = body.target();
         let item = match self.placed(&target, "mass")? {
             Place::Own { item, .. } => item,
             Place::Ground(_) => {
-                return Err(refused("ground", "mass", "the ground does not move: its mass does nothing"));
+                return Err(senseless("ground", "mass", "the ground does not move: its mass does nothing"));
             }
         };
-        if let Some(reason) = solid.refusal(matches!(target, Target::Planar(_))) {
-            return Err(refused(&self.layout.items[item].name, "mass", &reason));
-        }
+        let name = self.layout.items[item].name.clone();
+        solid.sensible(&name, matches!(target, Target::Planar(_)))?;
+        self.hang_beside(&name, Beside::Solid(item), bound)?;
         self.loads.solids.retain(|(known, _)| *known != item);
         self.loads.solids.push((item, solid));
         Ok(())
     }
 
     /// A mass at a point that is not one of a body: of a mechanism in bare coordinates. The point is a
-    /// constraint of two or three rows whose value is where it is, r(q, t).   \[kg\]
+    /// constraint of two or three rows whose value is where it is, r(q, t). Its parameters and the mass may
+    /// be [`Dimension`]s.   \[kg\]
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -91,53 +109,80 @@ impl Mechanism {
     /// ```
     ///
     /// Errors: those of [`Mechanism::add`]; a mass that is not above zero, a point with more or fewer rows.
-    pub fn point_mass(&mut self, name: &str, point: impl IntoConstraint, mass: f64) -> Result<()> {
-        let point = point.into_constraint();
+    pub fn point_mass(
+        &mut self,
+        name: &str,
+        point: impl IntoConstraint,
+        mass: impl IntoNumber,
+    ) -> Result<()> {
+        let mut point = point.into_constraint();
+        let bound = point.take_bindings().take();
+        self.point_mass_bound(name, (point, bound), mass.into_number())
+    }
+
+    /// The same, where parameters of the point hang on dimensions.
+    pub(crate) fn point_mass_bound(
+        &mut self,
+        name: &str,
+        (point, bound): (Box<dyn Constraint>, Vec<(String, Dimension)>),
+        mass: Dimension,
+    ) -> Result<()> {
         self.admit_load(name, point.as_ref())?;
         let rows = point.facts().rows.len();
         if !(2..=3).contains(&rows) {
-            return Err(refused(
-                name,
-                "point with mass",
-                &format!("a point has two or three rows, this has {rows}"),
-            ));
+            let reason = format!("a point has two or three rows, this has {rows}");
+            return Err(senseless(name, "point with mass", &reason));
         }
-        if !(mass.is_finite() && mass > 0.0) {
-            return Err(refused(
-                name,
-                "point with mass",
-                &format!("the mass is {mass}; give one above zero"),
-            ));
-        }
-        self.loads.points.push((name.to_string(), point, mass));
+        sensible_point_mass(name, mass.value())?;
+        let number = self.loads.points.len();
+        let hung = self.hung_parameters(name, Holder::Point(number), bound, point.as_ref())?;
+        self.hang_beside(name, Beside::PointMass(number), vec![("mass".to_string(), mass)])?;
+        self.hung.extend(hung);
+        self.loads.points.push((name.to_string(), point, mass.value()));
         Ok(())
     }
 
-    /// The acceleration of gravity, such as `vec2(0.0, -9.81)`; zero without it. Numbers that are not finite
-    /// are told by [`Mechanism::build`].   \[m/s²\]
-    pub fn gravity<V: Vector>(&mut self, g: V) {
-        let mut gravity = [0.0; 3];
-        gravity.iter_mut().zip(0..V::NAMES.len()).for_each(|(to, k)| *to = g.component(k));
-        match gravity.iter().find(|g| !g.is_finite()) {
-            Some(bad) => self.refuse(Refused::Gravity(*bad)),
-            None => self.loads.gravity = gravity,
+    /// The acceleration of gravity, such as `vec2(0.0, -9.81)`; zero without it. Its components may be
+    /// [`Dimension`]s. Numbers that are not finite are told by [`Mechanism::build`].   \[m/s²\]
+    pub fn gravity(&mut self, g: impl IntoGravity) {
+        let numbers = g.numbers();
+        if self.pull(numbers).is_err() {
+            self.refuse(Refused::Gravity(numbers));
         }
     }
 
+    /// Errors: numbers that are not finite, dimensions of another mechanism.
+    pub(super) fn pull(&mut self, numbers: [Dimension; 3]) -> Result<()> {
+        let mut hung = Bindings::default();
+        let gravity = hung.vector("g", numbers);
+        sensible_gravity(&gravity)?;
+        self.hang_beside("gravity", Beside::Gravity, hung.take())?;
+        self.loads.gravity = gravity;
+        Ok(())
+    }
+
     /// Something that acts, under a name: an energy ([`crate::Potential`]), a force along a length or an
-    /// angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the library.
+    /// angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the library. Its
+    /// numbers may be [`Dimension`]s, those in a closure not: it knows what they were.
     ///
     /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense.
     pub fn load(&mut self, name: &str, load: impl IntoLoad) -> Result<()> {
-        let load = load.into_load();
-        let mut all: Vec<Acting> = Vec::new();
-        load.parts(&mut |part| all.push(part.clone()));
+        let mut load = load.into_load();
+        let bound = load.take_bindings();
+        self.load_bound(name, load, bound)
+    }
+
+    /// The same, where these numbers hang on dimensions.
+    pub(crate) fn load_bound(&mut self, name: &str, load: Load, bound: Vec<HungInLoad>) -> Result<()> {
+        let mut all: Vec<&Acting> = Vec::new();
+        load.parts(&mut |part| all.push(part));
         if all.is_empty() || name.trim().is_empty() {
             return Err(Error::EmptyName { what: "load" });
         }
         for part in &all {
             if let Acting::Along(_, ForceAlong::Written(force)) = part {
-                self.admit_force(name, force.as_ref())?;
+                admission::finite_parameters(name, force.as_ref())?;
+                admission::sensible_parameters(name, force.as_ref())?;
             }
             match part {
                 Acting::Potential(scalar) | Acting::Along(scalar, _) => {
@@ -145,7 +190,7 @@ impl Mechanism {
                     let rows = scalar.facts().rows.len();
                     if rows != 1 {
                         let reason = format!("a load acts along one number, this has {rows} rows");
-                        return Err(refused(name, scalar.facts().kind, &reason));
+                        return Err(senseless(name, scalar.facts().kind, &reason));
                     }
                 }
                 Acting::OnBody(on) => self.admit_on_body(name, on)?,
@@ -153,35 +198,39 @@ impl Mechanism {
             }
         }
         self.fresh(name)?;
+        let hung = self.hung_in_load(name, &all, bound)?;
+        self.hung.extend(hung);
         self.loads.loads.push((name.to_string(), load));
         Ok(())
     }
 
-    /// The numbers of a force along x.
-    fn admit_force(&self, name: &str, force: &dyn Constraint) -> Result<()> {
-        if !force.clone_boxed().take_bindings().take().is_empty() {
-            return Err(refused(name, force.facts().kind, HANGS));
+    /// The numbers of the load that is to be added that hang on dimensions.
+    fn hung_in_load(&self, name: &str, parts: &[&Acting], bound: Vec<HungInLoad>) -> Result<Vec<Hung>> {
+        let (load, mut hung) = (self.loads.loads.len(), Vec::new());
+        for (part, acting) in parts.iter().enumerate() {
+            for holding in [Holding::Scalar, Holding::Force, Holding::OnBody] {
+                let own = bound.iter().filter(|own| (own.0, own.1) == (part, holding));
+                let own: Vec<(String, Dimension)> =
+                    own.map(|(_, _, name, number)| (name.clone(), *number)).collect();
+                let is_force = holding == Holding::Force;
+                let holder = match is_force {
+                    true => Holder::Force { load, part },
+                    false => Holder::Load { load, part },
+                };
+                hung.extend(match acting.constraint(is_force) {
+                    Some(constraint) => self.hung_parameters(name, holder, own, constraint)?,
+                    None => self.hung_beside(name, &Beside::OnBody { load, part }, own)?,
+                });
+            }
         }
-        admission::finite_parameters(name, force)?;
-        admission::sensible_parameters(name, force)
+        Ok(hung)
     }
 
     fn admit_on_body(&self, name: &str, on: &OnBody) -> Result<()> {
         if let Place::Ground(_) = self.placed(&on.target, name)? {
-            return Err(refused(name, "load", "it is on the ground, which does not move: give it a body"));
+            return Err(senseless(name, "load", "it is on the ground, which does not move: give it a body"));
         }
-        if let Some(bad) = on.point.iter().find(|x| !x.is_finite()) {
-            return Err(refused(name, "load", &format!("a coordinate of its point is {bad}")));
-        }
-        let mut hangs = false;
-        on.force.iter().chain(&on.torque).for_each(|law| law.each_hung(&mut |_, _| hangs = true));
-        if hangs {
-            return Err(refused(name, "load", HANGS));
-        }
-        match on.force.iter().chain(&on.torque).find_map(|law| law.refusal()) {
-            Some(reason) => Err(refused(name, "load", &reason)),
-            None => Ok(()),
-        }
+        on.sensible(name)
     }
 
     /// A scalar or a point that carries something.
@@ -190,9 +239,6 @@ impl Mechanism {
             return Err(Error::EmptyName { what: "load" });
         }
         self.fresh(name)?;
-        if !scalar.clone_boxed().take_bindings().take().is_empty() {
-            return Err(refused(name, scalar.facts().kind, HANGS));
-        }
         admission::admit(&self.name, &self.layout, name, scalar)
     }
 
@@ -211,14 +257,4 @@ impl Mechanism {
             argument: "body".to_string(),
         })
     }
-}
-
-fn refused(name: &str, kind: &str, reason: &str) -> Error {
-    let (constraint, kind) = (name.to_string(), kind.to_string());
-    Error::InvalidParameters { constraint, kind, reason: reason.to_string() }
-}
-
-/// The error for a component of gravity that is not finite.
-pub(super) fn gravity(value: f64) -> Result<()> {
-    Err(refused("gravity", "acceleration", &format!("a component is {value}; give finite numbers")))
 }

@@ -13,7 +13,8 @@ mod units;
 
 pub(crate) use limit::Limit;
 pub use place::Marker;
-pub use pose::{Pose, SpatialPose, deg, linspace, pose};
+pub(crate) use pose::Drawn;
+pub use pose::{Direction, Facing, IntoSpatialPose, Pose, SpatialPose, deg, linspace, pose};
 pub use preference::Preferred;
 use preference::Wish;
 pub use units::UnitWords;
@@ -25,7 +26,7 @@ use crate::model::constraint::Constraint;
 use crate::model::coordinates::{
     Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig,
 };
-use crate::model::dimension::{Bound, Dimension, Hung, IntoNumber, Shared};
+use crate::model::dimension::{Bound, Dimension, Holder, Hung, IntoNumber, Shared};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
@@ -98,7 +99,7 @@ pub(crate) enum Refused {
         units: Units,
     },
     Preference(Wish),
-    Gravity(f64),
+    Gravity([Dimension; 3]),
 }
 
 /// Anything that can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn
@@ -216,12 +217,12 @@ impl Mechanism {
     /// becomes an equation of its own, named `NAME.p`, when the mechanism is built.   \[m, –\]
     ///
     /// Errors: guess not finite or p = 0, name empty or taken.
-    pub fn spatial<R: IntoNumber, P: IntoNumber>(
-        &mut self,
-        name: &str,
-        pose: SpatialPose<R, P>,
-    ) -> Result<SpatialBody> {
-        let index = self.declare_hung(name, Kind::Spatial, &pose.coordinates())?;
+    pub fn spatial(&mut self, name: &str, pose: impl IntoSpatialPose) -> Result<SpatialBody> {
+        let Drawn { coordinates, facing } = pose.drawn();
+        facing.iter().try_for_each(|number| self.check_origin(name, *number))?;
+        let index = self.declare_hung(name, Kind::Spatial, &coordinates)?;
+        let first = self.layout.items[index].first;
+        self.hang_pose(name, &facing, |part| Bound::Facing { first, part })?;
         Ok(SpatialBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
@@ -282,7 +283,9 @@ impl Mechanism {
         }
         admission::holds(name, constraint.as_ref())?;
         admission::admit(&self.name, &self.layout, name, constraint.as_ref())?;
-        self.hang_parameters(name, bound, constraint.as_ref())?;
+        let holder = Holder::Constraint(self.constraints.len());
+        let hung = self.hung_parameters(name, holder, bound, constraint.as_ref())?;
+        self.hung.extend(hung);
         self.names.insert(name.to_string());
         self.constraints.push((name.to_string(), constraint));
         Ok(ConstraintId(self.constraints.len() - 1))
@@ -310,12 +313,16 @@ impl Mechanism {
     /// Gives another guess for the pose of a spatial body.   \[m, –\]
     ///
     /// Errors: not finite or p = 0, body of another mechanism.
-    pub fn set_spatial_pose<R: IntoNumber, P: IntoNumber>(
+    pub fn set_spatial_pose(
         &mut self,
         body: impl Into<SpatialBody>,
-        pose: SpatialPose<R, P>,
+        pose: impl IntoSpatialPose,
     ) -> Result<()> {
-        self.set_all("set_spatial_pose", Target::Spatial(body.into()), &pose.coordinates())
+        let (target, Drawn { coordinates, facing }) = (Target::Spatial(body.into()), pose.drawn());
+        facing.iter().try_for_each(|number| self.check_origin("set_spatial_pose", *number))?;
+        self.set_all("set_spatial_pose", target, &coordinates)?;
+        let Some(Place::Own { first, .. }) = self.layout.place(&target) else { return Ok(()) };
+        self.hang_pose("set_spatial_pose", &facing, |part| Bound::Facing { first, part })
     }
 
     /// Gives another guess for all coordinates, in the order of their declaration.   \[m, rad\]
@@ -362,7 +369,7 @@ impl Mechanism {
         match self.refused.take() {
             Some(Refused::Units { before, units }) => units::refusal(before.as_ref(), &units)?,
             Some(Refused::Preference(wish)) => self.note(wish)?,
-            Some(Refused::Gravity(value)) => loads::gravity(value)?,
+            Some(Refused::Gravity(numbers)) => self.pull(numbers)?,
             None => {}
         }
         self.check_units()?;

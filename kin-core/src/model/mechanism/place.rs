@@ -4,10 +4,10 @@
 use super::{Mechanism, Pose, SpatialPose};
 use crate::model::body::Body;
 use crate::model::coordinates::{Link, SpatialLink};
-use crate::model::dimension::IntoNumber;
+use crate::model::dimension::{Bound, IntoNumber};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
-use crate::numbers::algebra::{Components, Mix, Mixed, Scalar, Vec2, Vec3};
+use crate::numbers::algebra::{Axis, Components, Mix, Mixed, Scalar, Vec2, Vec3};
 
 /// A named point of a body and a direction there, both in the body's frame.
 ///
@@ -53,6 +53,15 @@ pub(crate) fn between(components: impl Iterator<Item = f64>) -> SpatialPose {
     all.iter_mut().zip(components).for_each(|(to, x)| *to = x);
     let (a, b) = (Vec3::new(all[0], all[1], all[2]), Vec3::new(all[3], all[4], all[5]));
     SpatialPose::facing((a + b) * 0.5, b - a)
+}
+
+/// Frame at a global point in space, facing the direction or the two directions that follow its three
+/// components.
+pub(crate) fn facing(components: impl Iterator<Item = f64>) -> SpatialPose {
+    let all: Vec<f64> = components.collect();
+    let (r, directions) = all.split_at(all.len().min(3));
+    let r = r.first_chunk::<3>().copied().unwrap_or([f64::NAN; 3]);
+    SpatialPose::facing(r, Axis::given(directions))
 }
 
 impl Mechanism {
@@ -130,7 +139,8 @@ impl Mechanism {
         let body = self.spatial(name, between(points.as_flattened().iter().map(|x| x.value())))?;
         self.note_length(name, body.index, number)?;
         if let Some(index) = body.index {
-            self.hang_between(name, self.layout.items[index].first, points)?;
+            let first = self.layout.items[index].first;
+            self.hang_pose(name, points.as_flattened(), |part| Bound::Between { first, part })?;
         }
         Ok(SpatialLink { body, length })
     }

@@ -1,5 +1,6 @@
 //! Poses of bodies, and small helpers for the numbers of a model.
 
+use super::place::facing;
 use crate::model::dimension::{Dimension, IntoNumber};
 use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3};
 
@@ -74,11 +75,112 @@ impl SpatialPose {
     }
 
     /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r,
-    /// vec3(1.0, 1.0, 0.0))`, or with both directions chosen `SpatialPose::facing(r, Axis::new(h,
-    /// f))`.   \[m, –\]
-    pub fn facing<R: Scalar>(r: impl Components<3, Scalar = R>, x: impl Into<Axis>) -> SpatialPose<R> {
-        let Axis { h, f, g } = x.into();
+    /// vec3(1.0, 1.0, 0.0))`, or with both directions chosen `SpatialPose::facing(r, Axis::new(h, f))`. With
+    /// a [`Dimension`] in a direction it is a [`Facing`], which is a pose to a mechanism.   \[m, –\]
+    pub fn facing<R: IntoNumber, D: Direction>(r: impl Components<3, Scalar = R>, x: D) -> D::Pose<R> {
+        x.pose(Vec3::from(r.components()))
+    }
+}
+
+/// A direction, or two, that a spatial body faces.
+#[diagnostic::on_unimplemented(
+    message = "an axis is wanted here, but this is `{Self}`",
+    label = "not an axis",
+    note = "a direction is `vec3(1.0, 0.0, 0.0)`, or `Axis::new(h, f)` with a second one across it"
+)]
+pub trait Direction {
+    /// The pose of a body that faces it.
+    type Pose<R: IntoNumber>;
+
+    #[doc(hidden)]
+    fn pose<R: IntoNumber>(self, r: Vec3<R>) -> Self::Pose<R>;
+}
+
+#[diagnostic::do_not_recommend]
+impl<A: Into<Axis>> Direction for A {
+    type Pose<R: IntoNumber> = SpatialPose<R>;
+
+    fn pose<R: IntoNumber>(self, r: Vec3<R>) -> SpatialPose<R> {
+        let Axis { h, f, g } = self.into();
         SpatialPose::new(r, EulerParameters::from_rotation(Mat3::from_columns([h, f, g])))
+    }
+}
+
+/// A spatial body at a point, facing directions that hang on dimensions ([`SpatialPose::facing`]): when a
+/// dimension is set, the body is turned anew.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facing {
+    /// R, and the components of one or two directions.
+    numbers: Vec<Dimension>,
+}
+
+impl Facing {
+    fn of(r: [Dimension; 3], directions: &[Dimension]) -> Facing {
+        Facing { numbers: [&r, directions].concat() }
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl Direction for Axis<Dimension> {
+    type Pose<R: IntoNumber> = Facing;
+
+    fn pose<R: IntoNumber>(self, r: Vec3<R>) -> Facing {
+        let directions = [self.h, self.f].map(Vec3::to_array).concat();
+        Facing::of(r.to_array().map(IntoNumber::into_number), &directions)
+    }
+}
+
+/// Directions with dimensions in them.
+macro_rules! directions {
+    ($($direction:ty)*) => {$(
+        #[diagnostic::do_not_recommend]
+        impl Direction for $direction {
+            type Pose<R: IntoNumber> = Facing;
+
+            fn pose<R: IntoNumber>(self, r: Vec3<R>) -> Facing {
+                let direction = self.components().map(IntoNumber::into_number);
+                Facing::of(r.to_array().map(IntoNumber::into_number), &direction)
+            }
+        }
+    )*};
+}
+
+directions! {
+    Vec3<Dimension> [Dimension; 3] (Dimension, Dimension, Dimension)
+    (Dimension, f64, f64) (f64, Dimension, f64) (f64, f64, Dimension)
+    (f64, Dimension, Dimension) (Dimension, f64, Dimension) (Dimension, Dimension, f64)
+}
+
+/// Anything that says where a spatial body is and how it is turned: a [`SpatialPose`] or a [`Facing`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no pose of a spatial body",
+    label = "a pose is `SpatialPose::at(r)`, `SpatialPose::turned(r, axis, angle)` or `SpatialPose::facing(r, x)`"
+)]
+pub trait IntoSpatialPose {
+    #[doc(hidden)]
+    fn drawn(self) -> Drawn;
+}
+
+/// A pose as a mechanism notes it.
+#[doc(hidden)]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its coordinates, which are numbers alone where it faces a direction.
+    pub(crate) coordinates: [Dimension; 7],
+    /// The numbers that it is worked out of; none where coordinates are what they are.
+    pub(crate) facing: Vec<Dimension>,
+}
+
+impl<R: IntoNumber, P: IntoNumber> IntoSpatialPose for SpatialPose<R, P> {
+    fn drawn(self) -> Drawn {
+        Drawn { coordinates: self.coordinates(), facing: Vec::new() }
+    }
+}
+
+impl IntoSpatialPose for Facing {
+    fn drawn(self) -> Drawn {
+        let pose = facing(self.numbers.iter().map(|x| x.value()));
+        Drawn { coordinates: pose.coordinates().map(|x| x.value().into()), facing: self.numbers }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Which of several assemblies is meant.
 
-use super::{Mechanism, Refused, SpatialPose};
+use super::{Drawn, IntoSpatialPose, Mechanism, Refused, SpatialPose};
 use crate::model::coordinates::{Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig};
-use crate::model::dimension::Dimension;
+use crate::model::dimension::{Bound, Dimension, IntoNumber};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::{EulerParameters, Scalar};
@@ -21,72 +21,72 @@ pub trait Preferred<V> {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
     /// A coordinate near a value.
-    Coordinate(Coordinate, f64),
+    Coordinate(Coordinate, Dimension),
     /// A spatial body turned like this.
-    Turn(SpatialBody, EulerParameters),
+    Turn(SpatialBody, EulerParameters<Dimension>),
     /// A spatial body where and turned like this.
-    Pose(SpatialBody, SpatialPose),
+    Pose(SpatialBody, Drawn),
     /// The thing of this name, near a value.
-    Named(String, f64),
+    Named(String, Dimension),
 }
 
-impl Preferred<f64> for Coordinate {
-    fn wish(self, value: f64) -> Wish {
-        Wish::Coordinate(self, value)
+impl<S: IntoNumber> Preferred<S> for Coordinate {
+    fn wish(self, value: S) -> Wish {
+        Wish::Coordinate(self, value.into_number())
     }
 }
 
-impl Preferred<f64> for PlanarBody {
-    fn wish(self, value: f64) -> Wish {
-        Wish::Coordinate(self.theta(), value)
+impl<S: IntoNumber> Preferred<S> for PlanarBody {
+    fn wish(self, value: S) -> Wish {
+        Wish::Coordinate(self.theta(), value.into_number())
     }
 }
 
-impl<L: Scalar> Preferred<f64> for Link<L> {
-    fn wish(self, value: f64) -> Wish {
-        Wish::Coordinate(self.theta(), value)
+impl<S: IntoNumber, L: Scalar> Preferred<S> for Link<L> {
+    fn wish(self, value: S) -> Wish {
+        Wish::Coordinate(self.theta(), value.into_number())
     }
 }
 
-impl Preferred<EulerParameters> for SpatialBody {
-    fn wish(self, value: EulerParameters) -> Wish {
-        Wish::Turn(self, value)
+impl<S: IntoNumber> Preferred<EulerParameters<S>> for SpatialBody {
+    fn wish(self, value: EulerParameters<S>) -> Wish {
+        Wish::Turn(self, value.map(IntoNumber::into_number))
     }
 }
 
-impl<L: Scalar> Preferred<EulerParameters> for SpatialLink<L> {
-    fn wish(self, value: EulerParameters) -> Wish {
-        Wish::Turn(self.body(), value)
+impl<S: IntoNumber, L: Scalar> Preferred<EulerParameters<S>> for SpatialLink<L> {
+    fn wish(self, value: EulerParameters<S>) -> Wish {
+        self.body().wish(value)
     }
 }
 
-impl Preferred<SpatialPose> for SpatialBody {
-    fn wish(self, value: SpatialPose) -> Wish {
-        Wish::Pose(self, value)
+impl<R: IntoNumber, P: IntoNumber> Preferred<SpatialPose<R, P>> for SpatialBody {
+    fn wish(self, value: SpatialPose<R, P>) -> Wish {
+        Wish::Pose(self, value.drawn())
     }
 }
 
-impl<L: Scalar> Preferred<SpatialPose> for SpatialLink<L> {
-    fn wish(self, value: SpatialPose) -> Wish {
-        Wish::Pose(self.body(), value)
+impl<R: IntoNumber, P: IntoNumber, L: Scalar> Preferred<SpatialPose<R, P>> for SpatialLink<L> {
+    fn wish(self, value: SpatialPose<R, P>) -> Wish {
+        self.body().wish(value)
     }
 }
 
-impl Preferred<f64> for &str {
-    fn wish(self, value: f64) -> Wish {
-        Wish::Named(self.to_string(), value)
+impl<S: IntoNumber> Preferred<S> for &str {
+    fn wish(self, value: S) -> Wish {
+        Wish::Named(self.to_string(), value.into_number())
     }
 }
 
-impl Preferred<f64> for String {
-    fn wish(self, value: f64) -> Wish {
-        Wish::Named(self, value)
+impl<S: IntoNumber> Preferred<S> for String {
+    fn wish(self, value: S) -> Wish {
+        Wish::Named(self, value.into_number())
     }
 }
 
-impl Preferred<f64> for &String {
-    fn wish(self, value: f64) -> Wish {
-        Wish::Named(self.clone(), value)
+impl<S: IntoNumber> Preferred<S> for &String {
+    fn wish(self, value: S) -> Wish {
+        Wish::Named(self.clone(), value.into_number())
     }
 }
 
@@ -96,7 +96,7 @@ impl Mechanism {
     /// or a coordinate by its name, as `m.prefer("elbow.angle", deg(-60.0))`. Coordinates and bodies take it
     /// as their guess too. For a measure all assemblies are looked at
     /// ([`System::assemblies`](crate::System::assemblies)), unless the guess leads near the value; of angles
-    /// whole turns do not count.   \[m or rad\]
+    /// whole turns do not count. The value may be a [`Dimension`].   \[m or rad\]
     ///
     /// A value that is not finite, a body of another mechanism or a name that nothing has is told by
     /// [`Mechanism::build`].
@@ -112,9 +112,7 @@ impl Mechanism {
             Wish::Coordinate(coordinate, value) => {
                 self.prefer_all(Target::Coord(coordinate, Trig::Unused), &[value], 0)
             }
-            Wish::Pose(body, pose) => {
-                self.prefer_all(Target::Spatial(body), &pose.coordinates().map(Dimension::value), 0)
-            }
+            Wish::Pose(body, pose) => self.prefer_all(Target::Spatial(body), &pose.coordinates, 0),
             Wish::Turn(body, p) => {
                 let target = Target::Spatial(body);
                 let first = self
@@ -124,29 +122,41 @@ impl Mechanism {
                 let at =
                     |k: usize| first.and_then(|first| self.initial.get(first + k)).copied().unwrap_or(0.0);
                 let pose = SpatialPose::new((at(0), at(1), at(2)), p);
-                self.prefer_all(target, &pose.coordinates().map(Dimension::value), 3)
+                self.prefer_all(target, &pose.coordinates(), 3)
             }
-            Wish::Named(name, value) if value.is_finite() => {
+            Wish::Named(name, value) if value.value().is_finite() => {
+                self.check_origin("prefer", value)?;
+                self.hung
+                    .retain(|hung| !matches!(&hung.at, Bound::PreferredMeasure(known) if *known == name));
+                let number = self.hang("prefer", Bound::PreferredMeasure(name.clone()), value)?;
                 self.asked.retain(|(known, _)| *known != name);
-                self.asked.push((name, value));
+                self.asked.push((name, number));
                 Ok(())
             }
             Wish::Named(name, value) => {
+                let value = value.value();
                 Err(Error::ParameterNotFinite { constraint: "prefer".to_string(), parameter: name, value })
             }
         }
     }
 
     /// Guesses these values of a body or coordinate, and prefers them from one of them on.
-    fn prefer_all(&mut self, target: Target, values: &[f64], from: usize) -> Result<()> {
-        let numbers: Vec<Dimension> = values.iter().map(|x| Dimension::from(*x)).collect();
-        self.set_all("prefer", target, &numbers)?;
+    fn prefer_all(&mut self, target: Target, numbers: &[Dimension], from: usize) -> Result<()> {
+        self.set_all("prefer", target, numbers)?;
         if let Some(Place::Own { first, .. }) = self.layout.place(&target) {
-            for (k, &value) in values.iter().enumerate().skip(from) {
-                self.preferred.retain(|(known, _)| *known != first + k);
-                self.preferred.push((first + k, value));
+            for (k, number) in numbers.iter().enumerate().skip(from) {
+                self.prefer_one(first + k, *number)?;
             }
         }
+        Ok(())
+    }
+
+    /// Prefers this value of a coordinate.
+    pub(crate) fn prefer_one(&mut self, column: usize, number: Dimension) -> Result<()> {
+        self.hung.retain(|hung| hung.at != Bound::Preferred(column));
+        let value = self.hang("prefer", Bound::Preferred(column), number)?;
+        self.preferred.retain(|(known, _)| *known != column);
+        self.preferred.push((column, value));
         Ok(())
     }
 }

@@ -5,7 +5,7 @@ use kin_graph::{
 };
 
 use crate::ask::proof::{Bounds, Column, Entry, Part, Unknown};
-use crate::model::dimension::Bound;
+use crate::model::dimension::{Bound, Holder};
 use crate::model::error::{Error, Result};
 use crate::model::formula::Outside;
 use crate::model::formula::bounds::Inputs;
@@ -53,8 +53,8 @@ impl<'a> Equations<'a> {
         }
         for (number, (at, value)) in now.iter().enumerate().filter(|(number, _)| moves[*number]) {
             let (constraint, name) = match at {
-                Bound::Parameter { constraint, name, .. } => (constraint, name),
-                Bound::Axis { constraint, name, .. } => {
+                Bound::Parameter { of: Holder::Constraint(constraint), name, .. } => (constraint, name),
+                Bound::Axis { of: Holder::Constraint(constraint), name, .. } => {
                     let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
                     return Err(refused(&own, "is an axis that hangs on dimensions, which has no bounds"));
                 }

@@ -1,0 +1,140 @@
+//! The format of loads in mechanism files.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::data::dimensions::NumberData;
+use crate::data::format::ArgumentData;
+
+/// A load: what acts together under one name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct LoadData {
+    /// Its name.
+    pub name: String,
+    /// The parts of it.
+    pub parts: Vec<ActingData>,
+}
+
+/// Something that acts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum ActingData {
+    /// An energy, of which the generalised forces are −V_q.
+    Energy(ScalarData),
+    /// A force along a length or an angle x.
+    Along {
+        /// The length or angle: a constraint of one row, whose value it is.
+        x: ScalarData,
+        /// The force: a function of x, its rate and time.
+        force: FormulaData,
+    },
+    /// A force at a point of a body, and a torque on it.
+    OnBody {
+        /// Name of the body.
+        body: String,
+        /// The point in the body's frame; z is 0 in a plane.
+        #[serde(default = "at_origin")]
+        point: [NumberData; 3],
+        /// Components of the force: laws of time. None is no force.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        force: Option<Box<[Value; 3]>>,
+        /// Components of the torque; in a plane the last one counts.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        torque: Option<Box<[Value; 3]>>,
+        /// True if components are in the body's axes.
+        #[serde(default)]
+        in_body: bool,
+    },
+}
+
+/// An energy, a length or an angle: like a constraint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ScalarData {
+    /// Name of its function.
+    pub kind: String,
+    /// The bodies and coordinates that it is made of, in the order of its signature.
+    pub arguments: Vec<ArgumentData>,
+    /// Its parameters by name.
+    #[serde(default)]
+    pub parameters: Map<String, Value>,
+}
+
+/// A mass at a point that moves with coordinates.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct PointMassData {
+    /// Its name.
+    pub name: String,
+    /// The point: a constraint of two or three rows, whose values are its global coordinates.
+    pub point: ScalarData,
+    /// Its mass.
+    pub mass: NumberData,
+}
+
+/// A function of a length or an angle, its rate and time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FormulaData {
+    /// Name of its function.
+    pub kind: String,
+    /// Its parameters by name.
+    #[serde(default)]
+    pub parameters: Map<String, Value>,
+}
+
+/// Dry friction in a joint.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FrictionData {
+    /// Name of the joint.
+    pub joint: String,
+    /// The coefficient.
+    pub coefficient: NumberData,
+    /// The rate of the slip at which it sets in: an angle or a length per time.
+    pub rate: NumberData,
+    /// The pin or slide that rubs.
+    #[serde(flatten)]
+    pub shape: FrictionShape,
+}
+
+/// A pin or a slide.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum FrictionShape {
+    /// A pin.
+    Pin {
+        /// Its radius.
+        radius: NumberData,
+        /// The length of its bearing; 0 where it is short.
+        #[serde(default = "none", skip_serializing_if = "is_zero")]
+        length: NumberData,
+    },
+    /// A slide.
+    Slide {
+        /// The length of its guide.
+        length: NumberData,
+        /// The width of its guide.
+        width: NumberData,
+    },
+}
+
+fn is_zero(x: &NumberData) -> bool {
+    *x == NumberData::Number(0.0)
+}
+
+fn none() -> NumberData {
+    NumberData::Number(0.0)
+}
+
+fn at_origin() -> [NumberData; 3] {
+    [none(), none(), none()]
+}
