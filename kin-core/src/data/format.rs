@@ -133,8 +133,8 @@ pub struct BodyData {
     /// The points that a spatial body is drawn between, of which its guess then is worked out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<[[NumberData; 3]; 2]>,
-    /// The place of a spatial body and the components of one or two directions that it faces, of which its guess
-    /// then is worked out.
+    /// The place of a spatial body and the components of one or two directions that it faces, of which its
+    /// guess then is worked out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub facing: Option<Vec<NumberData>>,
 }

@@ -37,15 +37,17 @@ impl Curve {
         }
     }
 
-    /// (sin θ)′ = θ̇ cos θ, (sin θ)″ = θ̈ cos θ − θ̇² sin θ;  (cos θ)′ = −θ̇ sin θ, (cos θ)″ = −θ̈ sin θ − θ̇²
-    /// cos θ
+    /// (sin θ)′ = θ̇ cos θ, (sin θ)″ = θ̈ cos θ − θ̇² sin θ; (cos θ)′ = −θ̇ sin θ, (cos θ)″ = −θ̈ sin θ −
+    /// θ̇² cos θ
     fn angle(self, g: &mut Graph, argument: usize, part: Part, other: Part, minus: bool) -> Jet {
         let (this, other) = (g.input(Input::State(argument, part)), g.input(Input::State(argument, other)));
         let rate = g.input(Input::Rate(argument, Part::Theta));
         let (first, rate_squared) = (g.mul(rate, other), g.mul(rate, rate));
-        let (bent, second) = (g.mul(rate_squared, this), self.second_rate(g, argument, Part::Theta));
-        let along = g.mul(second, other);
-        let [first, along] = [first, along].map(|node| if minus { g.neg(node) } else { node });
-        Jet { first, second: g.sub(along, bent) }
+        let bent = g.mul(rate_squared, this);
+        let first = if minus { g.neg(first) } else { first };
+        let second_rate = self.second_rate(g, argument, Part::Theta);
+        let along = g.mul(second_rate, other);
+        let sum = if minus { g.add(along, bent) } else { g.sub(along, bent) };
+        Jet { first, second: if minus { g.neg(sum) } else { sum } }
     }
 }

@@ -8,8 +8,8 @@ use crate::model::loads::Friction;
 impl Mechanism {
     /// Dry friction in a joint that has been added, by the joint's name; given again it takes the place of
     /// what was given before. It moves nothing in a driven mechanism, but drives must give more and joints
-    /// hold more; its numbers may be dimensions. Where no force of the drives overcomes it, forces are told as
-    /// jammed ([`crate::System::forces`]).
+    /// hold more; its numbers may be dimensions. Where no force of the drives overcomes it, forces are told
+    /// as jammed ([`crate::System::forces`]).
     ///
     /// ```
     /// # use kin::prelude::*;
