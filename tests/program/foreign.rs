@@ -131,3 +131,29 @@ fn a_value_that_is_no_number_is_told_by_both() {
     let motion = program.motion().expect("a motion");
     assert!(motion.len() > 600 && motion.engine().compiled > 500, "{:?}", motion.engine());
 }
+
+/// True from half a second on.
+fn is_late<D: kin::Dual>(t: kin::Real<D>) -> bool {
+    t > 0.5
+}
+
+#[constraint]
+fn by_halves(x: Coord, t: Time, rate: f64) -> f64 {
+    if is_late(t) { x - rate * (1.0 - t) } else { x - rate * t }
+}
+
+/// A condition of time that only rustc can read.
+#[test]
+fn conditions_of_time_are_the_user_s_own_too() {
+    let mut m = Mechanism::new("there and back");
+    let x = m.length("x", 0.0).expect("a length");
+    m.add("motor", by_halves(x, 1e-3)).expect("adds");
+    let (system, times) = (m.build().expect("builds"), linspace(0.0, 1.0, 1001));
+    system.run_both(&times).expect("runs");
+    let program = system.run_with(&times, &compiled()).expect("runs");
+    assert!(program.engine().compiled > 800, "{:?}", program.engine());
+    for (k, t) in times.iter().enumerate() {
+        let exact = 1e-3 * t.min(1.0 - t);
+        assert!((program.q(k)[0] - exact).abs() < 1e-15, "{t}: {} {exact}", program.q(k)[0]);
+    }
+}
