@@ -34,6 +34,9 @@ pub(super) fn turn(newton: &mut Newton<'_>, t: f64) {
 
 /// The same all at once, every row taken as linear in its angles; false, and nothing done, if one was not.
 fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
+    if all_are_near(newton) {
+        return true;
+    }
     let mut rows = Rows::new(newton);
     let mut turned = Vec::new();
     let mut queue: Vec<usize> = (0..rows.open.len()).rev().filter(|row| rows.open[*row] == 1).collect();
@@ -65,6 +68,21 @@ fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
         newton.q = start;
     }
     linear
+}
+
+/// True if no row of angles alone is so far off that it could ask one of them to turn by [`TURN`]. The first
+/// one that asks is as far off as it is before anything is turned.
+fn all_are_near(newton: &Newton<'_>) -> bool {
+    let (equations, units) = (newton.system.equations(), &newton.system.layout().units);
+    equations.blocks.iter().all(|block| {
+        let entries = equations.entries.get(block.values()).unwrap_or_default();
+        let values = newton.linear.values().get(block.values()).unwrap_or_default();
+        let own = || entries.iter().zip(values).filter_map(|(entry, value)| Some(((*entry)?, *value)));
+        let own = || own().filter(|(_, value)| *value != 0.0);
+        let is_of_angles =
+            |row: usize| own().all(|((other, column), _)| other != row || units[column] == Unit::Radian);
+        !own().any(|((row, _), value)| newton.c[row].abs() > TURN * value.abs() && is_of_angles(row))
+    })
 }
 
 /// The rows of angles alone, while their angles become known one after the other.
