@@ -56,6 +56,8 @@ impl Table {
 pub enum Solver {
     Hand(Box<dyn Fn() -> Table>),
     Kin(Box<System>, Options),
+    /// Each position alone by `solve_at`, from the last one.
+    Singly(Box<System>, Options),
 }
 
 pub struct Route {
@@ -90,7 +92,8 @@ pub fn as_defined() -> Options {
 
 /// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step checked to stay
 /// on its branch, as it comes (`Options::default()`, compiled before), the same by plain steps, those
-/// unchecked, and on dual numbers as defined.
+/// unchecked, with the jerk by a program and by plain steps, single positions one after the other, and on
+/// dual numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
     let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
@@ -105,8 +108,29 @@ pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System
             false,
             Options { follow: Follow::Unchecked, engine: Engine::Plain, ..Options::default() },
         ),
+        kin("kin-jerk", false, Options { jerk: true, engine: Engine::Compiled, ..Options::default() }),
+        kin("kin-jerk-plain", false, Options { jerk: true, engine: Engine::Plain, ..Options::default() }),
+        singly("kin-singly", model(false)),
         kin("kin-dual", true, as_defined()),
     ]
+}
+
+/// Single positions, from a system that is compiled as far as they can make use of that.
+fn singly(peer: &'static str, system: System) -> Route {
+    system.compile().unwrap_or_else(|error| panic!("{error}"));
+    Route { peer, solver: Solver::Singly(Box::new(system), Options::default()) }
+}
+
+/// Each position alone, from the last one, the first from where the system starts.
+fn positions(system: &System, options: &Options, times: &[f64]) -> Table {
+    let (mut q, mut table) = (system.initial().to_vec(), Table::new(system.n_coordinates(), times.len()));
+    for t in times {
+        let found = system.solve_at_with(*t, &q, options).unwrap_or_else(|error| panic!("{error}"));
+        table.push(&found.q, &found.qd, &found.qdd);
+        table.iterations += found.report.iterations;
+        q = found.q;
+    }
+    table
 }
 
 /// The program is there before the run begins; the time that takes is a figure of its own.
@@ -194,6 +218,7 @@ impl Workload {
             Solver::Kin(system, options) => {
                 drop(black_box(system.run_with(times, options)).unwrap_or_else(|error| panic!("{error}")))
             }
+            Solver::Singly(system, options) => drop(black_box(positions(system, options, times))),
         }
     }
 
@@ -203,6 +228,7 @@ impl Workload {
             Solver::Kin(system, options) => {
                 Table::of(&system.run_with(times, options).unwrap_or_else(|error| panic!("{error}")))
             }
+            Solver::Singly(system, options) => positions(system, options, times),
         };
         assert_eq!(table.len(), self.steps, "{} by {}: steps", self.name, route.peer);
         let (error, iterations) = ((self.error)(&table), table.iterations as f64 / self.steps as f64);
