@@ -66,7 +66,9 @@ pub use mechanism::{
 };
 pub use model::growth::{Growth, Unbounded};
 pub use model::jammed::Jammed;
-pub use model::loads::{ByLaws, Friction, IntoLoad, Load, Massive, Potential, Solid, Turning};
+pub use model::loads::{
+    Along, ByLaws, Friction, IntoAlong, IntoLoad, Load, Massive, Potential, Solid, Turning,
+};
 pub use model::no_derivative::NoDerivative;
 pub use model::not_unique::NotUnique;
 pub use model::units::Units;

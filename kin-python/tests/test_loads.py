@@ -177,6 +177,18 @@ def test_two_functions_of_one_line_are_two():
     np.testing.assert_allclose(forces.drive("motor").effort.value, -6.0 * np.sin(T), atol=1e-12)
 
 
+def test_a_force_acts_along_a_measure_by_its_name():
+    # The angle of the pin is that of the ground in the door.
+    found = effort(lambda m, d: loads.spring_damper("O.angle", K, FREE, C))
+    np.testing.assert_allclose(found, K * (THETA + FREE) + C * OMEGA, rtol=1e-12)
+    found = effort(lambda m, d: kin.Load.along("door.theta", lambda x, rate: -C * rate * abs(rate)))
+    np.testing.assert_allclose(found, C * OMEGA * abs(OMEGA), rtol=1e-12)
+    found = effort(lambda m, d: absorber("door.theta", K, FREE, C, kin.Law.constant(2.0)))
+    np.testing.assert_allclose(found, 2.0 * (K * (THETA - FREE) + C * OMEGA * abs(OMEGA)), rtol=1e-12)
+    with pytest.raises(kin.Error, match=r"`load` \(load\): it acts along `O.slide`"):
+        effort(lambda m, d: loads.viscous("O.slide", C))
+
+
 def test_every_load_of_the_library_is_here():
     for file, module in (("library.rs", loads), ("library/spatial.rs", loads.spatial)):
         names = set(re.findall(r"^pub fn (\w+)", (SOURCES / file).read_text(encoding="utf-8"), flags=re.MULTILINE))

@@ -17,6 +17,7 @@ mod file;
 mod friction;
 mod friction_given;
 mod loads;
+mod measures;
 mod newton_euler;
 #[path = "../data/own.rs"]
 mod own;

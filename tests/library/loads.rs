@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::page::paragraphs;
 
 const HEAD: &str =
-    "A *length* is what a load can act along, any constraint of one row; a *force* takes one as its `x`;
+    "A *length* is what a load can act along, any constraint of one row; a *force* takes one, or a measure of a joint by its name, as its `x`;
 an *energy* V acts with −V_q.\n\n";
 
 /// A function of the library of loads.

@@ -6,6 +6,7 @@ use crate::joints::spatial;
 use crate::model::coordinates::SpatialBody;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
+use crate::model::loads::{Acting, Along, Line};
 use crate::model::mechanism::Mechanism;
 use crate::model::verdict::Diagnosis;
 use crate::numbers::algebra::EulerParameters;
@@ -86,9 +87,27 @@ impl Mechanism {
         let equations = Equations::new(&mechanism.layout, mechanism.constraints);
         let mut system = System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred);
         system.loads = Arc::new(mechanism.loads);
+        act_along_what_there_is(&system)?;
         system.set_dimensions(dimensions);
         system.set_limits(mechanism.limits)?;
         system.set_asked(&mechanism.asked)?;
         Ok(system)
     }
+}
+
+/// Errors unless all that loads act along by a name is there.
+fn act_along_what_there_is(system: &System) -> Result<()> {
+    for (load, all) in &system.loads.loads {
+        let mut unknown = None;
+        all.parts(&mut |part| match part {
+            Acting::Along(Along(Line::Named(name)), _) if !system.is_measure(name) => unknown = Some(name),
+            _ => {}
+        });
+        if let Some(name) = unknown {
+            let kind = "load".to_string();
+            let reason = format!("it acts along `{name}`: {}", system.no_measure(name));
+            return Err(Error::InvalidParameters { constraint: load.clone(), kind, reason });
+        }
+    }
+    Ok(())
 }

@@ -24,7 +24,8 @@ use serde::{Deserialize, Serialize};
 pub use crate::model::describer::Describer;
 pub use dimensions::{DimensionData, NumberData};
 pub use dynamics::{
-    ActingData, FormulaData, FrictionData, FrictionShape, LoadData, MassData, PointMassData, ScalarData,
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MassData, MeasureData,
+    PointMassData, ScalarData,
 };
 pub use format::{
     ArgumentData, BodyData, BodyKind, ColumnData, ConstraintData, ForcesData, LimitData, MechanismData,

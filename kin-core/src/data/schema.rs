@@ -167,12 +167,14 @@ fn point_mass() -> Value {
 }
 
 fn load() -> Value {
+    let measure = text("Name of a measure of a joint or of a coordinate, such as guide.slide.");
+    let measure = object("A measure to act along.", &["measure"], &[("measure", measure)]);
     let acting = json!({ "oneOf": [
         object("", &["energy"], &[("energy", named("scalar"))]),
         object("", &["along"], &[("along", object(
             "A force along a length or an angle.",
             &["x", "force"],
-            &[("x", named("scalar")), ("force", named("formula"))],
+            &[("x", json!({ "oneOf": [named("scalar"), measure] })), ("force", named("formula"))],
         ))]),
         object("", &["on_body"], &[("on_body", on_body())]),
     ] });

@@ -1,14 +1,20 @@
 //! Generalised forces of loads at one time.
 
+mod way;
+
+pub(super) use way::Way;
+
 use super::body::generalised;
 use super::wrench::Stand;
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::coordinates::{Argument, Target};
+use crate::model::error::Result;
 use crate::model::layout::{Layout, Place};
 use crate::model::loads::{Acting, ForceAlong, Load, OnBody};
 use crate::model::state::SpatialState;
 use crate::model::terms::Local;
 use crate::numbers::algebra::Vec3;
+use crate::solve::motion::Motion;
 use crate::system::System;
 
 /// q, q̇ and q̈ of the whole mechanism at one time.
@@ -69,7 +75,7 @@ impl<'a> Beside<'a> {
     }
 
     /// Its local coordinates or rates.
-    fn local(&self, all: &[f64], ground: bool) -> Vec<f64> {
+    pub(super) fn local(&self, all: &[f64], ground: bool) -> Vec<f64> {
         let value = |(column, fixed): (&Option<usize>, &f64)| match column {
             Some(column) => all[*column],
             None if ground => *fixed,
@@ -99,6 +105,20 @@ impl<'a> Beside<'a> {
         Valued { c, c_q, rate, second }
     }
 
+    /// The bodies and coordinates that it is made of.
+    pub(super) fn targets(&self) -> Vec<Target> {
+        self.arguments.iter().map(|argument| argument.target).collect()
+    }
+
+    /// Its arguments, and the points of them.
+    pub(super) fn own_points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
+        let points = self.constraint.attachments().into_iter().filter_map(|found| match found.what {
+            Attached::Point(u) => Some((found.argument, u)),
+            Attached::Direction(_) => None,
+        });
+        (self.arguments.clone(), points.collect())
+    }
+
     /// Q += Σ f_row C_q of the row, local columns.
     pub(super) fn along(&self, valued: &Valued, f: &[f64]) -> Vec<f64> {
         let mut by_q = vec![0.0; self.columns.len()];
@@ -112,7 +132,7 @@ impl<'a> Beside<'a> {
 /// A part of a load, laid out.
 pub(super) enum Part<'a> {
     Potential(Beside<'a>),
-    Along(Beside<'a>, &'a ForceAlong),
+    Along(Way<'a>, &'a ForceAlong),
     OnBody { on: &'a OnBody, first: usize },
 }
 
@@ -122,25 +142,30 @@ pub(super) struct Laid<'a> {
 }
 
 impl<'a> Laid<'a> {
-    /// All loads of a system, by their names.
-    pub(super) fn all(system: &'a System) -> Vec<(&'a str, Laid<'a>)> {
+    /// All loads of a system along a motion, by their names. Errors: an angle of a joint that is not finite.
+    pub(super) fn all(system: &'a System, motion: &Motion) -> Result<Vec<(&'a str, Laid<'a>)>> {
         let loads = system.loads.loads.iter();
-        loads.map(|(name, load)| (name.as_str(), Laid::new(system.layout(), load))).collect()
+        loads.map(|(name, load)| Ok((name.as_str(), Laid::new(system, motion, load)?))).collect()
     }
 
-    pub(super) fn new(layout: &Layout, load: &'a Load) -> Self {
-        let mut parts = Vec::new();
-        load.parts(&mut |part| match part {
-            Acting::Potential(energy) => parts.push(Part::Potential(Beside::new(layout, energy.as_ref()))),
-            Acting::Along(x, force) => parts.push(Part::Along(Beside::new(layout, x.as_ref()), force)),
-            Acting::OnBody(on) => {
-                if let Some(Place::Own { first, .. }) = layout.place(&on.target) {
-                    parts.push(Part::OnBody { on, first });
+    fn new(system: &'a System, motion: &Motion, load: &'a Load) -> Result<Self> {
+        let (layout, mut all, mut parts) = (system.layout(), Vec::new(), Vec::new());
+        load.parts(&mut |part| all.push(part));
+        for part in all {
+            match part {
+                Acting::Potential(energy) => {
+                    parts.push(Part::Potential(Beside::new(layout, energy.as_ref())));
                 }
+                Acting::Along(x, force) => parts.push(Part::Along(Way::new(system, motion, x)?, force)),
+                Acting::OnBody(on) => {
+                    if let Some(Place::Own { first, .. }) = layout.place(&on.target) {
+                        parts.push(Part::OnBody { on, first });
+                    }
+                }
+                Acting::Sum(_) => {}
             }
-            Acting::Sum(_) => {}
-        });
-        Laid { parts }
+        }
+        Ok(Laid { parts })
     }
 
     /// Adds its generalised forces to those of the mechanism.
@@ -151,9 +176,9 @@ impl<'a> Laid<'a> {
                     scatter(&energy.columns, &energy.along(&energy.valued(now), &[-1.0]), all);
                 }
                 Part::Along(x, force) => {
-                    let valued = x.valued(now);
-                    let f = force.at(valued.c[0], valued.rate[0], now.t);
-                    scatter(&x.columns, &x.along(&valued, &[f]), all);
+                    let seen = x.seen(now);
+                    let f = force.at(seen.x, seen.rate, now.t);
+                    seen.slopes.iter().for_each(|(column, slope)| all[*column] += f * slope);
                 }
                 Part::OnBody { on, first } => {
                     let n = on.target.columns();
@@ -167,9 +192,8 @@ impl<'a> Laid<'a> {
     /// The bodies and coordinates that it acts on.
     pub(super) fn targets(&self) -> Vec<Target> {
         let of = |part: &Part<'_>| match part {
-            Part::Potential(beside) | Part::Along(beside, _) => {
-                beside.arguments.iter().map(|argument| argument.target).collect()
-            }
+            Part::Potential(beside) => beside.targets(),
+            Part::Along(x, _) => x.targets(),
             Part::OnBody { on, .. } => vec![on.target],
         };
         self.parts.iter().flat_map(of).collect()
@@ -178,14 +202,8 @@ impl<'a> Laid<'a> {
     /// The arguments of its first part and their points.
     pub(super) fn points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
         match self.parts.first() {
-            Some(Part::Potential(beside) | Part::Along(beside, _)) => {
-                let points = beside.constraint.attachments().into_iter();
-                let points = points.filter_map(|found| match found.what {
-                    Attached::Point(u) => Some((found.argument, u)),
-                    Attached::Direction(_) => None,
-                });
-                (beside.arguments.clone(), points.collect())
-            }
+            Some(Part::Potential(beside)) => beside.own_points(),
+            Some(Part::Along(x, _)) => x.points(),
             Some(Part::OnBody { on, .. }) => {
                 (vec![Argument { name: "body", target: on.target }], vec![(0, Vec3::from(on.point))])
             }

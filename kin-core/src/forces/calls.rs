@@ -118,7 +118,7 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(system: &'a System, motion: &'a Motion) -> Result<Self> {
-        let (loads, frictions) = (Laid::all(system), Frictions::new(system)?);
+        let (loads, frictions) = (Laid::all(system, motion)?, Frictions::new(system)?);
         let multipliers = AllMultipliers::new(system.n_equations(), motion.len());
         Ok(Walk { system, motion, loads, frictions, multipliers, powers: Powers::new(motion.len()) })
     }

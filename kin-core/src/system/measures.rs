@@ -32,6 +32,11 @@ impl System {
         Some(MeasurePlace { block, number, measured: constraint.facts().measures[number] })
     }
 
+    /// True of the name of a measure or of a coordinate.
+    pub(crate) fn is_measure(&self, name: &str) -> bool {
+        self.place_of(name).is_some() || self.coordinate_names().iter().any(|known| known == name)
+    }
+
     /// The error for a name that no measure has: what can be asked of that joint, or of all.
     pub(crate) fn no_measure(&self, name: &str) -> Error {
         let joint = |name: &str| self.constraints().find(|(known, _)| *known == name);

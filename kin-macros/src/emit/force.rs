@@ -11,10 +11,11 @@ fn parameters(source: &ConstraintFn) -> Vec<&Argument> {
     source.arguments.iter().filter(|a| a.kind.is_field() && a.kind.slots() == 0).collect()
 }
 
-/// The inputs of the constructor: x, which is any constraint of one row, then the parameters.
+/// The inputs of the constructor: x, which is any constraint of one row or the name of a measure, then the
+/// parameters.
 pub fn inputs(source: &ConstraintFn) -> Vec<TokenStream> {
     let others = parameters(source).into_iter().map(|argument| super::constructor_input(argument).0);
-    std::iter::once(quote!(impl ::kin::IntoConstraint)).chain(others).collect()
+    std::iter::once(quote!(impl ::kin::IntoAlong)).chain(others).collect()
 }
 
 /// The body of the constructor is `prepared`, then the load that is made of x and this struct.

@@ -14,8 +14,10 @@ from ._handles import Coordinate, Ground, Handle, PlanarBody, SpatialBody
 from ._joint import Joint, foreign, joint
 from ._values import items, law_of
 
-# A length or an angle to act along: what is zero where a constraint holds is a number everywhere.
-Along = Union[Joint, Constraint]
+# A scalar: what is zero where a constraint holds is a number everywhere.
+Scalar = Union[Joint, Constraint]
+# A length or an angle to act along: a scalar, or the name of a measure of a joint or of a coordinate.
+Along = Union[Joint, Constraint, str]
 # Texts of functions of one's own, by their names.
 Texts = dict[str, str]
 # What x of a force stands for in its description: the load knows.
@@ -54,9 +56,10 @@ class Load:
 
     @staticmethod
     def along(x: Along, force: Callable[..., Any]) -> "Load":
-        """A force along a length or an angle x, such as `kin.loads.length(…)` or any constraint of one row: `force` is a function
-        of x, of x and its rate, or of x, its rate and time, traced as a constraint is. Positive pushes the way x grows.   [N, N
-        m]"""
+        """A force along a length or an angle x: `kin.loads.length(…)`, any constraint of one row, or the name of a measure of a joint
+        or of a coordinate (`"guide.slide"`). `force` is a function of x, of x and its rate, or of x, its rate and time, traced
+        as a constraint is. Positive pushes the way x grows; an angle of a joint is counted over any number of turns.   [N, N m]
+        """
         return _Bare(force)(x)
 
     def __add__(self, other: "Load") -> "Load":
@@ -76,7 +79,7 @@ class Load:
 
 @dataclass(frozen=True)
 class _Energy:
-    of: Along
+    of: Scalar
 
     def data(self, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
         return {"energy": _scalar(self.of, name, mechanism, own, texts)}
@@ -85,10 +88,11 @@ class _Energy:
 @dataclass(frozen=True)
 class _Along:
     x: Along
-    force: Along
+    force: Scalar
 
     def data(self, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
-        x, force = (_scalar(one, name, mechanism, own, texts) for one in (self.x, self.force))
+        force = _scalar(self.force, name, mechanism, own, texts)
+        x = {"measure": self.x} if isinstance(self.x, str) else _scalar(self.x, name, mechanism, own, texts)
         del force["arguments"]
         return {"along": {"x": x, "force": force}}
 
@@ -131,7 +135,7 @@ def _components(name: str, what: str, value: Any, size: int) -> list[Any]:
     return zeros + several if what == "torque" else several + zeros
 
 
-def _scalar(one: Along, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
+def _scalar(one: Scalar, name: str, mechanism: str, own: str, texts: Texts) -> dict[str, Any]:
     if isinstance(one, Constraint):
         texts[one.equation.name] = one.equation.text
         one = one._joint()
@@ -139,8 +143,11 @@ def _scalar(one: Along, name: str, mechanism: str, own: str, texts: Texts) -> di
 
 
 def _length(place: str, x: Any) -> Along:
-    if not isinstance(x, (Joint, Constraint)):
-        text = f"`{place}` acts along a length or an angle, kin.loads.length(…) or any constraint of one row, not {x!r}"
+    if not isinstance(x, (Joint, Constraint, str)):
+        text = (
+            f"`{place}` acts along a length or an angle: kin.loads.length(…), any constraint of one row, "
+            f"or a measure by its name, not {x!r}"
+        )
         raise TypeError(text)
     return x
 
@@ -215,8 +222,8 @@ def potential(function: Callable[..., Any]) -> Potential:
 
 def force(function: Callable[..., Any]) -> Force:
     """Makes a load of a force f(x, ẋ, t) along any length or angle x: its arguments are `x: kin.Coord`, then, where they are
-    needed, `rate: kin.Rate` and `t: kin.Time`, then parameters. In its call x is `kin.loads.length(…)` or any constraint of one
-    row; rate and time are not given. Positive pushes the way x grows.   [N, N m]
+    needed, `rate: kin.Rate` and `t: kin.Time`, then parameters. In its call x is `kin.loads.length(…)`, any constraint of one row
+    or the name of a measure (`"guide.slide"`); rate and time are not given. Positive pushes the way x grows.   [N, N m]
 
     Raises `kin.ConstraintError` at the user's line.
     """

@@ -11,10 +11,7 @@ use crate::system::System;
 impl System {
     /// Takes the limits that were asked for. Errors: a name that nothing has.
     pub(crate) fn set_limits(&mut self, limits: Vec<Limit>) -> Result<()> {
-        let unknown = |name: &&Limit| {
-            self.place_of(&name.name).is_none() && !self.coordinate_names().contains(&name.name)
-        };
-        if let Some(limit) = limits.iter().find(unknown) {
+        if let Some(limit) = limits.iter().find(|limit| !self.is_measure(&limit.name)) {
             return Err(self.no_measure(&limit.name));
         }
         self.limits = limits;

@@ -26,8 +26,8 @@ pub enum ActingData {
     Energy(ScalarData),
     /// A force along a length or an angle x.
     Along {
-        /// The length or angle: a constraint of one row, whose value it is.
-        x: ScalarData,
+        /// The length or angle.
+        x: AlongData,
         /// The force: a function of x, its rate and time.
         force: FormulaData,
     },
@@ -48,6 +48,38 @@ pub enum ActingData {
         #[serde(default)]
         in_body: bool,
     },
+}
+
+/// A length or an angle that a force acts along.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[non_exhaustive]
+pub enum AlongData {
+    /// The value of a constraint of one row.
+    Scalar(ScalarData),
+    /// A measure of a joint or a coordinate.
+    Measure(MeasureData),
+}
+
+/// A measure of a joint or a coordinate, by its name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct MeasureData {
+    /// Its name, such as `guide.slide`.
+    pub measure: String,
+}
+
+/// By the key `measure`, so that a mistake in either form is told as one in it.
+impl<'de> Deserialize<'de> for AlongData {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
+        let all = Value::deserialize(from)?;
+        let read = match all.get("measure") {
+            Some(_) => MeasureData::deserialize(all).map(AlongData::Measure),
+            None => ScalarData::deserialize(all).map(AlongData::Scalar),
+        };
+        read.map_err(serde::de::Error::custom)
+    }
 }
 
 /// An energy, a length or an angle: like a constraint.

@@ -4,7 +4,7 @@
 use serde_json::Value;
 
 use super::format::{
-    ActingData, FormulaData, FrictionData, FrictionShape, LoadData, PointMassData, ScalarData,
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData, PointMassData, ScalarData,
 };
 use crate::data::dimensions::{NumberData, Texts};
 use crate::data::format::{ArgumentData, ConstraintData};
@@ -18,7 +18,9 @@ use crate::model::dimension::{Beside, Dimension, Holder};
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::layout::Place;
-use crate::model::loads::{Acting, ForceAlong, Friction, Holding, HungInLoad, Load, OnBody, Shape};
+use crate::model::loads::{
+    Acting, Along, ForceAlong, Friction, Holding, HungInLoad, Line, Load, OnBody, Shape,
+};
 use crate::model::mechanism::Mechanism;
 
 /// Equations that the file has to carry as text, by their kinds.
@@ -138,7 +140,10 @@ impl Mechanism {
                 "its force is a closure, which no file can carry: write it as a function with `#[force]`",
             )),
             Acting::Along(x, ForceAlong::Written(force)) => {
-                let x = scalar(x.as_ref())?;
+                let x = match &x.0 {
+                    Line::Row(x) => AlongData::Scalar(scalar(x.as_ref())?),
+                    Line::Named(name) => AlongData::Measure(MeasureData { measure: name.clone() }),
+                };
                 let mut describer = Describer::default();
                 force.describe(&mut describer);
                 if let Some(reason) = &describer.refusal {
@@ -226,8 +231,14 @@ impl Mechanism {
                 // Its x and its rate stand for no coordinate of the mechanism.
                 let given = |n: usize| vec![ArgumentData::GroundCoord(0); n];
                 let takes = if registry.knows(&force.kind, &given(2)) { 2 } else { 1 };
-                let (x, bound) = self.scalar(x, registry)?;
-                note(Holding::Scalar, bound);
+                let x = Along(match x {
+                    AlongData::Scalar(x) => {
+                        let (x, bound) = self.scalar(x, registry)?;
+                        note(Holding::Scalar, bound);
+                        Line::Row(x)
+                    }
+                    AlongData::Measure(MeasureData { measure }) => Line::Named(measure.clone()),
+                });
                 let (force, bound) = self.scalar(&force.of(given(takes)), registry)?;
                 note(Holding::Force, bound);
                 Ok(Acting::Along(x, ForceAlong::Written(force)))

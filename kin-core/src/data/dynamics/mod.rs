@@ -4,6 +4,9 @@ mod format;
 mod loads;
 mod masses;
 
-pub use format::{ActingData, FormulaData, FrictionData, FrictionShape, LoadData, PointMassData, ScalarData};
+pub use format::{
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData, PointMassData,
+    ScalarData,
+};
 pub(super) use loads::{Carried, carry};
 pub use masses::MassData;

@@ -5,7 +5,7 @@ use kin_graph::{Function, Function2, Graph, Input, Node};
 
 use super::frame::{Frame, along_motion, coordinates};
 use super::vectors::Vectors;
-use crate::forces::acting::{Laid, Part};
+use crate::forces::acting::{Laid, Part, Way};
 use crate::model::constraint::Constraint;
 use crate::model::formula::{copied, nothing_outside};
 use crate::model::law::Law;
@@ -16,6 +16,8 @@ use crate::system::System;
 
 const CLOSURE: &str =
     "its force is a closure, which only the program knows; a function under `#[force]` is read";
+
+const MEASURE: &str = "it acts along a measure of a joint, which is asked for at one time after the other";
 
 /// Generalised forces, energies and powers as nodes of the whole.
 pub(super) struct Acts<'w> {
@@ -177,12 +179,18 @@ impl<'w> Acts<'w> {
                     self.potential = self.whole.graph.add(self.potential, row.residual);
                     row.slopes.iter().map(|(j, slope)| (*j, self.graph().neg(*slope))).collect()
                 }
-                Part::Along(x, force) => {
+                Part::Along(Way::Row(x), force) => {
                     let row = self.row(system, x.constraint)?;
                     let rate = self.rate_of(&row);
                     let force = self.along_force(force, [row.residual, rate])?;
                     row.slopes.iter().map(|(j, slope)| (*j, self.graph().mul(force, *slope))).collect()
                 }
+                Part::Along(Way::Coordinate(column, _), force) => {
+                    let inputs = [Input::State(*column, SELF), Input::Rate(*column, SELF)];
+                    let of = inputs.map(|input| self.graph().input(input));
+                    vec![(*column, self.along_force(force, of)?)]
+                }
+                Part::Along(Way::Measure(_), _) => return Err(MEASURE),
                 Part::OnBody { on, first } => self.on_body(on, *first)?,
             };
             for (column, force) in forces {

@@ -110,7 +110,7 @@ fn a_fault_in_a_program_leaves_its_forces_to_the_walk() {
         let system = massed(system);
         let Ok(motion) = system.run(linspace(0.0, 0.5, 60)) else { continue };
         let Ok(plain) = system.forces_by(&motion, Engine::Plain) else { continue };
-        let loads = super::Laid::all(&system);
+        let loads = super::Laid::all(&system, &motion).expect("loads");
         for (spoil, k) in (0..system.n_equations()).flat_map(|k| FAULTS.map(|spoil| (spoil, k))) {
             let begin = (motion.times()[0], motion.q(0));
             let tape = tape_with(&system, begin, &loads, |graph, lambda| spoil(graph, lambda, k));

@@ -2,37 +2,12 @@
 
 use std::sync::Arc;
 
-use super::{ByLaws, Turning};
+use super::{Along, ByLaws, ForceAlong, IntoAlong, Line, Turning};
 use crate::model::body::Body;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::dimension::{Bindings, Dimension, IntoVector};
 use crate::model::law::Law;
-use crate::model::mechanism::IntoConstraint;
-use crate::model::terms::Local;
-
-/// f(x, ẋ, t) along a length or an angle x.
-#[derive(Clone)]
-pub(crate) enum ForceAlong {
-    /// A closure, which only the program knows.
-    Closure(Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>),
-    /// A function under `#[force]`: the row of a constraint on x and ẋ.
-    Written(Box<dyn Constraint>),
-}
-
-impl ForceAlong {
-    /// Its value.
-    pub(crate) fn at(&self, x: f64, rate: f64, t: f64) -> f64 {
-        match self {
-            ForceAlong::Closure(force) => force(x, rate, t),
-            ForceAlong::Written(force) => {
-                let mut value = [f64::NAN];
-                force.residual(&Local::new(&force.arguments(), &[x, rate], &[]).at(t), &mut value);
-                value[0]
-            }
-        }
-    }
-}
 
 /// Something that acts: an energy, a force along a length or an angle, a force and a torque on a body.
 #[derive(Clone)]
@@ -43,8 +18,8 @@ pub struct Load(pub(crate) Acting);
 pub(crate) enum Acting {
     /// Q = −V_qᵀ of an energy V(q, t), the row of a constraint.
     Potential(Box<dyn Constraint>),
-    /// Q = f(x, ẋ, t) x_qᵀ of a length or an angle x(q, t), the row of a constraint.
-    Along(Box<dyn Constraint>, ForceAlong),
+    /// Q = f(x, ẋ, t) x_qᵀ of a length or an angle x(q, t).
+    Along(Along, ForceAlong),
     /// A force and a torque on a body.
     OnBody(Box<OnBody>),
     /// Several under one name.
@@ -100,7 +75,9 @@ impl Acting {
     /// The energy, length or angle, or the force along that.
     pub(crate) fn constraint(&self, is_force: bool) -> Option<&dyn Constraint> {
         match self {
-            Acting::Potential(scalar) | Acting::Along(scalar, _) if !is_force => Some(scalar.as_ref()),
+            Acting::Potential(scalar) | Acting::Along(Along(Line::Row(scalar)), _) if !is_force => {
+                Some(scalar.as_ref())
+            }
             Acting::Along(_, ForceAlong::Written(force)) if is_force => Some(force.as_ref()),
             _ => None,
         }
@@ -172,9 +149,12 @@ impl<T: Potential> IntoLoad for T {
 }
 
 impl Load {
-    /// A force along a length or an angle x(q, t): `x` is any constraint of one row, whose value it is, and
-    /// f(x, ẋ, t) pushes the way x grows: Q = f x_qᵀ. A force where x is a length, a torque where it is an
-    /// angle.   \[N, N m\]
+    /// A force along a length or an angle x(q, t): `x` is any constraint of one row, whose value it is, or
+    /// the name of a measure of a joint or of a coordinate, and f(x, ẋ, t) pushes the way x grows: Q = f
+    /// x_qᵀ. A force where x is a length, a torque where it is an angle.   \[N, N m\]
+    ///
+    /// An angle of a joint is counted over any number of turns along the motion, as
+    /// [`crate::System::measure`] counts it.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -193,17 +173,14 @@ impl Load {
     /// # Ok(())
     /// # }
     /// ```
-    pub fn along(
-        x: impl IntoConstraint,
-        force: impl Fn(f64, f64, f64) -> f64 + Send + Sync + 'static,
-    ) -> Load {
-        Load(Acting::Along(x.into_constraint(), ForceAlong::Closure(Arc::new(force))))
+    pub fn along(x: impl IntoAlong, force: impl Fn(f64, f64, f64) -> f64 + Send + Sync + 'static) -> Load {
+        Load(Acting::Along(x.into_along(), ForceAlong::Closure(Arc::new(force))))
     }
 
     /// The same by a function under `#[force]`, which calls this.
     #[doc(hidden)]
-    pub fn written(x: impl IntoConstraint, force: impl Constraint + 'static) -> Load {
-        Load(Acting::Along(x.into_constraint(), ForceAlong::Written(Box::new(force))))
+    pub fn written(x: impl IntoAlong, force: impl Constraint + 'static) -> Load {
+        Load(Acting::Along(x.into_along(), ForceAlong::Written(Box::new(force))))
     }
 
     /// A force at the point ū of a body, in global components: a vector, or a law of time for each
@@ -298,8 +275,10 @@ impl Load {
             };
             match acting {
                 Acting::Potential(scalar) => note(Holding::Scalar, scalar.take_bindings().take()),
-                Acting::Along(scalar, force) => {
-                    note(Holding::Scalar, scalar.take_bindings().take());
+                Acting::Along(along, force) => {
+                    if let Line::Row(scalar) = &mut along.0 {
+                        note(Holding::Scalar, scalar.take_bindings().take());
+                    }
                     if let ForceAlong::Written(force) = force {
                         note(Holding::Force, force.take_bindings().take());
                     }
@@ -324,7 +303,7 @@ impl std::fmt::Debug for Load {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match &self.0 {
             Acting::Potential(energy) => write!(f, "Load({})", energy.facts().kind),
-            Acting::Along(x, _) => write!(f, "Load(along {})", x.facts().kind),
+            Acting::Along(x, _) => write!(f, "Load(along {x:?})"),
             Acting::OnBody(on) => write!(f, "Load(on {:?})", on.target),
             Acting::Sum(all) => f.debug_tuple("Load").field(all).finish(),
         }

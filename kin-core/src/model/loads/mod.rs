@@ -1,5 +1,6 @@
 //! Masses of bodies, gravity, and what else acts on a mechanism: described here, computed in `forces/`.
 
+mod along;
 mod check;
 mod friction;
 mod load;
@@ -7,9 +8,11 @@ mod numbers;
 mod solid;
 mod turning;
 
+pub use along::{Along, IntoAlong};
+pub(crate) use along::{ForceAlong, Line};
 pub use friction::Friction;
 pub(crate) use friction::{Seat, Shape};
-pub(crate) use load::{Acting, ForceAlong, Holding, HungInLoad, OnBody};
+pub(crate) use load::{Acting, Holding, HungInLoad, OnBody};
 pub use load::{IntoLoad, Load, Potential};
 pub(crate) use numbers::{senseless, sensible_gravity, sensible_point_mass};
 pub use solid::{Massive, Solid};

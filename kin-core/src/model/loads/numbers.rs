@@ -1,6 +1,6 @@
 //! The numbers of what has mass and acts: set by their names, and looked at for whether they make sense.
 
-use super::{Acting, ForceAlong, Friction, Loads, OnBody, Solid};
+use super::{Acting, Along, ForceAlong, Line, Friction, Loads, OnBody, Solid};
 use crate::model::constraint::Constraint;
 use crate::model::dimension::{Beside, Holder};
 use crate::model::error::{Error, Result};
@@ -26,7 +26,7 @@ impl Loads {
             Holder::Constraint(_) => None,
             Holder::Point(k) => self.points.get_mut(k).map(|(_, point, _)| point),
             Holder::Load { load, part } => match self.loads.get_mut(load)?.1.part_mut(part)? {
-                Acting::Potential(scalar) | Acting::Along(scalar, _) => Some(scalar),
+                Acting::Potential(scalar) | Acting::Along(Along(Line::Row(scalar)), _) => Some(scalar),
                 _ => None,
             },
             Holder::Force { load, part } => match self.loads.get_mut(load)?.1.part_mut(part)? {

@@ -10,7 +10,7 @@ use crate::model::dimension::{
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::model::loads::{
-    Acting, ForceAlong, Holding, HungInLoad, IntoLoad, Load, Massive, OnBody, Solid, senseless,
+    Acting, Along, ForceAlong, Holding, HungInLoad, IntoLoad, Line, Load, Massive, OnBody, Solid, senseless,
     sensible_gravity, sensible_point_mass,
 };
 use crate::model::mechanism::IntoConstraint;
@@ -165,7 +165,8 @@ impl Mechanism {
     /// angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the library. Its
     /// numbers may be [`Dimension`]s, those in a closure not: it knows what they were.
     ///
-    /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense.
+    /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense. A measure
+    /// that no joint has is told by [`Mechanism::build`]: the joint may be added later.
     pub fn load(&mut self, name: &str, load: impl IntoLoad) -> Result<()> {
         let mut load = load.into_load();
         let bound = load.take_bindings();
@@ -185,7 +186,8 @@ impl Mechanism {
                 admission::sensible_parameters(name, force.as_ref())?;
             }
             match part {
-                Acting::Potential(scalar) | Acting::Along(scalar, _) => {
+                Acting::Along(Along(Line::Named(_)), _) => {}
+                Acting::Potential(scalar) | Acting::Along(Along(Line::Row(scalar)), _) => {
                     self.admit_load(name, scalar.as_ref())?;
                     let rows = scalar.facts().rows.len();
                     if rows != 1 {

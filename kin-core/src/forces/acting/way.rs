@@ -1,0 +1,128 @@
+//! Lengths and angles that forces act along: the row of a constraint, a measure of a joint, a coordinate.
+
+use std::f64::consts::TAU;
+
+use super::{Beside, Now};
+use crate::ask::measure::Measure;
+use crate::model::coordinates::{Argument, Target};
+use crate::model::error::Result;
+use crate::model::layout::Kind;
+use crate::model::loads::{Along, Line};
+use crate::model::terms::{Moving, measure};
+use crate::numbers::algebra::Vec3;
+use crate::solve::motion::Motion;
+use crate::system::System;
+
+/// A length or an angle x, laid out.
+pub(in crate::forces) enum Way<'a> {
+    Row(Beside<'a>),
+    Measure(Measured<'a>),
+    /// The coordinate in that column, and the body that it is one of.
+    Coordinate(usize, Option<Target>),
+}
+
+/// A measure of a joint.
+pub(in crate::forces) struct Measured<'a> {
+    joint: Beside<'a>,
+    number: usize,
+    /// Times of the motion, and the angle as it is counted there over any number of turns; none of a measure
+    /// that does not turn.
+    counted: Vec<(f64, f64)>,
+}
+
+/// A length or an angle at one time.
+pub(in crate::forces) struct Seen {
+    pub x: f64,
+    pub rate: f64,
+    /// x_q, by columns of the mechanism.
+    pub slopes: Vec<(usize, f64)>,
+}
+
+impl<'a> Way<'a> {
+    /// Errors: a name that nothing has; an angle of a joint that is not finite.
+    pub(in crate::forces) fn new(system: &'a System, motion: &Motion, along: &'a Along) -> Result<Way<'a>> {
+        let layout = system.layout();
+        let name = match &along.0 {
+            Line::Row(x) => return Ok(Way::Row(Beside::new(layout, x.as_ref()))),
+            Line::Named(name) => name.as_str(),
+        };
+        if let Some(place) = system.place_of(name) {
+            let joint = Beside::new(layout, system.equations().blocks[place.block].constraint.as_ref());
+            let mut counted = Vec::new();
+            if place.measured.turns {
+                let angle = name.of(system, motion)?.value;
+                counted.extend(motion.times().iter().copied().zip(angle.values().iter().copied()));
+            }
+            return Ok(Way::Measure(Measured { joint, number: place.number, counted }));
+        }
+        let column = name.coordinate(system).ok_or_else(|| system.no_measure(name))?;
+        let item = layout.items.iter().rposition(|item| item.first <= column);
+        let is_body = |item: &usize| matches!(layout.items[*item].kind, Kind::Planar | Kind::Spatial);
+        Ok(Way::Coordinate(column, item.filter(is_body).map(|item| layout.target(item))))
+    }
+
+    pub(in crate::forces) fn seen(&self, now: Now<'_>) -> Seen {
+        match self {
+            Way::Row(row) => {
+                let valued = row.valued(now);
+                let (pattern, mut slopes) = (row.constraint.facts().pattern, Vec::new());
+                for (entry, value) in pattern.iter().zip(&valued.c_q) {
+                    slopes.extend(row.columns[entry.column].map(|column| (column, *value)));
+                }
+                Seen { x: valued.c[0], rate: valued.rate[0], slopes }
+            }
+            Way::Measure(measured) => measured.seen(now),
+            Way::Coordinate(column, _) => {
+                Seen { x: now.q[*column], rate: now.qd[*column], slopes: vec![(*column, 1.0)] }
+            }
+        }
+    }
+
+    /// The bodies and coordinates that it is made of.
+    pub(in crate::forces) fn targets(&self) -> Vec<Target> {
+        match self {
+            Way::Row(beside) | Way::Measure(Measured { joint: beside, .. }) => beside.targets(),
+            Way::Coordinate(_, body) => body.iter().copied().collect(),
+        }
+    }
+
+    /// Its arguments, and the points of them.
+    pub(in crate::forces) fn points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
+        match self {
+            Way::Row(beside) | Way::Measure(Measured { joint: beside, .. }) => beside.own_points(),
+            Way::Coordinate(..) => (Vec::new(), Vec::new()),
+        }
+    }
+}
+
+impl Measured<'_> {
+    /// Each slope is the rate along its coordinate alone, less that which time itself makes.
+    fn seen(&self, now: Now<'_>) -> Seen {
+        let joint = &self.joint;
+        let (q, mut qd) = (joint.local(now.q, true), joint.local(now.qd, false));
+        let at = |qd: &[f64]| {
+            let moving = Moving { q: &q, qd, ..Moving::default() };
+            measure(joint.constraint, self.number, moving, now.t)
+        };
+        let [x, rate, ..] = at(&qd);
+        qd.fill(0.0);
+        let [_, still, ..] = at(&qd);
+        let mut slopes = Vec::new();
+        for (local, column) in joint.columns.iter().enumerate() {
+            let Some(column) = column else { continue };
+            qd[local] = 1.0;
+            slopes.push((*column, at(&qd)[1] - still));
+            qd[local] = 0.0;
+        }
+        Seen { x: self.counted_on(x, now.t), rate, slopes }
+    }
+
+    /// The angle x by as many turns as at the next of the times of the motion.
+    fn counted_on(&self, x: f64, t: f64) -> f64 {
+        let after = self.counted.partition_point(|(time, _)| *time < t);
+        let near =
+            [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|k| self.counted.get(k));
+        let near = near.min_by(|a, b| (a.0 - t).abs().total_cmp(&(b.0 - t).abs()));
+        near.map_or(x, |(_, angle)| x + TAU * ((angle - x) / TAU).round())
+    }
+}

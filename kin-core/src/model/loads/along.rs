@@ -1,0 +1,109 @@
+//! Lengths and angles that forces act along, and forces by them.
+
+use std::sync::Arc;
+
+use crate::model::constraint::Constraint;
+use crate::model::mechanism::IntoConstraint;
+use crate::model::terms::Local;
+
+/// A length or an angle x that a force acts along; made by [`IntoAlong`].
+#[derive(Clone)]
+pub struct Along(pub(crate) Line);
+
+/// Kinds of them.
+#[derive(Clone)]
+pub(crate) enum Line {
+    /// x(q, t) is the row of a constraint.
+    Row(Box<dyn Constraint>),
+    /// A measure of a joint, or a coordinate, by its name.
+    Named(String),
+}
+
+/// A length or an angle x to act along: any constraint of one row, whose value it is, or the name of a
+/// measure of a joint or of a coordinate (`"guide.slide"`, `"crank.theta"`), as [`crate::System::measures`]
+/// lists them.
+///
+/// ```
+/// # use kin::prelude::*;
+/// # use kin::loads;
+/// # fn main() -> kin::Result<()> {
+/// # let mut m = Mechanism::new("closer");
+/// # let block = m.planar("block", pose(0.3, 0.0, 0.0))?;
+/// # let (o, across) = (vec2(0.0, 0.0), vec2(0.0, 1.0));
+/// m.add("guide", prismatic(block, m.ground(), o, o, across, 0.0))?;
+/// m.load("buffer", loads::spring_damper("guide.slide", 800.0, 0.1, 25.0))?; // stiffness, free, damping
+/// # Ok(())
+/// # }
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no length or angle to act along",
+    label = "a force acts along a constraint of one row, or a measure of a joint by its name",
+    note = "lengths and angles are in `kin::loads` (`length`, `turn`, `slide`); a measure is `\"guide.slide\"`"
+)]
+pub trait IntoAlong {
+    /// The length or angle.
+    #[doc(hidden)]
+    fn into_along(self) -> Along;
+}
+
+impl<T: IntoConstraint> IntoAlong for T {
+    fn into_along(self) -> Along {
+        Along(Line::Row(self.into_constraint()))
+    }
+}
+
+impl IntoAlong for &str {
+    fn into_along(self) -> Along {
+        Along(Line::Named(self.to_string()))
+    }
+}
+
+impl IntoAlong for String {
+    fn into_along(self) -> Along {
+        Along(Line::Named(self))
+    }
+}
+
+impl IntoAlong for &String {
+    fn into_along(self) -> Along {
+        Along(Line::Named(self.clone()))
+    }
+}
+
+impl IntoAlong for Along {
+    fn into_along(self) -> Along {
+        self
+    }
+}
+
+impl std::fmt::Debug for Along {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match &self.0 {
+            Line::Row(x) => f.write_str(x.facts().kind),
+            Line::Named(name) => write!(f, "`{name}`"),
+        }
+    }
+}
+
+/// f(x, ẋ, t) along a length or an angle x.
+#[derive(Clone)]
+pub(crate) enum ForceAlong {
+    /// A closure, which only the program knows.
+    Closure(Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>),
+    /// A function under `#[force]`: the row of a constraint on x and ẋ.
+    Written(Box<dyn Constraint>),
+}
+
+impl ForceAlong {
+    /// Its value.
+    pub(crate) fn at(&self, x: f64, rate: f64, t: f64) -> f64 {
+        match self {
+            ForceAlong::Closure(force) => force(x, rate, t),
+            ForceAlong::Written(force) => {
+                let mut value = [f64::NAN];
+                force.residual(&Local::new(&force.arguments(), &[x, rate], &[]).at(t), &mut value);
+                value[0]
+            }
+        }
+    }
+}
