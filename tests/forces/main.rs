@@ -16,6 +16,7 @@ mod examples;
 mod file;
 mod friction;
 mod friction_given;
+mod laws;
 mod loads;
 mod measures;
 mod newton_euler;

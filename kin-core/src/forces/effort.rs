@@ -1,6 +1,7 @@
 //! The force or torque of a driving constraint, and its power.
 
 mod advantage;
+mod by_law;
 
 use std::fmt;
 
@@ -13,10 +14,15 @@ use crate::model::not_unique::NotUnique;
 use crate::model::units::{Unit, Units};
 use crate::system::System;
 use crate::system::evaluate::Block;
+use by_law::{Led, Share};
 
-/// Efforts and power of a driving constraint: for each of its rows x(q) − f(t) = 0 the generalised force −λ
-/// along x. A row that is written otherwise, as those of `moving_point`, has −λ too, the generalised force
-/// along the row; it does not belong to one law then, and the power alone tells what the drive gives.
+/// Efforts and power of a driving constraint: for each of its laws f the generalised force λ · ∂C/∂f that
+/// belongs to it, so that effort · ḟ is the power that the law puts into the mechanism. Of a driver whose
+/// rows are x(q) − f(t) = 0 that is −λ, row by row.
+///
+/// Of a driver whose laws do not stand in its formula by their values, because it takes the dual route, or
+/// asks a law for its slope or at several times, there is −λ for each row, and the power alone says what it
+/// gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive {
     efforts: Vec<Series>,
@@ -66,13 +72,14 @@ impl Series {
 impl Drive {
     /// The generalised force that belongs to its law: a torque where the law is an angle, a force where it is
     /// a length. Power put into the mechanism = effort · ḟ; positive the way the law grows. Of a driver with
-    /// several rows that of the first; [`Drive::efforts`] has all. [`Drive`] tells of rows of other forms.
-    ///    \[N m, N\]
+    /// several laws that of the first; [`Drive::efforts`] has all.   \[N m, N\]
     pub fn effort(&self) -> &Series {
         &self.efforts[0]
     }
 
-    /// One for each row.
+    /// One for each law: `motor`, `hand.x` of a driver with a row for each, `tip.x_i` by the names of laws of
+    /// another one. Where formulas do not tell whether a law is a length or an angle, the unit is that of
+    /// energy, a unit of the law.
     pub fn efforts(&self) -> &[Series] {
         &self.efforts
     }
@@ -82,7 +89,7 @@ impl Drive {
         &self.power
     }
 
-    /// The largest effort of all rows, and when.
+    /// The largest effort of all laws, and when.
     pub fn peak(&self) -> Peak {
         let peaks = self.efforts.iter().map(Series::peak);
         peaks
@@ -102,23 +109,24 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     }
     let units = motion.unit_words();
     let mut efforts = Vec::new();
-    for (k, row) in block.rows().enumerate() {
-        let unit = unit_of_row(system, block, k);
+    for led in Led::all(forces, block) {
+        let is_length = led.unit.as_deref() == Some("m");
         for time in 0..motion.len() {
             let at = forces.multipliers.beside(time);
-            let scale = if unit.as_deref() == Some("m") { at.length } else { 1.0 };
-            if at.open.iter().any(|open| open[row].abs() * scale > LOOSE) {
-                return Err(NotUnique::error(&block.equation(k), "its effort", forces.sharing(time)));
+            let scale = if is_length { at.length } else { 1.0 };
+            if at.open.iter().any(|open| led.of(block, open, time).abs() * scale > LOOSE) {
+                return Err(NotUnique::error(&led.name, "its effort", forces.sharing(time)));
             }
         }
-        let unit = match unit.as_deref() {
-            Some("m") => units.force(),
-            Some("rad") => units.torque(),
-            Some(_) => units.energy(),
-            None => format!("{} a unit of its row", units.energy()),
+        let unit = match (led.unit.as_deref(), &led.share) {
+            (Some("m"), _) => units.force(),
+            (Some("rad"), _) => units.torque(),
+            (Some(_), _) => units.energy(),
+            (None, Share::Row(_)) => format!("{} a unit of its row", units.energy()),
+            (None, Share::Law(_)) => format!("{} a unit of its law", units.energy()),
         };
-        let values = (0..motion.len()).map(|k| 0.0 - forces.multipliers.at(k)[row]).collect();
-        efforts.push(Series::new(block.equation(k), unit, motion.clock(), values));
+        let values = (0..motion.len()).map(|k| led.of(block, forces.multipliers.at(k), k)).collect();
+        efforts.push(Series::new(led.name, unit, motion.clock(), values));
     }
     let power = |k: usize| -> f64 {
         let mut rhs = vec![0.0; system.n_equations()];

@@ -18,9 +18,8 @@ from ._vectors import VectorLike
 
 @dataclass(frozen=True)
 class Drive:
-    """What a driving constraint must give: `efforts`, one for each of its rows, a torque where its law is an angle, a force where
-    it is a length, positive the way the law grows (−λ of rows that are not x(q) − f(t), as those of `moving_point`); its `power`; its
-    `peak`.   [N m or N, W]"""
+    """What a driving constraint must give: `efforts`, one for each of its laws, a torque where its law is an angle, a force where
+    it is a length, positive the way the law grows; its `power`, the sum of effort · ḟ; its `peak`.   [N m or N, W]"""
 
     name: str
     efforts: list[Quantity]
@@ -29,7 +28,7 @@ class Drive:
 
     @property
     def effort(self) -> Quantity:
-        """That of its first row."""
+        """That of its first law."""
         return self.efforts[0]
 
 

@@ -41,6 +41,17 @@ impl<'a> Along<'a> {
         Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)), parameters, outside }
     }
 
+    /// Where coordinates and time stand still.
+    pub(crate) fn still(
+        arguments: &[Argument],
+        at: &At<'_>,
+        parameters: &'a [f64],
+        outside: Outside<'a>,
+    ) -> Self {
+        let t = Number::from(at.t);
+        Along { t, ..Along::new(arguments, at, [None; 3], parameters, outside) }
+    }
+
     /// A variable that is x, and moves at the rate 1.
     pub(super) fn variable(x: f64, parameters: &'a [f64], outside: Outside<'a>) -> Self {
         let x = Real(Dual3_64::new(x, 1.0, 0.0, 0.0));

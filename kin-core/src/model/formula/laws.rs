@@ -1,0 +1,51 @@
+//! How the rows of a formula follow the values of laws that time alone leads.
+
+mod lengths;
+
+use kin_graph::{Formula, Node, Op, evaluate, evaluate_beyond};
+
+use super::jerk::Along;
+use crate::numbers::real::{Dual3_64, Real};
+
+pub(crate) use lengths::lengths;
+
+/// The laws of time in a formula, each by its number with its node, in the order of their numbers. `None`
+/// where one of them is asked at several times, or for a derivative: then no row follows its value alone.
+pub(crate) fn of_time(formula: &Formula) -> Option<Vec<(usize, Node)>> {
+    let mut laws: Vec<(usize, Node)> = Vec::new();
+    for node in formula.graph.reachable(&formula.rows) {
+        let Op::Law(law, _, order) = formula.graph.op(node) else { continue };
+        let on = formula.graph.depends(node);
+        if on.on_q || !on.on_t {
+            continue;
+        }
+        if order > 0 || laws.iter().any(|(known, _)| *known == law) {
+            return None;
+        }
+        laws.push((law, node));
+    }
+    laws.sort_by_key(|(law, _)| *law);
+    Some(laws)
+}
+
+/// True if row k is x(q) − f(t) with law k, as it is written.
+pub(crate) fn are_rows(formula: &Formula, laws: &[(usize, Node)]) -> bool {
+    let graph = &formula.graph;
+    let is_own = |(row, (_, law)): (&Node, &(usize, Node))| match graph.op(*row) {
+        Op::Sub(x, f) => f == *law && !graph.depends(x).on_t,
+        _ => false,
+    };
+    laws.len() == formula.rows.len() && formula.rows.iter().zip(laws).all(is_own)
+}
+
+/// ∂C/∂f of each of these laws, row by row, at coordinates and a time that stand still.
+pub(crate) fn slopes(formula: &Formula, laws: &[(usize, Node)], still: &Along<'_>) -> Vec<Vec<f64>> {
+    let known = evaluate(&formula.graph, &formula.rows, still);
+    let along = |(_, law): &(usize, Node)| {
+        let value = known.number(*law).map_or(f64::NAN, |value| value.0.re);
+        let moving = |node: Node| (node == *law).then(|| Real(Dual3_64::new(value, 1.0, 0.0, 0.0)));
+        let moved = evaluate_beyond(&formula.graph, &formula.rows, moving, &known, still);
+        formula.rows.iter().map(|row| moved.number(*row).map_or(f64::NAN, |slope| slope.0.v1)).collect()
+    };
+    laws.iter().map(along).collect()
+}
