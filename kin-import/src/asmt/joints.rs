@@ -18,7 +18,7 @@ pub struct Joint {
 }
 
 /// Kinds of joints that are read.
-const KINDS: [&str; 12] = [
+const KINDS: [&str; 20] = [
     "RevoluteJoint",
     "CylindricalJoint",
     "TranslationalJoint",
@@ -30,11 +30,36 @@ const KINDS: [&str; 12] = [
     "PointInPlaneJoint",
     "ParallelAxesJoint",
     "PerpendicularJoint",
+    "AngleJoint",
+    "ConstantVelocityJoint",
+    "LineInPlaneJoint",
+    "SphSphJoint",
+    "CylSphJoint",
+    "RevCylJoint",
     "GearJoint",
+    "ScrewJoint",
+    "RackPinionJoint",
 ];
 
-/// Why a gear is left out.
-const NO_FRAME: &str = "no body holds the axes of both wheels by a revolute or cylindrical joint";
+/// Axes with a smaller sine between them are parallel.   \[-\]
+const PARALLEL: f64 = 1e-9;
+
+/// A line in a plane: h_j · (r_Pi − r_Pj) = 0 and h_j · h_i = 0.    \[m, –\]
+#[kin::constraint]
+fn line_in_plane(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: Vec3) -> (f64, f64) {
+    let h = j.direction(h_j);
+    (h.dot(i.point(u_i) - j.point(u_j)), h.dot(i.direction(h_i)))
+}
+
+/// The distance of a plane from marker I along its z; 0 where none is given.
+fn offset(of: &Tree<'_>) -> Result<f64, Mistake> {
+    of.get("offset").map_or(Ok(0.0), |_| of.numbers::<1>("offset").map(|[offset]| offset))
+}
+
+/// The distance of the markers; 0 where none is given.
+fn distance(of: &Tree<'_>) -> Result<f64, Mistake> {
+    of.get("distanceIJ").map_or(Ok(0.0), |_| of.numbers::<1>("distanceIJ").map(|[distance]| distance.abs()))
+}
 
 impl Reading {
     /// Adds a joint. Body J of the file is body i of Kin, since the file measures J in I.
@@ -68,22 +93,88 @@ impl Reading {
                 self.add(name, line, spatial::universal(a, b, j.u, i.u, j.axis(2), i.axis(2)))?
             }
             "PlanarJoint" => {
-                let joint = spatial::planar(a, b, j.u, i.u, h_j, h_i).zero(j.axis(0), i.axis(0));
+                let at = i.u + h_i * offset(of)?;
+                let joint = spatial::planar(a, b, j.u, at, h_j, h_i).zero(j.axis(0), i.axis(0));
                 self.add(name, line, joint)?;
             }
             "FixedJoint" => self.add(name, line, spatial::weld(a, b, j.u, i.u, p_ij))?,
             "PointInLineJoint" => self.add(name, line, spatial::point_on_line(a, b, j.u, i.u, h_i))?,
-            "PointInPlaneJoint" => self.add(name, line, spatial::point_in_plane(a, b, j.u, i.u, h_i))?,
+            "PointInPlaneJoint" => {
+                let at = i.u + h_i * offset(of)?;
+                self.add(name, line, spatial::point_in_plane(a, b, j.u, at, h_i))?
+            }
             "ParallelAxesJoint" => self.add(name, line, spatial::parallel(a, b, h_j, h_i))?,
             "PerpendicularJoint" => {
                 self.add(name, line, spatial::perpendicular(a, b, j.axis(2), i.axis(2)))?
             }
-            // Kinds that are known: what is left is `GearJoint`.
-            _ => return self.gear(of, name, line, [i, j]),
+            "GearJoint" => return self.gear(of, name, line, [i, j]),
+            "ScrewJoint" => return self.screw(of, name, line, [i, j]),
+            "RackPinionJoint" => return self.rack(of, name, line, [i, j]),
+            // Kinds that are known: what is left depends on its numbers.
+            _ => {
+                if let Some(reason) = self.by_numbers(of, name, line, [&i, &j])? {
+                    self.leave(of, reason, true);
+                    return Ok(());
+                }
+            }
         }
         let path = format!("/{}/{name}", self.mechanism.name());
         self.joints.push(Joint { path, name: name.to_string(), kind: kind.to_string(), i, j });
         Ok(())
+    }
+
+    /// Adds a joint that some numbers have no place for; gives the reason why it is left out.
+    fn by_numbers(
+        &mut self,
+        of: &Tree<'_>,
+        name: &str,
+        line: usize,
+        [i, j]: [&Marker; 2],
+    ) -> Result<Option<&'static str>, Mistake> {
+        let (a, b) = (j.body, i.body);
+        let [z_i, z_j] = [i, j].map(|m| Axis::new(m.axis(2), m.axis(0)));
+        match of.text {
+            "AngleJoint" => {
+                let [angle] = of.get("theIzJz").map_or(Ok([0.0]), |_| of.numbers("theIzJz"))?;
+                // Its equation is that of a cosine.
+                let angle = angle.cos().acos();
+                if angle.sin() < PARALLEL {
+                    return Ok(Some("its axes are parallel, where the angle between them holds nothing"));
+                }
+                self.add(name, line, spatial::angle(a, b, z_j, z_i, angle))?;
+            }
+            "ConstantVelocityJoint" => {
+                // x_I · y_J + y_I · x_J = 0 carries turns on where z of the markers oppose.
+                if i.global(2).dot(j.global(2)) > 0.0 {
+                    return Ok(Some("z of its markers do not oppose, as those of such a joint do"));
+                }
+                let z_j = Axis::new(-j.axis(2), j.axis(0));
+                self.add(name, line, spatial::constant_velocity(a, b, j.u, i.u, z_j, z_i))?;
+            }
+            "LineInPlaneJoint" => {
+                let at = i.u + i.axis(2) * offset(of)?;
+                self.add(name, line, line_in_plane(a, b, j.u, at, j.axis(2), i.axis(2)))?;
+            }
+            kind => {
+                let distance = distance(of)?;
+                if distance == 0.0 {
+                    return Ok(Some("its distance is zero, where its equation has no slope"));
+                }
+                match kind {
+                    "SphSphJoint" => self.add(name, line, spatial::distance(a, b, j.u, i.u, distance))?,
+                    "CylSphJoint" => {
+                        let joint = spatial::spherical_cylindrical(a, b, j.u, i.u, z_i, distance);
+                        self.add(name, line, joint)?;
+                    }
+                    _ => {
+                        let h_j = Axis::new(self.along(i, j), j.axis(0));
+                        let joint = spatial::revolute_cylindrical(a, b, j.u, i.u, h_j, z_i, distance, 0.0);
+                        self.add(name, line, joint)?;
+                    }
+                }
+            }
+        }
+        Ok(None)
     }
 
     pub(super) fn add(&mut self, name: &str, line: usize, joint: impl IntoConstraint) -> Result<(), Mistake> {
@@ -93,36 +184,6 @@ impl Reading {
     /// The axis of marker J the way that the one of marker I points where the parts stand: z, or −z.
     pub(super) fn along(&self, i: &Marker, j: &Marker) -> Vec3 {
         if i.global(2).dot(j.global(2)) < 0.0 { -j.axis(2) } else { j.axis(2) }
-    }
-
-    /// Pair of wheels by their radii, in the frame that holds both of their axes.
-    fn gear(&mut self, of: &Tree<'_>, name: &str, line: usize, [i, j]: [Marker; 2]) -> Result<(), Mistake> {
-        let [r_i, r_j] = [of.numbers::<1>("radiusI")?[0], of.numbers::<1>("radiusJ")?[0]];
-        let held = |wheel: &Marker| -> Vec<(Marker, Marker)> {
-            let turning = self
-                .joints
-                .iter()
-                .filter(|j| ["RevoluteJoint", "CylindricalJoint"].contains(&j.kind.as_str()));
-            let ways = turning.flat_map(|joint| [(joint.i, joint.j), (joint.j, joint.i)]);
-            ways.filter(|(own, _)| own.body == wheel.body).collect()
-        };
-        let (of_i, of_j) = (held(&i), held(&j));
-        let both = of_i.iter().flat_map(|a| of_j.iter().map(move |b| (a, b)));
-        let Some(((w_i, f_i), (w_j, f_j))) = both.into_iter().find(|((_, a), (_, b))| a.body == b.body)
-        else {
-            self.leave(of, NO_FRAME, true);
-            return Ok(());
-        };
-        let frame = f_i.body;
-        // Turns count from where the wheels stand.
-        let axis = |own: &Marker, held: &Marker| {
-            let x = held.stand.transpose() * own.global(0);
-            [Axis::new(self.along(held, own), own.axis(0)), Axis::new(held.axis(2), x)]
-        };
-        let ([h_i, a_i], [h_j, a_j]) = (axis(w_i, f_i), axis(w_j, f_j));
-        let s = self.mechanism.length(&format!("{name}.s"), 0.0).map_err(refused(line))?;
-        let gear = spatial::gear_by_radii(i.body, j.body, frame, s, h_i, h_j, a_i, a_j, r_i, r_j, 0.0);
-        self.add(name, line, gear)
     }
 
     /// Adds a limit of a turn or a slide.

@@ -4,6 +4,7 @@
 //! hold markers; joints and motions name two markers, I and J, by their paths. The axis of a joint is z of
 //! its markers; angles and ways are those of J as I sees them.
 
+mod couplings;
 mod joints;
 mod motions;
 mod parts;

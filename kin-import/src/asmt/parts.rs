@@ -21,6 +21,8 @@ pub struct Marker {
     pub a: Mat3,
     /// The axes of the body where it stands in the file.
     pub stand: Mat3,
+    /// The marker's origin there, in global coordinates.   \[m\]
+    pub place: Vec3,
 }
 
 impl Marker {
@@ -54,7 +56,8 @@ impl Markers {
                 let (u, axes) = frame(marker)?;
                 let (name, line) = marker.value("Name")?;
                 let (u, a) = (own.r + own.a * (r + a * u), own.a * a * axes);
-                let found = Marker { body: own.body, u, a, stand: own.stand };
+                let place = own.place + own.stand * u;
+                let found = Marker { body: own.body, u, a, stand: own.stand, place };
                 if self.0.insert(format!("{path}/{name}"), found).is_some() {
                     return Err(Mistake::at(line, format!("there are two markers `{path}/{name}`")));
                 }
@@ -64,12 +67,13 @@ impl Markers {
     }
 }
 
-/// A body that holds markers, the frame in it that they are given in, and its axes where it stands.
+/// A body that holds markers, the frame in it that they are given in, and where it stands.
 struct Own {
     body: SpatialBody,
     r: Vec3,
     a: Mat3,
     stand: Mat3,
+    place: Vec3,
 }
 
 /// Position and rotation matrix of something.
@@ -94,7 +98,7 @@ impl Reading {
         let path = format!("/{name}");
         let ground = SpatialBody::from(self.mechanism.ground());
         let on = frame(assembly)?;
-        let own = Own { body: ground, r: on.0, a: on.1, stand: Mat3::identity() };
+        let own = Own { body: ground, r: on.0, a: on.1, stand: Mat3::identity(), place: Vec3::zeros() };
         self.markers.take(&path, assembly, own)?;
         self.shapes(assembly);
         for part in assembly.all("Parts") {
@@ -111,7 +115,8 @@ impl Reading {
         let ((name, line), (r, a)) = (part.value("Name")?, frame(part)?);
         let pose = SpatialPose::new(on.0 + on.1 * r, EulerParameters::from_rotation(on.1 * a));
         let body = self.mechanism.spatial(name, pose).map_err(refused(line))?;
-        let own = Own { body, r: Vec3::zeros(), a: Mat3::identity(), stand: on.1 * a };
+        let place = on.0 + on.1 * r;
+        let own = Own { body, r: Vec3::zeros(), a: Mat3::identity(), stand: on.1 * a, place };
         self.markers.take(&format!("{path}/{name}"), part, own)?;
         self.shapes(part);
         match part.get("PrincipalMassMarker") {

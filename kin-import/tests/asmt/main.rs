@@ -3,3 +3,4 @@
 mod joints;
 mod outside;
 mod own;
+mod written;

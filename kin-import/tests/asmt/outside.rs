@@ -7,6 +7,8 @@ use std::path::PathBuf;
 use kin::{Axis, Forces, Mechanism, Motion, Sharing, SpatialBody, System, Vec3};
 use serde_json::Value;
 
+use crate::written::written;
+
 /// The folder, if it is at hand.
 fn folder() -> Option<PathBuf> {
     let folder = std::env::var_os("KIN_OUTSIDE").map(PathBuf::from);
@@ -228,75 +230,6 @@ fn backhoe() {
     }
 }
 
-/// A frame as `.asmt` writes it.
-fn frame(depth: usize, r: &Value, rows: &Value) -> String {
-    let tabs = "\t".repeat(depth);
-    let line = |v: &Value| format!("{tabs}\t{}\n", joined(v));
-    let matrix: String = rows.as_array().expect("rows").iter().map(line).collect();
-    format!("{tabs}Position3D\n{}{tabs}RotationMatrix\n{matrix}", line(r))
-}
-
-fn joined(value: &Value) -> String {
-    numbers(value).iter().map(f64::to_string).collect::<Vec<String>>().join("\t")
-}
-
-/// A reference point with one marker, as deep as those of a part are.
-fn marker(name: &str, end: &Value) -> String {
-    let (zero, same) = (serde_json::json!([0, 0, 0]), serde_json::json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]));
-    let (outer, inner) = (frame(5, &zero, &same), frame(7, &end["u"], &end["R"]));
-    let t = "\t".repeat(4);
-    format!("{t}RefPoint\n{outer}{t}\tMarkers\n{t}\t\tMarker\n{t}\t\t\tName\n{t}\t\t\t\t{name}\n{inner}")
-}
-
-/// The lines of a file that is not at hand, out of what is known of it.
-fn written(kinematics: &Value, forces: &Value) -> String {
-    let list = |of: &str, from: &Value| from[of].as_array().expect("a list").clone();
-    let mut markers = std::collections::BTreeMap::<String, String>::new();
-    let (mut joints, mut motions, mut parts) = (String::new(), String::new(), String::new());
-    for (k, one) in list("constraints", kinematics).iter().enumerate() {
-        let [i, j] = ["I", "J"].map(|end| {
-            let (body, name) = (one[end]["body"].as_str().expect("a body"), format!("{end}{k}"));
-            *markers.entry(body.to_string()).or_default() += &marker(&name, &one[end]);
-            if body == "ground" { format!("/pump/{name}") } else { format!("/pump/{body}/{name}") }
-        });
-        let (name, t) = (one["name"].as_str().expect("a name"), "\t".repeat(4));
-        let block = |kind: &str| {
-            format!("\t\t\t{kind}\n{t}Name\n{t}\t{name}\n{t}MarkerI\n{t}\t{i}\n{t}MarkerJ\n{t}\t{j}\n")
-        };
-        match one["type"].as_str().expect("a type") {
-            "revolute" => joints += &block("RevoluteJoint"),
-            "universal" => joints += &block("UniversalJoint"),
-            "spherical" => joints += &block("SphericalJoint"),
-            "prismatic" => joints += &block("TranslationalJoint"),
-            "point_in_plane" => joints += &block("PointInPlaneJoint"),
-            "drive_turn" => {
-                let law = one["law"].as_str().expect("a law");
-                motions += &format!("{}{t}RotationZ\n{t}\t{law}\n", block("RotationalMotion"));
-            }
-            other => panic!("{other}"),
-        }
-    }
-    for (body, mass) in list("bodies", kinematics).iter().zip(list("bodies", forces)) {
-        let (name, t) = (body["name"].as_str().expect("a name"), "\t".repeat(3));
-        assert_eq!(body["name"], mass["name"]);
-        parts += &format!("\t\tPart\n{t}Name\n{t}\t{name}\n{}", frame(3, &body["r"], &body["R"]));
-        parts += &format!("{t}PrincipalMassMarker\n{}", frame(4, &mass["centre"], &mass["axes"]));
-        parts += &format!("{t}\tMass\n{t}\t\t{}\n", mass["mass"]);
-        parts += &format!("{t}\tMomentOfInertias\n{t}\t\t{}\n", joined(&mass["principal"]));
-        parts += &format!("{t}RefPoints\n{}", markers.remove(name).unwrap_or_default());
-    }
-    let (zero, same) = (serde_json::json!([0, 0, 0]), serde_json::json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]));
-    // Those of the ground are two steps less deep.
-    let ground = markers.remove("ground").unwrap_or_default();
-    let ground: String = ground.lines().map(|line| format!("{}\n", &line[2..])).collect();
-    format!(
-        "Assembly\n\tName\n\t\tpump\n{}\tRefPoints\n{ground}\tParts\n{parts}\tConstraintSets\n\t\tJoints\n\
-         {joints}\t\tMotions\n{motions}\tConstantGravity\n\t\t{}\n",
-        frame(1, &zero, &same),
-        joined(&forces["gravity"])
-    )
-}
-
 /// A wobble plate with six pistons: universal joints, balls, slides. One of its markers has a matrix whose
 /// rows are too short by 1.2e-6, and so are the forces that the file lists of its joint.
 #[test]
@@ -312,6 +245,41 @@ fn wobble_pump() {
     let forces = system.forces(&motion).expect("forces");
     model.reactions(&forces, false, 1e-6, |_| true);
     model.efforts(&forces, 1e-6, |_| true);
+}
+
+/// A screw, and a rack with its pinion.
+#[test]
+fn rack_and_screw() {
+    let Some(folder) = folder() else { return };
+    let kinematics = json(folder.join("ondsel_rackscrew.json"));
+    let forces = json(folder.join("forces/ondsel_rackscrew.json"));
+    let imported = kin_import::asmt(&written(&kinematics, &forces)).expect("an assembly");
+    assert!(imported.left_out.iter().all(|left| !left.matters), "{:?}", imported.left_out);
+    let model = Model { name: "rackscrew", mechanism: imported.mechanism, kinematics, forces };
+    let (system, motion) = model.system();
+    model.moves(&motion, [1e-10, 1e-9, 1e-8], |_| true);
+    let forces = system.forces(&motion).expect("forces");
+    model.reactions(&forces, false, 1e-9, |_| true);
+}
+
+/// Two shafts that are bent by 59 degrees. Accelerations of the second one in the file are not the
+/// derivatives of its rates.
+#[test]
+fn constant_velocity() {
+    let Some(folder) = folder() else { return };
+    let kinematics = json(folder.join("ondsel_constvel_fixed.json"));
+    let list = |of: &str| kinematics[of].as_array().expect("a list").clone();
+    let mass = |body: &Value| {
+        let same = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+        serde_json::json!({ "name": body["name"], "mass": 1, "centre": [0, 0, 0], "axes": same, "principal": [1, 1, 1] })
+    };
+    let masses: Vec<Value> = list("bodies").iter().map(mass).collect();
+    let forces = serde_json::json!({ "bodies": masses, "gravity": [0, 0, 0], "times": kinematics["times"] });
+    let imported = kin_import::asmt(&written(&kinematics, &forces)).expect("an assembly");
+    assert!(imported.left_out.is_empty(), "{:?}", imported.left_out);
+    let model = Model { name: "constvel", mechanism: imported.mechanism, kinematics, forces };
+    let (_, motion) = model.system();
+    model.moves(&motion, [1e-10, 1e-9, 1e3], |_| true);
 }
 
 /// Corners of its laws, where arctan turns in a hundredth of a second: the file's own accelerations are wrong
