@@ -78,8 +78,14 @@ pub struct Motion {
     #[arg(long, value_enum, default_value = "auto")]
     pub engine: Engine,
     /// At the change points of these numbers, counted from 0, turns into the other branch
-    #[arg(long, value_delimiter = ',', value_name = "NUMBERS")]
+    #[arg(long, value_delimiter = ',', value_name = "NUMBERS", value_parser = change_point)]
     pub turning: Vec<usize>,
+}
+
+/// The number of a change point.
+fn change_point(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse();
+    number.map_err(|_| format!("`{text}` is no number of a change point: they are counted 0, 1, 2"))
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

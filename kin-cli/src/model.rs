@@ -4,7 +4,7 @@ use std::io::Read;
 
 use kin::data::MechanismData;
 use kin::mechanism::Mechanism;
-use kin::{Error, Follow, Motion, Options, System};
+use kin::{Error, Follow, Motion, Options, SingularKind, SingularPosition, System};
 
 use crate::arguments::{self, Engine, Model};
 use crate::fault::Fault;
@@ -93,14 +93,29 @@ pub fn options(asked: &arguments::Motion, jerk: bool) -> Options {
     }
 }
 
+/// Errors: a change point to turn at that a whole motion does not pass.
+fn turned(motion: &Motion, turning: &[usize]) -> Result<(), Fault> {
+    let is_one = |at: &&SingularPosition| at.kind == SingularKind::Bifurcation;
+    let passed = motion.singular_positions().iter().filter(is_one).count();
+    let Some(number) = turning.iter().find(|number| **number >= passed) else { return Ok(()) };
+    let there = match passed {
+        0 => "the motion passes no change point".to_string(),
+        1 => "the motion passes one change point, number 0".to_string(),
+        _ => format!("the motion passes {passed} change points, numbers 0 to {}", passed - 1),
+    };
+    Err(Fault::Usage(format!("`--turning {number}`: {there}")))
+}
+
 /// The motion; where the run ends early the part before, with the fault.
+///
+/// Errors: the fault of a motion that has no part; a change point to turn at that it does not pass.
 pub fn motion(
     system: &System,
     asked: &arguments::Motion,
     jerk: bool,
 ) -> Result<(Motion, Option<Fault>), Fault> {
     match system.run_with(&asked.times.0, &options(asked, jerk)) {
-        Ok(motion) => Ok((motion, None)),
+        Ok(motion) => turned(&motion, &asked.turning).map(|()| (motion, None)),
         Err(error) => match error.motion().filter(|motion| !motion.is_empty()).cloned() {
             Some(before) => Ok((before, Some(Fault::Early(Box::new(error))))),
             None => Err(error.into()),

@@ -141,6 +141,7 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     assert!(page.contains("motor on arm") && page.contains("forces in joints"));
     let output = done(&["forces", &example("04_four_bar"), "--times", "0:1:3"]);
     assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
+    assert!(words(&output).contains("in a file under `masses` and `loads`"), "{}", words(&output));
 }
 
 /// A slider-crank that is pulled by its slider to its dead centre, with a torque on its crank.

@@ -85,7 +85,8 @@ impl System {
             return Err(Error::InvalidParameters {
                 constraint: self.name().to_string(),
                 kind: "forces".to_string(),
-                reason: "nothing has mass and nothing acts; give masses by `m.mass(…)`, loads by `m.load(…)`"
+                reason: "nothing has mass and nothing acts: give its bodies mass or let loads act, in a file under \
+                         `masses` and `loads`, in a program by `m.mass(…)` and `m.load(…)`"
                     .to_string(),
             });
         }

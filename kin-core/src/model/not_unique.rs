@@ -8,7 +8,8 @@ use crate::model::words;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{constraint}`: {what} is not unique: {} share it, as their play and stiffness would have it. Ask for a sum \
-     that is unique (`forces.sum([…])`), or take an equation out of one of them",
+     that is unique (in a program `forces.sum([…])`) or for shares by a rule (in a program as forces are asked for, of \
+     the command `--least-norm`), or take an equation out of one of them",
     words::list(.shared)
 )]
 #[non_exhaustive]
