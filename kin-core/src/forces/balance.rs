@@ -2,9 +2,12 @@
 
 use std::fmt;
 
-use super::sum::At;
+use super::acting::{Beside, Laid, Now};
+use super::inverse;
+use super::sum::{At, Sum};
 use crate::model::motion::Series;
 use crate::solve::motion::Motion;
+use crate::system::System;
 
 /// Kinetic and potential energy over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,10 +39,8 @@ pub struct Balance {
     pub largest: f64,
 }
 
-/// Energies and powers as they are gathered on the way, one list for each.
+/// Powers as they are gathered on the way, one list for each.
 pub(super) struct Powers {
-    kinetic: Vec<f64>,
-    potential: Vec<f64>,
     rate: Vec<f64>,
     drives: Vec<f64>,
     loads: Vec<f64>,
@@ -49,45 +50,63 @@ pub(super) struct Powers {
 
 impl Powers {
     pub(super) fn new(times: usize) -> Self {
-        let list = || vec![0.0; times];
-        let [kinetic, potential, rate, drives, loads, friction, largest] = [(); 7].map(|()| list());
-        Powers { kinetic, potential, rate, drives, loads, friction, largest }
+        // Numbers come for all times, but for friction, which the program of a mechanism does not have.
+        let [rate, drives, loads, largest] = [(); 4].map(|()| vec![f64::NAN; times]);
+        Powers { rate, drives, loads, friction: vec![0.0; times], largest }
     }
 
-    /// The lists that a program fills: T, V, dT/dt, powers of drives, of loads with weight, the largest one.
-    pub(super) fn of_tape(&mut self) -> [&mut Vec<f64>; 6] {
-        let Powers { kinetic, potential, rate, drives, loads, largest, .. } = self;
-        [kinetic, potential, rate, drives, loads, largest]
+    /// The lists that a program fills: dT/dt, powers of drives, of loads with weight, the largest one.
+    pub(super) fn of_tape(&mut self) -> [&mut Vec<f64>; 4] {
+        let Powers { rate, drives, loads, largest, .. } = self;
+        [rate, drives, loads, largest]
     }
 
     /// Those of time k.
     pub(super) fn set(&mut self, k: usize, at: &At) {
         self.friction[k] = at.friction;
-        let all = [at.kinetic, at.potential, at.rate, at.drives, at.loads + at.weight, at.largest];
+        let all = [at.rate, at.drives, at.loads + at.weight, at.largest];
         self.of_tape().into_iter().zip(all).for_each(|(list, x)| list[k] = x);
     }
 
-    pub(super) fn energy_and_balance(self, motion: &Motion) -> (Energy, Balance) {
-        let Powers { kinetic, potential, rate, drives, loads, friction, largest } = self;
-        let units = motion.unit_words();
-        let series = |name: &str, unit: String, list| Series::new(name, unit, motion.clock(), list);
-        let power = |name: &str, list| series(name, units.power(), list);
-        let largest = largest.iter().chain(&drives).fold(0.0_f64, |m, power| m.max(power.abs()));
-        let left = |k: usize| drives[k] + loads[k] + friction[k] - rate[k];
-        let left = (0..rate.len()).map(left).collect();
-        let energy = Energy {
-            kinetic: series("T", units.energy(), kinetic),
-            potential: series("V", units.energy(), potential),
-        };
-        let balance = Balance {
+    pub(super) fn balance(self, motion: &Motion) -> Balance {
+        let Powers { rate, drives, loads, friction, largest } = self;
+        let larger = |most: f64, power: &f64| if power.abs() > most { power.abs() } else { most };
+        let largest = drives.iter().fold(largest.iter().fold(0.0, larger), larger);
+        let given = drives.iter().zip(&loads).zip(&friction);
+        let left: Vec<f64> =
+            given.zip(&rate).map(|(((drives, loads), lost), rate)| drives + loads + lost - rate).collect();
+        let unit = motion.unit_words().power();
+        let left = Series::new("left", unit.clone(), motion.clock(), left);
+        let power = |name: &str, list| left.beside(name, unit.clone(), list);
+        Balance {
             drives: power("drives", drives),
             loads: power("loads", loads),
             friction: power("friction", friction),
             kinetic: power("T'", rate),
-            left: power("left", left),
+            left,
             largest,
-        };
-        (energy, balance)
+        }
+    }
+}
+
+impl Energy {
+    /// Along a motion of a system: by a tape where one pays, else time by time.
+    pub(super) fn along(system: &System, motion: &Motion, loads: &[(&str, Laid<'_>)]) -> Energy {
+        let tape = inverse::pays(motion).then(|| inverse::energies(system, motion, loads)).flatten();
+        let [kinetic, potential] = tape.unwrap_or_else(|| {
+            let points = Beside::points(system);
+            let mut sum = Sum::new(system, loads, &points);
+            let at = |k: usize| {
+                let now = Now { t: motion.times()[k], q: motion.q(k), qd: motion.qd(k), qdd: motion.qdd(k) };
+                // Forces of the same time have been found: there is no error.
+                sum.at(now).map_or([f64::NAN; 2], |at| [at.kinetic, at.potential])
+            };
+            let (kinetic, potential) = (0..motion.len()).map(at).map(<(f64, f64)>::from).unzip();
+            [kinetic, potential]
+        });
+        let unit = motion.unit_words().energy();
+        let kinetic = Series::new("T", unit.clone(), motion.clock(), kinetic);
+        Energy { potential: kinetic.beside("V", unit, potential), kinetic }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The forces of a motion, and what can be asked of them by name.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::acting::{Beside, Laid, Now};
 use super::balance::{Balance, Energy, Powers};
@@ -25,7 +25,8 @@ pub struct Forces<'a> {
     pub(super) multipliers: AllMultipliers,
     pub(super) loads: Vec<(&'a str, Laid<'a>)>,
     pub(super) frictions: Frictions,
-    energy: Energy,
+    /// Computed when somebody asks for it.
+    energy: OnceLock<Energy>,
     balance: Balance,
     engine: EngineCounts,
     plain: Option<Arc<str>>,
@@ -146,7 +147,7 @@ impl<'a> Walk<'a> {
             }
         }
         let Walk { loads, frictions, multipliers, powers, .. } = self;
-        let (energy, balance) = powers.energy_and_balance(motion);
+        let (energy, balance) = (OnceLock::new(), powers.balance(motion));
         Ok(Forces { system, motion, multipliers, loads, frictions, energy, balance, engine: counts, plain })
     }
 
@@ -328,7 +329,7 @@ impl<'a> Forces<'a> {
 
     /// Kinetic and potential energy.
     pub fn energy(&self) -> &Energy {
-        &self.energy
+        self.energy.get_or_init(|| Energy::along(self.system, self.motion, &self.loads))
     }
 
     /// The balance of powers, which is always made: drives and loads against the rate of the kinetic energy,

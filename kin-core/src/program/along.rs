@@ -63,6 +63,11 @@ impl Guarded {
         Some(Guarded { tape, marks })
     }
 
+    /// The tape of outputs that need no elimination.
+    pub(crate) fn of(graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Guarded {
+        Guarded { tape: straight(graph, laws, outputs), marks: Vec::new() }
+    }
+
     /// Hands over all times of a motion; gives those that are left to other ways. `beside` tells the list and
     /// the column of inputs that are not the motion's. `None` where the machine has no lanes.
     pub(crate) fn run<'a>(

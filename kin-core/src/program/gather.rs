@@ -29,6 +29,8 @@ pub(crate) struct Whole {
     pub sides: Vec<Node>,
     /// True if rows have what the jerk asks of them.
     jerk: bool,
+    /// The values of coordinates that stand still; all others move.
+    still: Vec<Option<f64>>,
     /// The kinds that were read, by their tables.
     kinds: HashMap<usize, Rc<Kind>>,
 }
@@ -71,7 +73,15 @@ pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 /// Gathers the equations of a system, with or without what the jerk asks of them; refuses by name what cannot
 /// be read.
 pub(crate) fn gather(system: &System, jerk: bool) -> Result<Whole, Refusal> {
-    let mut whole = Whole { jerk, ..Whole::new(system.n_coordinates()) };
+    gathered(system, Whole { jerk, ..Whole::new(system.n_coordinates()) })
+}
+
+/// The same where some coordinates stand still at these values.
+pub(crate) fn gather_where(system: &System, still: Vec<Option<f64>>) -> Result<Whole, Refusal> {
+    gathered(system, Whole { still, ..Whole::new(system.n_coordinates()) })
+}
+
+fn gathered(system: &System, mut whole: Whole) -> Result<Whole, Refusal> {
     for block in &system.equations().blocks {
         let rows = whole.rows_of(system, block.constraint.as_ref());
         let refused = |reason| Refusal { constraint: block.name.clone(), reason };
@@ -136,9 +146,25 @@ pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Ve
 impl Whole {
     /// Of so many coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
-        let kinds = HashMap::new();
+        let (kinds, still) = (HashMap::new(), vec![None; n]);
         let (rows, laws, sides) = Default::default();
-        Whole { graph: Graph::default(), rows, laws, n, sides, jerk: false, kinds }
+        Whole { graph: Graph::default(), rows, laws, n, sides, jerk: false, still, kinds }
+    }
+
+    /// A coordinate.
+    pub(crate) fn coordinate(&mut self, column: usize) -> Node {
+        match self.still.get(column).copied().flatten() {
+            Some(value) => self.graph.constant(value),
+            None => self.graph.input(Input::State(column, SELF)),
+        }
+    }
+
+    /// The rate of a coordinate, or its second rate: zero where it stands still.
+    pub(crate) fn moving(&mut self, column: usize, input: Input) -> Node {
+        match self.still.get(column).copied().flatten() {
+            Some(_) => self.graph.zero(),
+            None => self.graph.input(input),
+        }
     }
 
     /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their numbers
@@ -238,35 +264,35 @@ impl Whole {
         places: &[Node],
         leaves: &Leaves<'_>,
     ) -> Result<Node, &'static str> {
-        let (of, to) = (|node: Node| places[node.index()], &mut self.graph);
+        let of = |node: Node| places[node.index()];
         Ok(match from.op(node) {
             Op::Input(Input::State(k, _)) => match leaves.columns.get(k) {
-                Some(Column::Coordinate(j)) => to.input(Input::State(*j, SELF)),
-                Some(Column::Fixed(value)) => to.constant(*value),
+                Some(Column::Coordinate(j)) => self.coordinate(*j),
+                Some(Column::Fixed(value)) => self.graph.constant(*value),
                 Some(Column::Node(node)) => *node,
                 None => return Err(UNREAD),
             },
             Op::Input(Input::Rate(k, part)) => match leaves.columns.get(k) {
-                Some(Column::Coordinate(j)) => to.input(Input::Rate(*j, part)),
-                Some(Column::Fixed(_)) => to.zero(),
+                Some(Column::Coordinate(j)) => self.moving(*j, Input::Rate(*j, part)),
+                Some(Column::Fixed(_)) => self.graph.zero(),
                 Some(Column::Node(_)) | None => return Err(UNREAD),
             },
             Op::Input(Input::Parameter(k)) => {
-                leaves.parameters.get(k).map(|value| to.constant(*value)).ok_or(UNREAD)?
+                leaves.parameters.get(k).map(|value| self.graph.constant(*value)).ok_or(UNREAD)?
             }
-            Op::Input(Input::Time) => to.input(Input::Time),
-            Op::Input(Input::TimeRate) => to.constant(1.0),
+            Op::Input(Input::Time) => self.graph.input(Input::Time),
+            Op::Input(Input::TimeRate) => self.graph.constant(1.0),
             Op::Law(number, x, order) => {
                 let law = leaves.law(number).ok_or(UNREAD)?;
                 self.law_at(law, of(x), order).ok_or(UNREAD)?
             }
             Op::Opaque(number, component) => {
                 let operands: Option<Vec<f64>> =
-                    from.opaques[number].iter().map(|operand| to.known_value(of(*operand))).collect();
+                    from.opaques[number].iter().map(|operand| self.graph.known_value(of(*operand))).collect();
                 let value = leaves.foreign(number, component, &operands.ok_or(FOREIGN)?);
-                to.constant(value)
+                self.graph.constant(value)
             }
-            op => to.rebuilt(op, of).ok_or(UNREAD)?,
+            op => self.graph.rebuilt(op, of).ok_or(UNREAD)?,
         })
     }
 

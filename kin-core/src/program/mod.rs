@@ -26,7 +26,7 @@ mod transposed;
 
 pub(crate) use along::Guarded;
 pub(crate) use eliminate::Elimination;
-pub(crate) use gather::{ABROAD, Column, Leaves, Refusal, Row, UNREAD, Whole, columns, gather};
+pub(crate) use gather::{ABROAD, Column, Leaves, Refusal, Row, UNREAD, Whole, columns, gather_where};
 pub(crate) use kind::SELF;
 pub(crate) use reduce::Reduced;
 #[cfg(test)]

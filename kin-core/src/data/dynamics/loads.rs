@@ -4,7 +4,8 @@
 use serde_json::Value;
 
 use super::format::{
-    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData, PointMassData, ScalarData,
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData, PointMassData,
+    ScalarData,
 };
 use crate::data::dimensions::{NumberData, Texts};
 use crate::data::format::{ArgumentData, ConstraintData};

@@ -1,15 +1,13 @@
 //! Everything but constraints as nodes: what moves masses, weight, loads; energies and powers.
 
-use kin_graph::differentiate::Jets;
 use kin_graph::{Function, Function2, Graph, Input, Node};
 
 use super::frame::{Frame, along_motion, coordinates};
 use super::vectors::Vectors;
 use crate::forces::acting::{Laid, Part, Way};
 use crate::model::constraint::Constraint;
-use crate::model::formula::{copied, nothing_outside};
 use crate::model::law::Law;
-use crate::model::loads::{ForceAlong, OnBody, Solid};
+use crate::model::loads::{ForceAlong, OnBody};
 use crate::numbers::algebra::Vec3;
 use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
 use crate::system::System;
@@ -47,7 +45,7 @@ impl<'w> Acts<'w> {
         for (item, solid) in &system.loads.solids {
             let Some(item) = system.layout().items.get(*item) else { continue };
             let Some(count) = coordinates(item.kind) else { continue };
-            acts.body(solid, Vec3::from(system.loads.gravity), item.first, count);
+            acts.body(solid, system.loads.gravity, item.first, count);
         }
         let refused = |name: &str| {
             let constraint = name.to_string();
@@ -63,17 +61,17 @@ impl<'w> Acts<'w> {
         Ok(acts)
     }
 
-    fn graph(&mut self) -> &mut Graph {
+    pub(super) fn graph(&mut self) -> &mut Graph {
         &mut self.whole.graph
     }
 
     /// Adds a generalised force on one coordinate.
-    fn act(&mut self, column: usize, force: Node) {
+    pub(super) fn act(&mut self, column: usize, force: Node) {
         self.by_q[column] = self.whole.graph.add(self.by_q[column], force);
     }
 
     /// The power of a force along a rate, which may be the largest one.
-    fn power(&mut self, force: Node, rate: Node) -> Node {
+    pub(super) fn power(&mut self, force: Node, rate: Node) -> Node {
         let graph = &mut self.whole.graph;
         let power = graph.mul(force, rate);
         if !graph.is_zero(power) {
@@ -81,48 +79,6 @@ impl<'w> Acts<'w> {
             self.largest = graph.call2(Function2::Max, self.largest, size);
         }
         power
-    }
-
-    /// A body: m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it.
-    fn body(&mut self, solid: &Solid, gravity: Vec3, first: usize, count: usize) {
-        let graph = &mut self.whole.graph;
-        let orders = along_motion(graph, first, count);
-        let frame = Frame::new(graph, orders.each_ref().map(Vec::as_slice));
-        let c = graph.vector(centre(solid, count));
-        let turning = graph.cross(frame.omega, c);
-        let [along, inwards] = [graph.cross(frame.alpha, c), graph.cross(frame.omega, turning)];
-        let arm = graph.plus(along, inwards);
-        let arm = frame.global(graph, arm);
-        let a = graph.plus(frame.second, arm);
-        let [spin, rest] = [frame.omega, frame.alpha].map(|omega| graph.apply_numbers(solid.inertia, omega));
-        let gyroscopic = graph.cross(frame.omega, spin);
-        let torque = graph.plus(rest, gyroscopic);
-        let (moving, weight) = (graph.times(a, solid.mass), graph.vector(gravity * solid.mass));
-        let at_origin = |graph: &mut Graph, f, torque| {
-            let local = frame.local(graph, f);
-            let moment = graph.cross(c, local);
-            let torque = graph.plus(torque, moment);
-            frame.generalised(graph, f, torque)
-        };
-        let none = graph.vector(Vec3::zeros());
-        let (moving, weight) = (at_origin(graph, moving, torque), at_origin(graph, weight, none));
-        let [height, from] = [frame.global(graph, c), frame.r];
-        let at = graph.plus(from, height);
-        for k in 0..count {
-            let rate = orders[1][k];
-            let power = self.power(weight[k], rate);
-            self.loads = self.whole.graph.add(self.loads, power);
-            self.power(moving[k], rate);
-            let force = self.graph().sub(weight[k], moving[k]);
-            self.act(first + k, force);
-        }
-        let graph = self.graph();
-        let weight = graph.vector(gravity * -solid.mass);
-        let height = graph.dot(weight, at);
-        let [kinetic, rate] = kinetic(solid, count).map(|(own, node)| moved(graph, &own, node, first, count));
-        self.potential = self.whole.graph.add(self.potential, height);
-        self.kinetic = self.whole.graph.add(self.kinetic, kinetic);
-        self.rate = self.whole.graph.add(self.rate, rate);
     }
 
     /// A point with mass: Q = −m r_qᵀ (r̈ − g).
@@ -160,11 +116,10 @@ impl<'w> Acts<'w> {
     }
 
     fn along(&mut self, row: &Row, rest: Node, input: impl Fn(usize) -> Input) -> Node {
-        let graph = self.graph();
         row.slopes.iter().fold(rest, |sum, (column, slope)| {
-            let rate = graph.input(input(*column));
-            let product = graph.mul(*slope, rate);
-            graph.add(sum, product)
+            let rate = self.whole.moving(*column, input(*column));
+            let product = self.whole.graph.mul(*slope, rate);
+            self.whole.graph.add(sum, product)
         })
     }
 
@@ -186,8 +141,8 @@ impl<'w> Acts<'w> {
                     row.slopes.iter().map(|(j, slope)| (*j, self.graph().mul(force, *slope))).collect()
                 }
                 Part::Along(Way::Coordinate(column, _), force) => {
-                    let inputs = [Input::State(*column, SELF), Input::Rate(*column, SELF)];
-                    let of = inputs.map(|input| self.graph().input(input));
+                    let rate = self.whole.moving(*column, Input::Rate(*column, SELF));
+                    let of = [self.whole.coordinate(*column), rate];
                     vec![(*column, self.along_force(force, of)?)]
                 }
                 Part::Along(Way::Measure(_), _) => return Err(MEASURE),
@@ -198,7 +153,7 @@ impl<'w> Acts<'w> {
             }
         }
         for (column, force) in own.into_iter().enumerate().filter(|(_, force)| *force != zero) {
-            let rate = self.graph().input(Input::Rate(column, SELF));
+            let rate = self.whole.moving(column, Input::Rate(column, SELF));
             let power = self.power(force, rate);
             self.loads = self.whole.graph.add(self.loads, power);
             self.act(column, force);
@@ -219,8 +174,8 @@ impl<'w> Acts<'w> {
 
     /// Q of a force at a point and a torque.
     fn on_body(&mut self, on: &OnBody, first: usize) -> Result<Vec<(usize, Node)>, &'static str> {
+        let orders = along_motion(self.whole, first, on.target.columns());
         let graph = &mut self.whole.graph;
-        let orders = along_motion(graph, first, on.target.columns());
         let frame = Frame::new(graph, orders.each_ref().map(Vec::as_slice));
         let t = graph.input(Input::Time);
         let mut at = |laws: &[Law; 3]| {
@@ -241,47 +196,4 @@ impl<'w> Acts<'w> {
         let torque = graph.plus(torque, moment);
         Ok((first..).zip(frame.generalised(graph, global, torque)).collect())
     }
-}
-
-/// The centre of a solid; in the plane z does not count.
-fn centre(solid: &Solid, count: usize) -> Vec3 {
-    let c = solid.centre;
-    if count == 3 { Vec3::new(c.x, c.y, 0.0) } else { c }
-}
-
-/// T and dT/dt of a body in graphs of its own: coordinates are states, their rates the states behind them, so
-/// that T is differentiated by both.
-fn kinetic(solid: &Solid, count: usize) -> [(Graph, Node); 2] {
-    let mut graph = Graph::default();
-    let [q, qd] = [0, count].map(|first| {
-        (first..first + count).map(|k| graph.input(Input::State(k, SELF))).collect::<Vec<Node>>()
-    });
-    let frame = Frame::new(&mut graph, [&q, &qd, &qd]);
-    let c = graph.vector(centre(solid, count));
-    let turning = graph.cross(frame.omega, c);
-    let turning = frame.global(&mut graph, turning);
-    let v = graph.plus(frame.rate, turning);
-    let spin = graph.apply_numbers(solid.inertia, frame.omega);
-    let [square, turning] = [graph.dot(v, v), graph.dot(frame.omega, spin)];
-    let [m, half] = [0.5 * solid.mass, 0.5].map(|x| graph.constant(x));
-    let [moving, turning] = [graph.mul(m, square), graph.mul(half, turning)];
-    let kinetic = graph.add(moving, turning);
-    let rate = Jets::default().of(&mut graph, kinetic).first;
-    [(graph.clone(), kinetic), (graph, rate)]
-}
-
-/// A node of such a graph in that of the whole.
-fn moved(graph: &mut Graph, own: &Graph, node: Node, first: usize, count: usize) -> Node {
-    let found = copied(own, node, graph, &nothing_outside, &mut |graph, input| {
-        // The rate of a state behind the coordinates is a second rate.
-        let (order, k) = match input {
-            Input::State(k, _) => (k / count, k % count),
-            Input::Rate(k, _) => (1 + k / count, k % count),
-            _ => return None,
-        };
-        let column = first + k;
-        let orders = [Input::State(column, SELF), Input::Rate(column, SELF), Input::Parameter(column)];
-        orders.get(order).map(|input| graph.input(*input))
-    });
-    found.unwrap_or_else(|| graph.constant(f64::NAN))
 }

@@ -4,7 +4,7 @@ use kin_graph::{Graph, Input, Node};
 
 use super::vectors::{Nodes3, Vectors, transposed};
 use crate::model::layout::Kind;
-use crate::program::SELF;
+use crate::program::{SELF, Whole};
 
 /// Position and rates of a body's frame.
 pub(super) struct Frame {
@@ -26,11 +26,12 @@ pub(super) fn coordinates(kind: Kind) -> Option<usize> {
     matches!(kind, Kind::Planar | Kind::Spatial).then(|| kind.coordinates().len())
 }
 
-/// The inputs q, q̇ and q̈ of a body whose coordinates are numbers `first` on of a motion.
-pub(super) fn along_motion(graph: &mut Graph, first: usize, count: usize) -> [Vec<Node>; 3] {
-    let inputs: [fn(usize) -> Input; 3] =
-        [|k| Input::State(k, SELF), |k| Input::Rate(k, SELF), Input::Parameter];
-    inputs.map(|input| (first..first + count).map(|k| graph.input(input(k))).collect())
+/// q, q̇ and q̈ of a body whose coordinates are numbers `first` on of a motion.
+pub(super) fn along_motion(whole: &mut Whole, first: usize, count: usize) -> [Vec<Node>; 3] {
+    let all = first..first + count;
+    let q = all.clone().map(|k| whole.coordinate(k)).collect();
+    let qd = all.clone().map(|k| whole.moving(k, Input::Rate(k, SELF))).collect();
+    [q, qd, all.map(|k| whole.moving(k, Input::Parameter(k))).collect()]
 }
 
 impl Frame {

@@ -6,6 +6,7 @@
 //! small beside that of the first one, or anything is not finite.
 
 mod acting;
+mod bodies;
 mod cases;
 mod frame;
 #[cfg(test)]
@@ -18,7 +19,7 @@ use kin_graph::{Graph, Node};
 
 use super::acting::Laid;
 use super::balance::Powers;
-use crate::program::{Guarded, IntoRows, NO_LANES, REDUNDANT, Refusal, gather};
+use crate::program::{Guarded, IntoRows, NO_LANES, REDUNDANT, Refusal, Whole, gather_where};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use acting::Acts;
@@ -49,31 +50,116 @@ pub(super) fn fill(
     tape.run(motion, &|_| None, sink).ok_or(whole(NO_LANES))
 }
 
-/// A tape, or why there is none, with the position that its elimination was chosen at. Of another one the
-/// numbers would be the same but for the last digits, and those must not depend on what was asked before.
+/// T and V of all times; `None` where there is no tape of them, or where it has no finite numbers.
+pub(super) fn energies(
+    system: &System,
+    motion: &Motion,
+    loads: &[(&str, Laid<'_>)],
+) -> Option<[Vec<f64>; 2]> {
+    let mut whole = Whole::new(system.n_coordinates());
+    let Acts { kinetic, potential, .. } = Acts::new(&mut whole, system, loads).ok()?;
+    let tape = Guarded::of(whole.graph, whole.laws, &[kinetic, potential]);
+    let mut all = [(); 2].map(|()| vec![f64::NAN; motion.len()]);
+    let sink = IntoRows(all.iter_mut().map(|list| (list.as_mut_slice(), 1)).collect());
+    tape.run(motion, &|_| None, sink)?.is_empty().then_some(all)
+}
+
+/// A tape, or why there is none, with what it was made for: of another position the numbers would be the
+/// same but for the last digits, and those must not depend on what was asked before.
 struct Cached {
-    begin: Vec<u64>,
+    begin: Begin,
     tape: Result<Arc<Guarded>, Refusal>,
+}
+
+/// All that a tape is made by, as bits: the first time, where coordinates stand there, and which of them
+/// stand still along the motion.
+#[derive(Clone, PartialEq)]
+struct Begin {
+    t: u64,
+    q: Vec<u64>,
+    still: Vec<bool>,
+}
+
+impl Begin {
+    /// `None` of a motion without times.
+    fn of(system: &System, motion: &Motion) -> Option<Begin> {
+        let t = motion.times().first()?.to_bits();
+        Some(Begin { t, q: motion.q(0).iter().map(|x| x.to_bits()).collect(), still: still(system, motion) })
+    }
+
+    fn t(&self) -> f64 {
+        f64::from_bits(self.t)
+    }
+
+    fn q(&self) -> Vec<f64> {
+        self.q.iter().map(|bits| f64::from_bits(*bits)).collect()
+    }
+}
+
+/// The coordinates that one row alone holds and that stand still along a motion, to the last bit: those of
+/// frames, and what guides hold of blocks. All that they lead is known beforehand.
+fn still(system: &System, motion: &Motion) -> Vec<bool> {
+    let (equations, n) = (system.equations(), system.n_coordinates());
+    let mut alone: Vec<Option<Option<usize>>> = vec![None; system.n_equations()];
+    for (entry, constant) in equations.entries.iter().zip(&equations.constants) {
+        let Some((row, column)) = entry else { continue };
+        let held = constant.is_some_and(|x| x != 0.0).then_some(*column);
+        // A second entry is one too many.
+        alone[*row] = Some(if alone[*row].is_none() { held } else { None });
+    }
+    let held = alone.into_iter().flatten().flatten();
+    let mut still = vec![false; n];
+    held.for_each(|column| still[column] = true);
+    // Neighbours are looked at together.
+    let last = n.saturating_sub(SIDE);
+    let mut column = 0;
+    while let Some(first) = (column..n).find(|k| still[*k]).map(|k| k.min(last)) {
+        let rest = resting(motion, first);
+        still[first..].iter_mut().zip(rest).for_each(|(still, rests)| *still = *still && rests);
+        column = first + SIDE;
+    }
+    still
+}
+
+/// How many columns are looked at together.
+const SIDE: usize = 4;
+
+/// Of some columns from `first` on, those that have the same number at all times and no rates.
+fn resting(motion: &Motion, first: usize) -> [bool; SIDE] {
+    let n = motion.names().len();
+    // Bits of all numbers that are not those of the first row, or of a zero.
+    let differ = |list: &[f64], from: [u64; SIDE]| {
+        let (mut bits, mut k) = ([0; SIDE], first);
+        while k < list.len() {
+            let row = &list[k..(k + SIDE).min(list.len())];
+            match row.first_chunk::<SIDE>() {
+                Some(row) => (0..SIDE).for_each(|c| bits[c] |= row[c].to_bits() ^ from[c]),
+                None => row.iter().enumerate().for_each(|(c, x)| bits[c] |= x.to_bits() ^ from[c]),
+            }
+            k += n;
+        }
+        bits
+    };
+    let at_first: [u64; SIDE] = std::array::from_fn(|c| motion.q.get(first + c).map_or(0, |x| x.to_bits()));
+    let [q, qd, qdd] = [(&motion.q, at_first), (&motion.qd, [0; SIDE]), (&motion.qdd, [0; SIDE])]
+        .map(|(list, from)| differ(list, from));
+    // 0 and −0 are the same rate.
+    std::array::from_fn(|c| q[c] == 0 && (qd[c] | qdd[c]) << 1 == 0)
 }
 
 /// The tape for motions that begin like this one: made once, and cached beside the system.
 fn cached(system: &System, motion: &Motion, loads: &[(&str, Laid<'_>)]) -> Result<Arc<Guarded>, Refusal> {
-    let Some(t) = motion.times().first() else { return Err(refusal("", SINGULAR)) };
-    if let Some(known) = system.cache().get::<Cached>().filter(|known| known.begin == begin(motion)) {
+    let begin = Begin::of(system, motion).ok_or_else(|| refusal("", SINGULAR))?;
+    if let Some(known) = system.cache().get::<Cached>().filter(|known| known.begin == begin) {
         return known.tape.clone();
     }
-    let tape = tape(system, (*t, motion.q(0)), loads).map(Arc::new);
-    cache(system, motion, tape.clone());
+    let tape = tape(system, &begin, loads).map(Arc::new);
+    cache(system, begin, tape.clone());
     tape
 }
 
-fn cache(system: &System, motion: &Motion, tape: Result<Arc<Guarded>, Refusal>) {
-    system.cache().put(Arc::new(Cached { begin: begin(motion), tape }));
-}
-
-/// All that an elimination is chosen by.
-fn begin(motion: &Motion) -> Vec<u64> {
-    motion.times().iter().take(1).chain(motion.q(0)).map(|x| x.to_bits()).collect()
+fn cache(system: &System, begin: Begin, tape: Result<Arc<Guarded>, Refusal>) {
+    system.cache().put(Arc::new(Cached { begin, tape }));
 }
 
 fn refusal(constraint: &str, reason: &'static str) -> Refusal {
@@ -81,14 +167,14 @@ fn refusal(constraint: &str, reason: &'static str) -> Refusal {
 }
 
 /// The tape of a system: λ, and what [`Powers::of_tape`] lists.
-fn tape(system: &System, begin: (f64, &[f64]), loads: &[(&str, Laid<'_>)]) -> Result<Guarded, Refusal> {
+fn tape(system: &System, begin: &Begin, loads: &[(&str, Laid<'_>)]) -> Result<Guarded, Refusal> {
     tape_with(system, begin, loads, |_, _| ())
 }
 
 /// The same, λ as `spoil` leaves it: tests plant faults by that.
 fn tape_with(
     system: &System,
-    begin: (f64, &[f64]),
+    begin: &Begin,
     loads: &[(&str, Laid<'_>)],
     spoil: impl FnOnce(&mut Graph, &mut [Node]),
 ) -> Result<Guarded, Refusal> {
@@ -98,17 +184,20 @@ fn tape_with(
     if let Some((joint, _)) = system.loads.frictions.first() {
         return Err(refusal(joint, RUBS));
     }
-    let mut whole = gather(system, false)?;
-    let Acts { by_q, kinetic, rate, potential, loads, largest, .. } = Acts::new(&mut whole, system, loads)?;
+    let q = begin.q();
+    let held = |(still, x): (&bool, &f64)| still.then_some(*x);
+    let mut whole = gather_where(system, begin.still.iter().zip(&q).map(held).collect())?;
+    let Acts { by_q, rate, loads, largest, .. } = Acts::new(&mut whole, system, loads)?;
     let (cells, by_time): (Vec<_>, Vec<Node>) =
         whole.rows.into_iter().map(|row| (row.slopes, row.by_time)).unzip();
-    let made = Guarded::new(system, begin, (whole.graph, whole.laws), &cells, |graph, elimination, masks| {
+    let at = (begin.t(), q.as_slice());
+    let made = Guarded::new(system, at, (whole.graph, whole.laws), &cells, |graph, elimination, masks| {
         let by_q = masks.all(graph, &by_q);
         let lambda = elimination.solve_transposed(graph, &by_q);
         let mut lambda = masks.all(graph, &lambda);
         spoil(graph, &mut lambda);
         let drives = along(graph, &lambda, &by_time);
-        lambda.into_iter().chain([kinetic, potential, rate, drives, loads, largest]).collect()
+        lambda.into_iter().chain([rate, drives, loads, largest]).collect()
     });
     made.ok_or(refusal("", SINGULAR))
 }

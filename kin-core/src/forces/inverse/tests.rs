@@ -88,7 +88,15 @@ fn tape_and_walk_have_the_same_forces() {
             }
         };
         let (off, powers) = (apart(&compiled, &plain, &motion), powers_apart(&compiled, &plain));
-        let counts = compiled.engine();
+        let (counts, energy) = (compiled.engine(), plain.energy());
+        let [kinetic, potential] = super::energies(&system, &motion, &compiled.loads).expect("a tape");
+        let sizes = [&energy.kinetic, &energy.potential].map(|one| one.peak().value.abs() + 1.0);
+        let off = [kinetic, potential].iter().zip([&energy.kinetic, &energy.potential]).zip(sizes).fold(
+            off,
+            |off, ((tape, walk), size)| {
+                tape.iter().zip(walk.values()).fold(off, |off, (a, b)| off.max((a - b).abs() / size))
+            },
+        );
         assert!(off < 1e-11 && powers < 1e-11, "{name}: {off:e} {powers:e}");
         assert!(counts.compiled > 22 && compiled.balance().worst() < 1e-11, "{name}: {counts:?}");
         compared += 1;
@@ -112,9 +120,9 @@ fn a_fault_in_a_program_leaves_its_forces_to_the_walk() {
         let Ok(plain) = system.forces_by(&motion, Engine::Plain) else { continue };
         let loads = super::Laid::all(&system, &motion).expect("loads");
         for (spoil, k) in (0..system.n_equations()).flat_map(|k| FAULTS.map(|spoil| (spoil, k))) {
-            let begin = (motion.times()[0], motion.q(0));
-            let tape = tape_with(&system, begin, &loads, |graph, lambda| spoil(graph, lambda, k));
-            super::cache(&system, &motion, tape.map(Arc::new));
+            let begin = super::Begin::of(&system, &motion).expect("times");
+            let tape = tape_with(&system, &begin, &loads, |graph, lambda| spoil(graph, lambda, k));
+            super::cache(&system, begin, tape.map(Arc::new));
             let forces = system.forces(&motion).expect("forces");
             let off = apart(&forces, &plain, &motion);
             // A multiplier that is zero has no sign.

@@ -1,6 +1,6 @@
 //! The numbers of what has mass and acts: set by their names, and looked at for whether they make sense.
 
-use super::{Acting, Along, ForceAlong, Line, Friction, Loads, OnBody, Solid};
+use super::{Acting, Along, ForceAlong, Friction, Line, Loads, OnBody, Solid};
 use crate::model::constraint::Constraint;
 use crate::model::dimension::{Beside, Holder};
 use crate::model::error::{Error, Result};

@@ -1,5 +1,7 @@
 //! One number over time.
 
+use std::sync::Arc;
+
 use crate::model::units::Units;
 
 /// One number over time, with its name and unit.
@@ -8,7 +10,7 @@ pub struct Series {
     name: String,
     unit: String,
     units: Units,
-    times: Vec<f64>,
+    times: Arc<[f64]>,
     values: Vec<f64>,
 }
 
@@ -20,7 +22,13 @@ impl Series {
         (times, units): (&[f64], &Units),
         values: Vec<f64>,
     ) -> Self {
-        Series { name: name.into(), unit: unit.into(), units: units.clone(), times: times.to_vec(), values }
+        Series { name: name.into(), unit: unit.into(), units: units.clone(), times: times.into(), values }
+    }
+
+    /// Other values at the same times.
+    pub(crate) fn beside(&self, name: impl Into<String>, unit: impl Into<String>, values: Vec<f64>) -> Self {
+        let (units, times) = (self.units.clone(), self.times.clone());
+        Series { name: name.into(), unit: unit.into(), units, times, values }
     }
 
     pub(crate) fn rename(&mut self, name: String) {

@@ -37,6 +37,8 @@ pub(in crate::program) enum Kind {
     ProductLess,
     /// −a b − c
     NegatedSum,
+    /// max(c, |a b|)
+    LargerProduct,
     /// Sine into `out`, cosine into `c`.
     SinCos,
     /// The derivative of that order of the law of that number, and the two that follow it, into `out`, `b`

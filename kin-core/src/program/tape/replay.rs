@@ -86,6 +86,7 @@ fn run<S: Level, M: Places<S> + ?Sized>(kind: Kind, steps: &[Step<M::Place>], la
         Kind::NegatedProduct => three(steps, memory, |a, b, c| a.negative_mul_add(b, c)),
         Kind::ProductLess => three(steps, memory, |a, b, c| a.mul_add(b, -c)),
         Kind::NegatedSum => three(steps, memory, |a, b, c| -a.mul_add(b, c)),
+        Kind::LargerProduct => three(steps, memory, |a, b, c| c.max((a * b).abs())),
         Kind::SinCos => {
             for step in steps {
                 let (sin, cos) = memory.get(step.a).sin_cos();

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use kin_graph::{Function, Graph, Input, Node, Op, schedule::fused};
+use kin_graph::{Function, Function2, Graph, Input, Node, Op, schedule::fused};
 
 use super::places::{ByNode, Places, is_given};
 use super::{Kind, Stage, Straight, Tape};
@@ -219,7 +219,10 @@ impl<'a> Planner<'a> {
             }
             Op::Call(Function::Sin | Function::Cos, a) => (Kind::SinCos, [own(a), None, None]),
             Op::Call(f, a) => (Kind::One(f), [own(a), None, None]),
-            Op::Call2(f, a, b) => (Kind::Two(f), [own(a), own(b), None]),
+            Op::Call2(f, a, b) => match self.larger_product(f, a, b) {
+                Some([a, b, c]) => (Kind::LargerProduct, [own(a), own(b), own(c)]),
+                None => (Kind::Two(f), [own(a), own(b), None]),
+            },
             Op::Powi(a, n) => (Kind::Power(n), [own(a), None, None]),
             Op::Law(law, a, order) => (Kind::Law(law as u32, 3 * (order / 3)), [own(a), None, None]),
             Op::Compare(comparison, a, b) => (Kind::Compare(comparison), [own(a), own(b), None]),
@@ -232,6 +235,19 @@ impl<'a> Planner<'a> {
                 (Kind::Not, [None; 3])
             }
         }
+    }
+
+    /// a, b and c of max(c, |a b|).
+    fn larger_product(&self, f: Function2, x: Node, y: Node) -> Option<[Node; 3]> {
+        let product = |node: Node| match self.graph.op(node) {
+            Op::Call(Function::Abs, product) => match self.graph.op(product) {
+                Op::Mul(a, b) => Some([a, b]),
+                _ => None,
+            },
+            _ => None,
+        };
+        let of = |size: Node, c: Node| product(size).map(|[a, b]| [a, b, c]);
+        if f == Function2::Max { of(y, x).or_else(|| of(x, y)) } else { None }
     }
 
     /// Stage by stage, each step after those that it reads; of one kind as many as can be had at once.

@@ -13,8 +13,10 @@ use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 /// A guard that is less than this share of its mark leaves a time to other ways.   \[-\]
 const LEAST: f64 = 0.02;
 
-/// The side of the squares that are turned in registers.
+/// The side of the tiles that are turned in registers, and how many of them are as long as any number of
+/// lanes.
 const SIDE: usize = 4;
+const MOST: usize = 4;
 
 /// Steps from inputs to outputs, on a memory of `places` numbers.
 #[derive(Debug)]
@@ -81,14 +83,99 @@ impl<K: Sink> WithLevel for OverTimes<'_, K> {
 
     fn run<S: Level>(self, simd: S) -> Vec<usize> {
         let tape = self.tape;
-        let mut memory = vec![Wide::splat(simd, f64::NAN); tape.places.max(SHORT)];
+        // One more than there are places: what is not read goes there.
+        let unread = tape.places.max(SHORT);
+        let mut memory = vec![Wide::splat(simd, f64::NAN); unread + 1];
         tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
-        let ports = tape.inputs.iter().filter_map(|(input, place)| Some(((self.port)(*input)?, *place)));
-        let ports: Vec<(Rows<'_>, usize, u32)> =
-            ports.map(|((rows, column), place)| (rows, column, place)).collect();
+        let ports = Ports::new(tape, self.port, unread as u32);
         let mut bad = Vec::new();
         simd.vectorize(Passing { all: self, simd, memory: &mut memory, ports: &ports, bad: &mut bad });
         bad
+    }
+}
+
+/// Where the inputs of a tape come from.
+struct Ports<'a> {
+    /// All of them: list, column and place.
+    all: Vec<(Rows<'a>, usize, u32)>,
+    /// Those of lists whose rows are long enough, by neighbouring columns.
+    tiles: Vec<Tile<'a>>,
+    /// The others.
+    single: Vec<(Rows<'a>, usize, u32)>,
+}
+
+/// Neighbouring columns of a list from number `first` on, and where they go: all but the inputs among them to
+/// a place that nothing reads.
+struct Tile<'a> {
+    rows: Rows<'a>,
+    first: usize,
+    places: [u32; SIDE],
+}
+
+impl<'a> Ports<'a> {
+    /// `unread` is a place that nothing reads.
+    fn new(tape: &Straight, port: &'a dyn Fn(Input) -> Option<(Rows<'a>, usize)>, unread: u32) -> Self {
+        let own = tape.inputs.iter().filter_map(|(input, place)| Some((port(*input)?, *place)));
+        let mut all: Vec<(Rows<'a>, usize, u32)> =
+            own.map(|((rows, column), place)| (rows, column, place)).collect();
+        all.sort_by_key(|(rows, column, _)| (rows.0.as_ptr() as usize, *column));
+        let (mut tiles, mut single) = (Vec::<Tile<'a>>::new(), Vec::new());
+        for &(rows, column, place) in &all {
+            let Some(last) = rows.1.checked_sub(SIDE) else {
+                single.push((rows, column, place));
+                continue;
+            };
+            let known = tiles.last_mut().filter(|tile| std::ptr::eq(tile.rows.0, rows.0));
+            match known.filter(|tile| column < tile.first + SIDE) {
+                Some(tile) => tile.places[column - tile.first] = place,
+                None => {
+                    let (first, mut places) = (column.min(last), [unread; SIDE]);
+                    places[column - first] = place;
+                    tiles.push(Tile { rows, first, places });
+                }
+            }
+        }
+        Ports { all, tiles, single }
+    }
+
+    /// Reads some lanes, the first of them of time `first`.
+    #[inline(always)]
+    fn read<S: Level>(&self, simd: S, memory: &mut [Wide<S>], first: usize, lanes: usize) {
+        let whole = lanes == Wide::<S>::LANES;
+        for ((list, width), column, place) in if whole { &self.single } else { &self.all } {
+            let own = memory[*place as usize].as_mut_slice();
+            for (lane, own) in own.iter_mut().enumerate().take(lanes) {
+                *own = list[(first + lane) * width + column];
+            }
+        }
+        if whole {
+            for tile in &self.tiles {
+                tile.read(simd, memory, first);
+            }
+        }
+    }
+}
+
+impl Tile<'_> {
+    /// Reads all lanes, by tiles that are turned in registers.
+    #[inline(always)]
+    fn read<S: Level>(&self, simd: S, memory: &mut [Wide<S>], first: usize) {
+        let (list, width) = self.rows;
+        let mut turned = [[[0.0; SIDE]; SIDE]; MOST];
+        let rows = &list[first * width + self.first..];
+        for lane in 0..Wide::<S>::LANES {
+            let row = rows.get(lane * width..).and_then(|row| row.first_chunk::<SIDE>());
+            if let Some(row) = row {
+                turned[lane / SIDE][lane % SIDE] = *row;
+            }
+        }
+        turned.iter_mut().take(Wide::<S>::LANES / SIDE).for_each(|part| *part = simd.turn(*part));
+        for (k, place) in self.places.iter().enumerate() {
+            let own = memory[*place as usize].as_mut_slice();
+            for (own, turned) in own.chunks_exact_mut(SIDE).zip(&turned) {
+                own.copy_from_slice(&turned[k]);
+            }
+        }
     }
 }
 
@@ -97,7 +184,7 @@ struct Passing<'x, 'a, S: Level, K> {
     all: OverTimes<'a, K>,
     simd: S,
     memory: &'x mut [Wide<S>],
-    ports: &'x [(Rows<'x>, usize, u32)],
+    ports: &'x Ports<'a>,
     bad: &'x mut Vec<usize>,
 }
 
@@ -110,14 +197,12 @@ impl<S: Level, K: Sink> NullaryFnOnce for Passing<'_, '_, S, K> {
         let tape = all.tape;
         for first in (0..all.times).step_by(Wide::<S>::LANES) {
             let lanes = (all.times - first).min(Wide::<S>::LANES);
-            for ((list, width), column, place) in ports {
-                let own = memory[*place as usize].as_mut_slice();
-                let rows = list[first * width..].chunks_exact(*width).take(lanes);
-                own.iter_mut().zip(rows).for_each(|(own, row)| *own = row[*column]);
-            }
+            ports.read(simd, memory, first, lanes);
             simd.vectorize(Replay { stage: &tape.stage, laws: &tape.laws, memory, level: PhantomData });
             let good = judged(simd, memory, &tape.outputs, all.marks);
-            bad.extend((0..lanes).filter(|lane| !good.lane(*lane)).map(|lane| first + lane));
+            if (!good).any() {
+                bad.extend((0..lanes).filter(|lane| !good.lane(*lane)).map(|lane| first + lane));
+            }
             let outputs = Outputs { memory, places: &tape.outputs[all.marks.len()..] };
             all.sink.take(simd, outputs, first, (lanes, good));
         }
@@ -159,18 +244,21 @@ impl Sink for IntoRows<'_> {
             before += width;
             let to = &mut list[first * width..][..lanes * width];
             if width == 1 {
-                to.copy_from_slice(&outputs.of(rows.first)[..lanes]);
+                let own = outputs.of(rows.first);
+                // Of a length that is known it is no call.
+                match to.len() == Wide::<S>::LANES {
+                    true => to[..Wide::<S>::LANES].copy_from_slice(&own[..Wide::<S>::LANES]),
+                    false => to.copy_from_slice(&own[..lanes]),
+                }
                 continue;
             }
-            for column in (0..width / SIDE * SIDE).step_by(SIDE) {
-                rows.turn::<SIDE>(column, to);
-            }
-            let last = width / SIDE * SIDE;
-            match width % SIDE {
-                1 => rows.turn::<1>(last, to),
-                2 => rows.turn::<2>(last, to),
-                3 => rows.turn::<3>(last, to),
-                _ => {}
+            match width {
+                2 => rows.turn::<2>(0, to),
+                3 => rows.turn::<3>(0, to),
+                // The last columns of a row may be written twice.
+                _ => (0..width)
+                    .step_by(SIDE)
+                    .for_each(|column| rows.turn::<SIDE>(column.min(width - SIDE), to)),
             }
         }
     }
@@ -186,7 +274,7 @@ struct Turning<'a, S: Level> {
 }
 
 impl<S: Level> Turning<'_, S> {
-    /// Some columns from `column` on, by squares that are turned in registers.
+    /// Some columns from `column` on, by tiles that are turned in registers.
     #[inline(always)]
     fn turn<const WIDTH: usize>(&self, column: usize, rows: &mut [f64]) {
         let Turning { simd, outputs, width, first } = *self;
