@@ -9,7 +9,7 @@ from typing import Any, Callable, Protocol, Union
 
 from . import _mistakes
 from ._constraint import Argument, Constraint, Traced, _arguments
-from ._dimension import written
+from ._dimension import Dimension, written
 from ._handles import Coordinate, Ground, Handle, PlanarBody, SpatialBody
 from ._joint import Joint, foreign, joint
 from ._values import items, law_of
@@ -128,7 +128,8 @@ class _OnBody:
 
 def _components(name: str, what: str, value: Any, size: int) -> list[Any]:
     """Components in space: of a plane force z is zero, of a plane torque x and y are."""
-    several = list(value) if hasattr(value, "__len__") or hasattr(value, "_components") else [value]
+    is_vector = hasattr(value, "__len__") or hasattr(value, "_components")
+    several = list(value) if is_vector and not isinstance(value, Dimension) else [value]
     if len(several) != size:
         raise TypeError(f"`{name}`: its {what} has {size} component{'s' if size > 1 else ''}, not {value!r}")
     zeros: list[Any] = [0.0] * (3 - size)
