@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::acting::{Beside, Laid, Now};
 use super::inverse;
+use super::multipliers::not_numbers;
 use super::sum::{At, Sum};
 use crate::model::motion::Series;
 use crate::solve::motion::Motion;
@@ -51,7 +52,7 @@ pub(super) struct Powers {
 impl Powers {
     pub(super) fn new(times: usize) -> Self {
         // Numbers come for all times, but for friction, which the program of a mechanism does not have.
-        let [rate, drives, loads, largest] = [(); 4].map(|()| vec![f64::NAN; times]);
+        let [rate, drives, loads, largest] = [(); 4].map(|()| not_numbers(times));
         Powers { rate, drives, loads, friction: vec![0.0; times], largest }
     }
 
@@ -70,8 +71,7 @@ impl Powers {
 
     pub(super) fn balance(self, motion: &Motion) -> Balance {
         let Powers { rate, drives, loads, friction, largest } = self;
-        let larger = |most: f64, power: &f64| if power.abs() > most { power.abs() } else { most };
-        let largest = drives.iter().fold(largest.iter().fold(0.0, larger), larger);
+        let largest = f64::max(largest_of(&largest), largest_of(&drives));
         let given = drives.iter().zip(&loads).zip(&friction);
         let left: Vec<f64> =
             given.zip(&rate).map(|(((drives, loads), lost), rate)| drives + loads + lost - rate).collect();
@@ -87,6 +87,18 @@ impl Powers {
             largest,
         }
     }
+}
+
+/// The largest magnitude of a list, some of them at once; what is not a number is none.
+fn largest_of(list: &[f64]) -> f64 {
+    const SIDE: usize = 8;
+    let larger = |most: f64, x: f64| if x.abs() > most { x.abs() } else { most };
+    let (many, few) = list.as_chunks::<SIDE>();
+    let mut most = [0.0; SIDE];
+    for own in many {
+        most = std::array::from_fn(|k| larger(most[k], own[k]));
+    }
+    few.iter().chain(&most).fold(0.0, |most, x| larger(most, *x))
 }
 
 impl Energy {

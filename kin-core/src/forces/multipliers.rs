@@ -52,10 +52,20 @@ pub(super) struct AllMultipliers {
     beside: Vec<BesideThem>,
 }
 
+/// A list of so many that are not numbers yet, made by many at once.
+pub(super) fn not_numbers(count: usize) -> Vec<f64> {
+    const MANY: [f64; 64] = [f64::NAN; 64];
+    let mut list = Vec::with_capacity(count);
+    while list.len() < count {
+        list.extend_from_slice(&MANY[..MANY.len().min(count - list.len())]);
+    }
+    list
+}
+
 impl AllMultipliers {
     /// Of so many equations and times, not numbers yet.
     pub(super) fn new(rows: usize, times: usize) -> Self {
-        AllMultipliers { rows, lambda: vec![f64::NAN; rows * times], beside: Vec::new() }
+        AllMultipliers { rows, lambda: not_numbers(rows * times), beside: Vec::new() }
     }
 
     /// λ of all times, one row a time.

@@ -96,10 +96,14 @@ impl Begin {
     }
 }
 
-/// The coordinates that one row alone holds and that stand still along a motion, to the last bit: those of
-/// frames, and what guides hold of blocks. All that they lead is known beforehand.
+/// The coordinates that one row without time holds alone: those of frames, and what guides hold of blocks. A
+/// program has looked at that row at each time of its motion, along which they stand still, so that all that
+/// they lead is known beforehand. Of other motions nothing is taken for granted.
 fn still(system: &System, motion: &Motion) -> Vec<bool> {
-    let (equations, n) = (system.equations(), system.n_coordinates());
+    let (equations, mut still) = (system.equations(), vec![false; system.n_coordinates()]);
+    let Some(last) = motion.len().checked_sub(1).filter(|_| motion.engine().compiled > 0) else {
+        return still;
+    };
     let mut alone: Vec<Option<Option<usize>>> = vec![None; system.n_equations()];
     for (entry, constant) in equations.entries.iter().zip(&equations.constants) {
         let Some((row, column)) = entry else { continue };
@@ -107,44 +111,14 @@ fn still(system: &System, motion: &Motion) -> Vec<bool> {
         // A second entry is one too many.
         alone[*row] = Some(if alone[*row].is_none() { held } else { None });
     }
-    let held = alone.into_iter().flatten().flatten();
-    let mut still = vec![false; n];
-    held.for_each(|column| still[column] = true);
-    // Neighbours are looked at together.
-    let last = n.saturating_sub(SIDE);
-    let mut column = 0;
-    while let Some(first) = (column..n).find(|k| still[*k]).map(|k| k.min(last)) {
-        let rest = resting(motion, first);
-        still[first..].iter_mut().zip(rest).for_each(|(still, rests)| *still = *still && rests);
-        column = first + SIDE;
+    let steady = equations.blocks.iter().filter(|block| !block.constraint.facts().dependence.c_on_t);
+    let held = steady.flat_map(|block| alone[block.rows()].iter().flatten().flatten());
+    let rests = |k: usize, column: usize| motion.qd(k)[column] == 0.0 && motion.qdd(k)[column] == 0.0;
+    for &column in held {
+        let same = motion.q(0)[column].to_bits() == motion.q(last)[column].to_bits();
+        still[column] = same && rests(0, column) && rests(last, column);
     }
     still
-}
-
-/// How many columns are looked at together.
-const SIDE: usize = 4;
-
-/// Of some columns from `first` on, those that have the same number at all times and no rates.
-fn resting(motion: &Motion, first: usize) -> [bool; SIDE] {
-    let n = motion.names().len();
-    // Bits of all numbers that are not those of the first row, or of a zero.
-    let differ = |list: &[f64], from: [u64; SIDE]| {
-        let (mut bits, mut k) = ([0; SIDE], first);
-        while k < list.len() {
-            let row = &list[k..(k + SIDE).min(list.len())];
-            match row.first_chunk::<SIDE>() {
-                Some(row) => (0..SIDE).for_each(|c| bits[c] |= row[c].to_bits() ^ from[c]),
-                None => row.iter().enumerate().for_each(|(c, x)| bits[c] |= x.to_bits() ^ from[c]),
-            }
-            k += n;
-        }
-        bits
-    };
-    let at_first: [u64; SIDE] = std::array::from_fn(|c| motion.q.get(first + c).map_or(0, |x| x.to_bits()));
-    let [q, qd, qdd] = [(&motion.q, at_first), (&motion.qd, [0; SIDE]), (&motion.qdd, [0; SIDE])]
-        .map(|(list, from)| differ(list, from));
-    // 0 and −0 are the same rate.
-    std::array::from_fn(|c| q[c] == 0 && (qd[c] | qdd[c]) << 1 == 0)
 }
 
 /// The tape for motions that begin like this one: made once, and cached beside the system.

@@ -35,22 +35,12 @@ impl<S: Level> NullaryFnOnce for Turning<'_, '_, S> {
 
     #[inline(always)]
     fn call(self) {
-        let Turning { times, lanes, lists } = self;
-        let n = times.tape.values.len();
-        let orders = if times.tape.third_rates.is_empty() { ORDERS } else { ORDERS + 1 };
-        for (order, list) in lists.into_iter().enumerate().take(orders) {
-            let begun = list.len();
-            lengthen(list, lanes.len() * n);
-            let rows = &mut list[begun..];
-            for column in (0..n / SIDE * SIDE).step_by(SIDE) {
-                times.turn::<SIDE>(order, column, &lanes, rows);
-            }
-            match n % SIDE {
-                1 => times.turn::<1>(order, n - 1, &lanes, rows),
-                2 => times.turn::<2>(order, n - 2, &lanes, rows),
-                3 => times.turn::<3>(order, n - 3, &lanes, rows),
-                _ => {}
-            }
+        let Turning { times, lanes, lists: [q, qd, qdd, qddd] } = self;
+        for (order, list) in [q, qd, qdd].into_iter().enumerate() {
+            times.turn_all(|column| Times::<S>::line(column, order), &lanes, list);
+        }
+        if !times.tape.third_rates.is_empty() {
+            times.turn_all(|column| times.line_of(column, ORDERS), &lanes, qddd);
         }
     }
 }
@@ -62,15 +52,38 @@ fn lengthen(list: &mut Vec<f64>, count: usize) {
 }
 
 impl<S: Level> Times<'_, S> {
+    /// The lines of all coordinates, which are at these places, appended to a list as rows of these lanes.
+    #[inline(always)]
+    fn turn_all(&self, line: impl Fn(usize) -> usize, lanes: &Range<usize>, list: &mut Vec<f64>) {
+        let (n, begun) = (self.tape.values.len(), list.len());
+        lengthen(list, lanes.len() * n);
+        let rows = &mut list[begun..];
+        for column in (0..n / SIDE * SIDE).step_by(SIDE) {
+            self.turn::<SIDE>(&line, column, lanes, rows);
+        }
+        match n % SIDE {
+            1 => self.turn::<1>(&line, n - 1, lanes, rows),
+            2 => self.turn::<2>(&line, n - 2, lanes, rows),
+            3 => self.turn::<3>(&line, n - 3, lanes, rows),
+            _ => {}
+        }
+    }
+
     /// Some coordinates from `column` on into the rows of these lanes, by squares that are turned in
     /// registers.
     #[inline(always)]
-    fn turn<const WIDTH: usize>(&self, order: usize, column: usize, lanes: &Range<usize>, rows: &mut [f64]) {
+    fn turn<const WIDTH: usize>(
+        &self,
+        line: &impl Fn(usize) -> usize,
+        column: usize,
+        lanes: &Range<usize>,
+        rows: &mut [f64],
+    ) {
         let n = self.tape.values.len();
         for first in (0..Self::LANES).step_by(SIDE) {
             let mut square = [[0.0; SIDE]; SIDE];
-            for (k, line) in square.iter_mut().enumerate().take(WIDTH) {
-                line.copy_from_slice(&self.lines[self.line_of(column + k, order) + 1 + first..][..SIDE]);
+            for (k, own) in square.iter_mut().enumerate().take(WIDTH) {
+                own.copy_from_slice(&self.lines[line(column + k) + 1 + first..][..SIDE]);
             }
             let turned = self.simd.turn(square);
             if lanes.start <= first && first + SIDE <= lanes.end {

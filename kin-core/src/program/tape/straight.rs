@@ -240,7 +240,7 @@ impl Sink for IntoRows<'_> {
         let mut before = 0;
         for (list, width) in &mut self.0 {
             let width = *width;
-            let rows = Turning { simd, outputs, width, first: before };
+            let rows = Turning { simd, outputs, width, lanes, first: before };
             before += width;
             let to = &mut list[first * width..][..lanes * width];
             if width == 1 {
@@ -255,10 +255,7 @@ impl Sink for IntoRows<'_> {
             match width {
                 2 => rows.turn::<2>(0, to),
                 3 => rows.turn::<3>(0, to),
-                // The last columns of a row may be written twice.
-                _ => (0..width)
-                    .step_by(SIDE)
-                    .for_each(|column| rows.turn::<SIDE>(column.min(width - SIDE), to)),
+                _ => rows.turn_all(to),
             }
         }
     }
@@ -270,21 +267,33 @@ struct Turning<'a, S: Level> {
     simd: S,
     outputs: Outputs<'a, S>,
     width: usize,
+    lanes: usize,
     first: usize,
 }
 
 impl<S: Level> Turning<'_, S> {
+    /// All columns; the last ones may be written twice.
+    #[inline(always)]
+    fn turn_all(&self, rows: &mut [f64]) {
+        // Iterators by steps divide beforehand, which takes longer than the turning.
+        let mut column = 0;
+        while column < self.width {
+            self.turn::<SIDE>(column.min(self.width - SIDE), rows);
+            column += SIDE;
+        }
+    }
+
     /// Some columns from `column` on, by tiles that are turned in registers.
     #[inline(always)]
     fn turn<const WIDTH: usize>(&self, column: usize, rows: &mut [f64]) {
-        let Turning { simd, outputs, width, first } = *self;
+        let Turning { simd, outputs, width, lanes, first } = *self;
         // Lines beyond the last column are turned for nothing.
         let mut lines = [outputs.of(first + column); SIDE];
         for (k, line) in lines.iter_mut().enumerate().take(WIDTH) {
             *line = outputs.of(first + column + k);
         }
-        let lanes = rows.len() / width;
-        for lane in (0..lanes).step_by(SIDE) {
+        let mut lane = 0;
+        while lane < lanes {
             let mut square = [[0.0; SIDE]; SIDE];
             for (own, line) in square.iter_mut().zip(lines) {
                 own.copy_from_slice(&line[lane..][..SIDE]);
@@ -292,6 +301,7 @@ impl<S: Level> Turning<'_, S> {
             for (k, own) in simd.turn(square).iter().enumerate().take(lanes - lane) {
                 rows[(lane + k) * width + column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
             }
+            lane += SIDE;
         }
     }
 }
