@@ -4,6 +4,7 @@
 use kin::prelude::*;
 use kin::{Engine, Error, LawFunction, Options};
 
+use crate::USUAL;
 use crate::engines::Engines;
 use crate::gallery::mechanisms;
 
@@ -102,17 +103,9 @@ fn the_engine_that_is_chosen_gives_the_verdicts_and_numbers_of_plain_steps() {
 
 /// A four-bar of these lengths, one of its links driven.
 fn four_bar(lengths: [f64; 4], by_rocker: bool, law: Law) -> System {
-    let [a, b, c, d] = lengths;
-    let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] =
-        [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
-    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
-    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
-    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
-    m.add("C", revolute(Ground, rocker, vec2(d, 0.0), rocker.start())).expect("adds");
-    m.add("motor", drive_angle(if by_rocker { rocker } else { crank }, law)).expect("adds");
-    m.prefer(rocker, deg(100.0));
-    m.build().expect("builds")
+    crate::four_bar(lengths, |m, crank, rocker| {
+        m.add("motor", drive_angle(if by_rocker { rocker } else { crank }, law)).expect("adds");
+    })
 }
 
 /// A law that is no number from 0.6 on.
@@ -140,16 +133,15 @@ fn wedge() -> System {
 /// Runs that end early, by each engine: the same texts, diagnoses, blame, and as many times.
 #[test]
 fn runs_that_fail_do_so_in_the_same_words() {
-    let usual = [1.0, 3.5, 3.0, 4.0];
     let failing = [
-        ("toggle", four_bar(usual, true, Law::linear(2.2, -1.0)), 300),
+        ("toggle", four_bar(USUAL, true, Law::linear(2.2, -1.0)), 300),
         ("does not close", four_bar([1.0, 1.2, 1.1, 4.0], false, Law::ramp(1.0)), 0),
         ("comes apart", four_bar([1.0, 2.0, 1.5, 4.0], false, Law::linear(0.2, 3.0)), 100),
-        ("a law that ends", four_bar(usual, false, Law::new(Ends)), 500),
+        ("a law that ends", four_bar(USUAL, false, Law::new(Ends)), 500),
         (
             "a law that jumps",
             four_bar(
-                usual,
+                USUAL,
                 false,
                 Law::sequence(0.0, [(0.7, Law::ramp(1.0)), (2.0, Law::linear(0.7, -0.5))]),
             ),
@@ -199,7 +191,7 @@ fn change_points_are_told_in_the_same_words() {
 /// A run that is stopped from outside stops by each engine.
 #[test]
 fn runs_that_are_stopped_say_so() {
-    let system = four_bar([1.0, 3.5, 3.0, 4.0], false, Law::ramp(1.0));
+    let system = four_bar(USUAL, false, Law::ramp(1.0));
     for engine in [Engine::Plain, Engine::Compiled, Engine::Auto] {
         let stopped = system.run_watched(linspace(0.0, 1.0, 2001), &by(engine), |done| done < 700);
         let error = stopped.expect_err("stopped");

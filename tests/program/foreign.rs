@@ -5,7 +5,7 @@ use kin::prelude::*;
 use kin::{LawFunction, Options};
 
 use crate::engines::Engines;
-use crate::{compiled, differences};
+use crate::{USUAL, compiled, differences};
 
 /// √x by a library that rustc alone can read.
 fn root<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
@@ -30,16 +30,7 @@ fn by_a_swing(b: Planar, t: Time, from: f64, a: f64, w: f64, at: f64) -> f64 {
 
 /// A four-bar, its crank or its rocker driven.
 fn four_bar(by_rocker: bool, motor: impl Fn(&mut Mechanism, Link)) -> System {
-    let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] =
-        [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, l)| m.link(name, l).expect("a link"));
-    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
-    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
-    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
-    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).expect("adds");
-    motor(&mut m, if by_rocker { rocker } else { crank });
-    m.prefer(rocker, deg(100.0));
-    m.build().expect("builds")
+    crate::four_bar(USUAL, |m, crank, rocker| motor(m, if by_rocker { rocker } else { crank }))
 }
 
 #[test]

@@ -52,16 +52,9 @@ fn a_slider_has_the_third_derivative_of_its_law() {
 /// A change point, where plain steps have a jerk of their own, and what lies behind it.
 #[test]
 fn behind_a_change_point_it_goes_on() {
-    let mut m = Mechanism::new("parallelogram");
-    let [crank, coupler, rocker] =
-        [("crank", 1.0), ("coupler", 3.0), ("rocker", 1.0)].map(|(name, l)| m.link(name, l).expect("a link"));
-    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
-    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
-    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
-    m.add("C", revolute(Ground, rocker, vec2(3.0, 0.0), rocker.start())).expect("adds");
-    m.add("motor", drive_angle(crank, Law::linear(0.5, 1.0))).expect("adds");
-    m.prefer(rocker, 0.5);
-    let system = m.build().expect("builds");
+    let system = crate::four_bar([1.0, 3.0, 1.0, 3.0], |m, crank, _| {
+        m.add("motor", drive_angle(crank, Law::linear(0.5, 1.0))).expect("adds");
+    });
     let motion = system.run_both_with(linspace(0.0, 4.0, 1201), &with_jerk()).expect("runs");
     assert_eq!(motion.singular_positions().len(), 1);
     assert!((0..motion.len()).all(|k| motion.qddd(k).iter().all(|x| x.is_finite())));

@@ -23,6 +23,23 @@ pub fn compiled() -> Options {
     Options { engine: Engine::Compiled, ..Options::default() }
 }
 
+/// Lengths of crank, coupler, rocker and ground of the four-bar that most tests take.
+pub const USUAL: [f64; 4] = [1.0, 3.5, 3.0, 4.0];
+
+/// A four-bar of these lengths, its rocker near 100°; `motor` is given its crank and its rocker.
+pub fn four_bar([a, b, c, d]: [f64; 4], motor: impl FnOnce(&mut Mechanism, Link, Link)) -> System {
+    let mut m = Mechanism::new("four-bar");
+    let [crank, coupler, rocker] =
+        [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
+    m.add("C", revolute(Ground, rocker, vec2(d, 0.0), rocker.start())).expect("adds");
+    motor(&mut m, crank, rocker);
+    m.prefer(rocker, deg(100.0));
+    m.build().expect("builds")
+}
+
 /// The largest differences of q, q̇ and q̈, by 1 and the size of the number.
 pub fn differences(a: &Motion, b: &Motion) -> [f64; 3] {
     assert_eq!(a.times(), b.times());

@@ -2,19 +2,12 @@
 
 use kin::prelude::*;
 
-use crate::{compiled, differences};
+use crate::{USUAL, compiled, differences};
 
 fn four_bar(law: Law) -> System {
-    let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] =
-        [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, l)| m.link(name, l).expect("a link"));
-    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
-    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
-    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
-    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).expect("adds");
-    m.add("motor", drive_angle(crank, law)).expect("adds");
-    m.prefer(rocker, deg(100.0));
-    m.build().expect("builds")
+    crate::four_bar(USUAL, |m, crank, _| {
+        m.add("motor", drive_angle(crank, law)).expect("adds");
+    })
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use kin::prelude::*;
 use kin::{Engine, Error, Options};
 
-use crate::compiled;
+use crate::{USUAL, compiled};
 
 fn both(system: &System, times: &[f64]) -> [kin::Result<Motion>; 2] {
     let plain = Options { engine: Engine::Plain, ..Options::default() };
@@ -18,16 +18,12 @@ fn motions(system: &System, times: &[f64]) -> [Motion; 2] {
 
 /// The four-bar with its crank, or else its rocker, driven; its rocker.
 fn four_bar(law: Law, by_rocker: bool) -> (System, Link) {
-    let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] =
-        [("crank", 1.0), ("coupler", 3.5), ("rocker", 3.0)].map(|(name, l)| m.link(name, l).expect("a link"));
-    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
-    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
-    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
-    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).expect("adds");
-    m.add("motor", drive_angle(if by_rocker { rocker } else { crank }, law)).expect("adds");
-    m.prefer(rocker, deg(100.0));
-    (m.build().expect("builds"), rocker)
+    let mut held = None;
+    let system = crate::four_bar(USUAL, |m, crank, rocker| {
+        m.add("motor", drive_angle(if by_rocker { rocker } else { crank }, law)).expect("adds");
+        held = Some(rocker);
+    });
+    (system, held.expect("a rocker"))
 }
 
 #[test]
