@@ -41,7 +41,7 @@ impl<'a> Along<'a> {
         Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)), parameters, outside }
     }
 
-    /// Where coordinates and time stand still.
+    /// Coordinates and time that stand still.
     pub(crate) fn still(
         arguments: &[Argument],
         at: &At<'_>,

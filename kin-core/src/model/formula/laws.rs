@@ -1,4 +1,4 @@
-//! How the rows of a formula follow the values of laws that time alone leads.
+//! Derivatives of the rows of a formula by the values of its laws of time.
 
 mod lengths;
 

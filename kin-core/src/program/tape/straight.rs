@@ -94,7 +94,7 @@ impl<K: Sink> WithLevel for OverTimes<'_, K> {
     }
 }
 
-/// Where the inputs of a tape come from.
+/// The lists and columns that the inputs of a tape come from.
 struct Ports<'a> {
     /// All of them: list, column and place.
     all: Vec<(Rows<'a>, usize, u32)>,
