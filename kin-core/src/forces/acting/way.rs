@@ -119,7 +119,8 @@ impl Measured<'_> {
 
     /// The angle x by as many turns as at the next of the times of the motion.
     fn counted_on(&self, x: f64, t: f64) -> f64 {
-        let after = self.counted.partition_point(|(time, _)| *time < t);
+        let falls = matches!(&self.counted[..], [first, .., last] if last.0 < first.0);
+        let after = self.counted.partition_point(|(time, _)| if falls { *time > t } else { *time < t });
         let near =
             [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|k| self.counted.get(k));
         let near = near.min_by(|a, b| (a.0 - t).abs().total_cmp(&(b.0 - t).abs()));
