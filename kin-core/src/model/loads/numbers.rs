@@ -44,7 +44,7 @@ impl Loads {
                 own.is_some_and(|(_, solid)| solid.put(name, value))
             }
             Beside::PointMass(k) => {
-                self.points.get_mut(*k).map(|(.., mass)| *mass = value).is_some() && name == "mass"
+                name == "mass" && self.points.get_mut(*k).map(|(.., mass)| *mass = value).is_some()
             }
             Beside::Gravity => put_component(&mut self.gravity, "g", name, value),
             Beside::OnBody { load, part } => {
