@@ -183,6 +183,12 @@ impl Linear {
         &mut self.memory[self.places.rhs as usize..][..self.n]
     }
 
+    /// The values as last written, and the right side.
+    pub(crate) fn values_and_rhs(&mut self) -> (&[f64], &mut [f64]) {
+        let (values, behind) = self.memory.split_at_mut(self.places.rhs as usize);
+        (&values[..self.entries.len()], &mut behind[..self.n])
+    }
+
     /// The same in whole fours; what is written beyond the end does not count.
     pub(crate) fn whole_rhs_mut(&mut self) -> &mut [Quad] {
         self.memory[self.places.rhs as usize..self.places.solution as usize].as_chunks_mut().0

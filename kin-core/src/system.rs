@@ -81,6 +81,8 @@ pub struct Report {
     pub worst: String,
     /// The smallest pivot of C_q, relative to its row: near zero close to a singular position.   \[-\]
     pub smallest_pivot: f64,
+    /// True if the program of [`System::compile`] has found it, false of plain steps.
+    pub compiled: bool,
 }
 
 /// Position, velocity and acceleration at one time.

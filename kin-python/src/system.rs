@@ -26,8 +26,9 @@ impl From<kin::System> for System {
     }
 }
 
-/// Time, q, q̇, q̈, Newton steps, residual, the equation that has it.
-type Solved<'py> = (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, usize, f64, String);
+/// Time, q, q̇, q̈, Newton steps, residual, the equation that has it, whether a program has found it.
+type Solved<'py> =
+    (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, usize, f64, String, bool);
 
 /// A proof in words, whether it is complete; of each step its times, the tube (how near the solution is, how
 /// far the
@@ -70,6 +71,7 @@ fn solved<'py>(py: Python<'py>, at: &Solution) -> PyResult<Solved<'py>> {
         report.iterations,
         report.residual,
         report.worst.clone(),
+        report.compiled,
     ))
 }
 

@@ -9,6 +9,7 @@ mod gallery;
 mod jerk;
 mod jumps;
 mod refused;
+mod singly;
 mod summary;
 mod told;
 

@@ -32,5 +32,5 @@ pub(crate) use reduce::Reduced;
 #[cfg(test)]
 pub(crate) use stages::Program;
 pub(crate) use stages::{Pose, REDUNDANT, program};
-pub(crate) use tape::{IntoRows, Masks, NO_LANES, Summed, Tape, schedule, times};
+pub(crate) use tape::{IntoRows, Masks, NO_LANES, Summed, Tape, alone, schedule, times};
 pub(crate) use transposed::take;

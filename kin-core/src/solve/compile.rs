@@ -31,8 +31,11 @@ pub struct Compiled {
 
 impl System {
     /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and tells what
-    /// came of it. The program is kept: runs that begin there are computed by it from 32 times on, unless
-    /// [`Options::engine`] is [`crate::Engine::Plain`], until anything is set in the system.
+    /// came of it. The program is kept: runs that begin there are computed by it from 32 times on, and
+    /// positions that [`System::solve_at`] looks for from near by, unless [`Options::engine`] is
+    /// [`crate::Engine::Plain`], until anything is set in the system.
+    ///
+    /// So a loop that asks for one position after the other, as controllers do, is begun by this call.
     ///
     /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {

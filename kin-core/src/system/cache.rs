@@ -12,7 +12,9 @@ pub(crate) struct Cache(Mutex<Vec<Thing>>);
 impl Cache {
     /// The thing of that type, if there is one.
     pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
-        self.now().into_iter().find_map(|known| known.downcast().ok())
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = all.iter().find(|known| (***known).is::<T>()).cloned();
+        known.and_then(|known| known.downcast().ok())
     }
 
     /// Keeps this from now on, in place of what was there of its type.

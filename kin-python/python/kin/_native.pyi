@@ -9,7 +9,7 @@ _Line = tuple[Optional[str], Sequence[float]]
 _Given = Union[str, Sequence[_Number]]
 _Told = tuple[str, str, list[bytes]]
 _Terms = tuple[list[float], list[list[float]], list[float], list[float]]
-_Solved = tuple[float, bytes, bytes, bytes, int, float, str]
+_Solved = tuple[float, bytes, bytes, bytes, int, float, str, bool]
 
 _Mass = tuple[float, Sequence[float], Sequence[Sequence[float]]]
 _Solid = tuple[float, list[float], list[list[float]]]

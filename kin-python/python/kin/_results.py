@@ -19,6 +19,7 @@ class Solution:
     iterations: int
     residual: float
     worst: str
+    compiled: bool
 
 
 @dataclass(frozen=True)

@@ -113,10 +113,11 @@ class System:
             return Motion(self._native.run(as_bytes(times), options or None, told))
 
     def position(self, t: float, q: Any = None, **options: Any) -> Solution:
-        """Position, velocity and acceleration at one time, assembled from the guess; from q, where it is given."""
+        """Position, velocity and acceleration at one time, assembled from the guess; from q, where it is given: after `compile()` by the
+        program, if q is near, which is what a loop of a controller wants."""
         told = self._native.position(t, None if q is None else as_bytes(q), options or None)
-        at, q, qd, qdd, iterations, residual, worst = told
-        return Solution(at, array(q), array(qd), array(qdd), iterations, residual, worst)
+        at, q, qd, qdd, iterations, residual, worst, compiled = told
+        return Solution(at, array(q), array(qd), array(qdd), iterations, residual, worst, compiled)
 
     def residual(self, q: Any, t: float) -> Any:
         """C(q, t)"""

@@ -1,6 +1,6 @@
 //! Numbers of one case and of several side by side: a rule that is written over these is written once.
 
-use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use wide::f64x4;
 
@@ -36,6 +36,51 @@ pub(crate) trait Judged: Lanewise {
 
     /// `self` where that is so, else `other`.
     fn where_or(self, so: Self::Answer, other: Self) -> Self;
+}
+
+/// A number that whole programs compute with.
+pub(crate) trait Computed: Judged + Neg<Output = Self> {
+    /// a b + c, rounded once.
+    fn fused(self, b: Self, c: Self) -> Self;
+
+    /// c − a b, rounded once.
+    fn fused_less(self, b: Self, c: Self) -> Self;
+
+    /// Sine and cosine.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// √x
+    fn sqrt(self) -> Self;
+
+    /// The larger one; the other one of a NaN.
+    fn max(self, other: Self) -> Self;
+
+    /// The smaller one; the other one of a NaN.
+    fn min(self, other: Self) -> Self;
+
+    /// The larger one; of a NaN and a number one of the two.
+    fn or_larger(self, other: Self) -> Self;
+
+    /// xⁿ
+    fn powi(self, n: i32) -> Self;
+
+    /// Functions of one number, lane by lane.
+    fn map_to<const K: usize>(self, f: impl Fn(f64) -> [f64; K]) -> [Self; K];
+
+    /// A function of two numbers, lane by lane.
+    fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
+
+    /// True if the numbers are equal.
+    fn equals(self, other: Self) -> Self::Answer;
+
+    /// The number of a lane.
+    fn lane(self, lane: usize) -> f64;
+
+    /// 1 where that is so, else 0.
+    #[inline(always)]
+    fn one_where(self, so: Self::Answer) -> Self {
+        self.all(1.0).where_or(so, self.all(0.0))
+    }
 }
 
 /// The answer of a rule.
@@ -101,6 +146,68 @@ impl Judged for f64 {
     }
 }
 
+impl Computed for f64 {
+    #[inline(always)]
+    fn fused(self, b: Self, c: Self) -> Self {
+        f64::mul_add(self, b, c)
+    }
+
+    #[inline(always)]
+    fn fused_less(self, b: Self, c: Self) -> Self {
+        f64::mul_add(-self, b, c)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        f64::sin_cos(self)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        f64::max(self, other)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        f64::min(self, other)
+    }
+
+    #[inline(always)]
+    fn or_larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn powi(self, n: i32) -> Self {
+        f64::powi(self, n)
+    }
+
+    #[inline(always)]
+    fn map_to<const K: usize>(self, f: impl Fn(f64) -> [f64; K]) -> [Self; K] {
+        f(self)
+    }
+
+    #[inline(always)]
+    fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        f(self, other)
+    }
+
+    #[inline(always)]
+    fn equals(self, other: Self) -> bool {
+        self == other
+    }
+
+    #[inline(always)]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+}
+
 impl Lanewise for f64x4 {
     #[inline(always)]
     fn all(self, x: f64) -> Self {
@@ -156,6 +263,72 @@ impl<S: Level> Judged for Wide<S> {
     #[inline(always)]
     fn where_or(self, so: Mask<S>, other: Self) -> Self {
         so.select(self, other)
+    }
+}
+
+impl<S: Level> Computed for Wide<S> {
+    #[inline(always)]
+    fn fused(self, b: Self, c: Self) -> Self {
+        self.mul_add(b, c)
+    }
+
+    #[inline(always)]
+    fn fused_less(self, b: Self, c: Self) -> Self {
+        self.negative_mul_add(b, c)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.min(other)
+    }
+
+    #[inline(always)]
+    fn or_larger(self, other: Self) -> Self {
+        self.or_larger(other)
+    }
+
+    #[inline(always)]
+    fn powi(self, n: i32) -> Self {
+        self.powi(n)
+    }
+
+    #[inline(always)]
+    fn map_to<const K: usize>(self, f: impl Fn(f64) -> [f64; K]) -> [Self; K] {
+        let mut all = [self; K];
+        for (lane, x) in self.as_slice().iter().enumerate() {
+            all.iter_mut().zip(f(*x)).for_each(|(wide, number)| wide.as_mut_slice()[lane] = number);
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        self.map2(other, f)
+    }
+
+    #[inline(always)]
+    fn equals(self, other: Self) -> Mask<S> {
+        self.equal(other)
+    }
+
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f64 {
+        self.as_slice()[lane]
     }
 }
 

@@ -1,7 +1,9 @@
 //! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is
 //! found out once a run.
 
+pub(crate) mod alone;
 mod masks;
+mod newton;
 mod places;
 pub(in crate::program) mod replay;
 mod rows;

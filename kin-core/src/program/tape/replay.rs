@@ -1,28 +1,25 @@
-//! A tape replayed over lanes.
-
-use std::marker::PhantomData;
+//! A tape replayed over any number: one a lane, or a single one.
 
 use kin_graph::{Comparison, Function, Function2};
 use pulp::NullaryFnOnce;
 
 use super::{Kind, Run, SHORT, Stage, Step};
 use crate::model::law::Law;
-use crate::numbers::lanes::{Level, Mask, Wide};
+use crate::numbers::lanes::lanewise::Computed;
 
 /// A stage on its way into the function that has the machine's instructions.
-pub(in crate::program) struct Replay<'a, S: Level> {
+pub(in crate::program) struct Replay<'a, N> {
     pub stage: &'a Stage,
     pub laws: &'a [Law],
-    pub memory: &'a mut [Wide<S>],
-    pub level: PhantomData<S>,
+    pub memory: &'a mut [N],
 }
 
-impl<S: Level> NullaryFnOnce for Replay<'_, S> {
+impl<N: Computed> NullaryFnOnce for Replay<'_, N> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
-        let Replay { stage, laws, memory, .. } = self;
+        let Replay { stage, laws, memory } = self;
         match memory.first_chunk_mut::<SHORT>() {
             Some(memory) if !stage.short.is_empty() => all(&stage.runs, &stage.short, laws, memory),
             _ => all(&stage.runs, &stage.steps, laws, memory),
@@ -31,36 +28,36 @@ impl<S: Level> NullaryFnOnce for Replay<'_, S> {
 }
 
 /// A memory, and how its places are told.
-trait Places<S: Level> {
+trait Places<N> {
     type Place: Copy;
-    fn get(&self, place: Self::Place) -> Wide<S>;
-    fn put(&mut self, place: Self::Place, number: Wide<S>);
+    fn get(&self, place: Self::Place) -> N;
+    fn put(&mut self, place: Self::Place, number: N);
 }
 
 macro_rules! places {
     ($memory:ty, $place:ty) => {
-        impl<S: Level> Places<S> for $memory {
+        impl<N: Copy> Places<N> for $memory {
             type Place = $place;
 
             #[inline(always)]
-            fn get(&self, place: $place) -> Wide<S> {
+            fn get(&self, place: $place) -> N {
                 self[place as usize]
             }
 
             #[inline(always)]
-            fn put(&mut self, place: $place, number: Wide<S>) {
+            fn put(&mut self, place: $place, number: N) {
                 self[place as usize] = number;
             }
         }
     };
 }
 
-places!([Wide<S>], u32);
-places!([Wide<S>; SHORT], u8);
+places!([N], u32);
+places!([N; SHORT], u8);
 
 /// Run by run.
 #[inline(always)]
-fn all<S: Level, M: Places<S> + ?Sized>(
+fn all<N: Computed, M: Places<N> + ?Sized>(
     runs: &[Run],
     mut steps: &[Step<M::Place>],
     laws: &[Law],
@@ -75,17 +72,22 @@ fn all<S: Level, M: Places<S> + ?Sized>(
 
 /// The steps of one run.
 #[inline(always)]
-fn run<S: Level, M: Places<S> + ?Sized>(kind: Kind, steps: &[Step<M::Place>], laws: &[Law], memory: &mut M) {
+fn run<N: Computed, M: Places<N> + ?Sized>(
+    kind: Kind,
+    steps: &[Step<M::Place>],
+    laws: &[Law],
+    memory: &mut M,
+) {
     match kind {
         Kind::Add => two(steps, memory, |a, b| a + b),
         Kind::Sub => two(steps, memory, |a, b| a - b),
         Kind::Mul => two(steps, memory, |a, b| a * b),
         Kind::Div => two(steps, memory, |a, b| a / b),
         Kind::Neg => one(steps, memory, |a| -a),
-        Kind::Fma => three(steps, memory, |a, b, c| a.mul_add(b, c)),
-        Kind::NegatedProduct => three(steps, memory, |a, b, c| a.negative_mul_add(b, c)),
-        Kind::ProductLess => three(steps, memory, |a, b, c| a.mul_add(b, -c)),
-        Kind::NegatedSum => three(steps, memory, |a, b, c| -a.mul_add(b, c)),
+        Kind::Fma => three(steps, memory, |a, b, c| a.fused(b, c)),
+        Kind::NegatedProduct => three(steps, memory, |a, b, c| a.fused_less(b, c)),
+        Kind::ProductLess => three(steps, memory, |a, b, c| a.fused(b, -c)),
+        Kind::NegatedSum => three(steps, memory, |a, b, c| -a.fused(b, c)),
         Kind::LargerProduct => three(steps, memory, |a, b, c| c.max((a * b).abs())),
         Kind::SinCos => {
             for step in steps {
@@ -94,16 +96,16 @@ fn run<S: Level, M: Places<S> + ?Sized>(kind: Kind, steps: &[Step<M::Place>], la
                 memory.put(step.c, cos);
             }
         }
-        Kind::One(Function::Sqrt) => one(steps, memory, Wide::sqrt),
-        Kind::One(Function::Abs) => one(steps, memory, Wide::abs),
-        Kind::Two(Function2::Max) => two(steps, memory, Wide::max),
-        Kind::Two(Function2::Min) => two(steps, memory, Wide::min),
+        Kind::One(Function::Sqrt) => one(steps, memory, N::sqrt),
+        Kind::One(Function::Abs) => one(steps, memory, N::abs),
+        Kind::Two(Function2::Max) => two(steps, memory, N::max),
+        Kind::Two(Function2::Min) => two(steps, memory, N::min),
         Kind::Power(n) => one(steps, memory, |a| a.powi(n)),
-        Kind::Compare(comparison) => two(steps, memory, |a, b| compare(comparison, a, b).as_numbers()),
+        Kind::Compare(comparison) => two(steps, memory, |a, b| a.one_where(compare(comparison, a, b))),
         Kind::Both => two(steps, memory, |a, b| a * b),
-        Kind::Either => two(steps, memory, Wide::or_larger),
+        Kind::Either => two(steps, memory, N::or_larger),
         Kind::Not => one(steps, memory, |a| a.all(1.0) - a),
-        Kind::Select => three(steps, memory, |c, a, b| c.is_true().select(a, b)),
+        Kind::Select => three(steps, memory, |c, a, b| a.where_or(!c.equals(c.all(0.0)), b)),
         Kind::One(f) => one_by_one(f, steps, memory),
         Kind::Two(f) => two_by_two(f, steps, memory),
         Kind::Law(law, order) => ask(laws.get(law as usize), order, steps, memory),
@@ -111,32 +113,24 @@ fn run<S: Level, M: Places<S> + ?Sized>(kind: Kind, steps: &[Step<M::Place>], la
 }
 
 #[inline(always)]
-fn one<S: Level, M: Places<S> + ?Sized>(
-    steps: &[Step<M::Place>],
-    memory: &mut M,
-    f: impl Fn(Wide<S>) -> Wide<S>,
-) {
+fn one<N: Computed, M: Places<N> + ?Sized>(steps: &[Step<M::Place>], memory: &mut M, f: impl Fn(N) -> N) {
     for step in steps {
         memory.put(step.out, f(memory.get(step.a)));
     }
 }
 
 #[inline(always)]
-fn two<S: Level, M: Places<S> + ?Sized>(
-    steps: &[Step<M::Place>],
-    memory: &mut M,
-    f: impl Fn(Wide<S>, Wide<S>) -> Wide<S>,
-) {
+fn two<N: Computed, M: Places<N> + ?Sized>(steps: &[Step<M::Place>], memory: &mut M, f: impl Fn(N, N) -> N) {
     for step in steps {
         memory.put(step.out, f(memory.get(step.a), memory.get(step.b)));
     }
 }
 
 #[inline(always)]
-fn three<S: Level, M: Places<S> + ?Sized>(
+fn three<N: Computed, M: Places<N> + ?Sized>(
     steps: &[Step<M::Place>],
     memory: &mut M,
-    f: impl Fn(Wide<S>, Wide<S>, Wide<S>) -> Wide<S>,
+    f: impl Fn(N, N, N) -> N,
 ) {
     for step in steps {
         memory.put(step.out, f(memory.get(step.a), memory.get(step.b), memory.get(step.c)));
@@ -144,50 +138,44 @@ fn three<S: Level, M: Places<S> + ?Sized>(
 }
 
 #[inline(always)]
-fn compare<S: Level>(comparison: Comparison, a: Wide<S>, b: Wide<S>) -> Mask<S> {
+fn compare<N: Computed>(comparison: Comparison, a: N, b: N) -> N::Answer {
     match comparison {
-        Comparison::Less => a.lt(b),
-        Comparison::LessEqual => a.le(b),
-        Comparison::Greater => a.gt(b),
-        Comparison::GreaterEqual => a.ge(b),
-        Comparison::Equal => a.equal(b),
-        Comparison::NotEqual => a.differ(b),
+        Comparison::Less => a.below(b),
+        Comparison::LessEqual => a.at_most(b),
+        Comparison::Greater => a.above(b),
+        Comparison::GreaterEqual => b.at_most(a),
+        Comparison::Equal => a.equals(b),
+        Comparison::NotEqual => !a.equals(b),
     }
 }
 
 /// A function that goes lane by lane: a function of its own, for it calls others anyway.
 #[inline(never)]
-fn one_by_one<S: Level, M: Places<S> + ?Sized>(f: Function, steps: &[Step<M::Place>], memory: &mut M) {
+fn one_by_one<N: Computed, M: Places<N> + ?Sized>(f: Function, steps: &[Step<M::Place>], memory: &mut M) {
     let value = f.value();
-    one(steps, memory, |a| a.map(value));
+    one(steps, memory, |a| a.map_to(|x| [value(x)])[0]);
 }
 
 #[inline(never)]
-fn two_by_two<S: Level, M: Places<S> + ?Sized>(f: Function2, steps: &[Step<M::Place>], memory: &mut M) {
+fn two_by_two<N: Computed, M: Places<N> + ?Sized>(f: Function2, steps: &[Step<M::Place>], memory: &mut M) {
     let value = f.value();
     two(steps, memory, |a, b| a.map2(b, value));
 }
 
 /// A derivative of a law and the two that follow it; not a number where that is not known.
 #[inline(never)]
-fn ask<S: Level, M: Places<S> + ?Sized>(
+fn ask<N: Computed, M: Places<N> + ?Sized>(
     law: Option<&Law>,
     order: u8,
     steps: &[Step<M::Place>],
     memory: &mut M,
 ) {
     for step in steps {
-        let x = memory.get(step.a);
-        let mut jet = [x; 3];
-        for (lane, x) in x.as_slice().iter().enumerate() {
-            let [f, f1, f2, f3] = law.map_or([f64::NAN; 4], |law| law.jet(*x));
-            let own = if order == 0 {
-                [f, f1, f2]
-            } else {
-                [f3, law.map_or(f64::NAN, |law| law.fourth(*x)), f64::NAN]
-            };
-            jet.iter_mut().zip(own).for_each(|(wide, number)| wide.as_mut_slice()[lane] = number);
-        }
+        let jet = memory.get(step.a).map_to(|x| {
+            let [f, f1, f2, f3] = law.map_or([f64::NAN; 4], |law| law.jet(x));
+            let fourth = || law.map_or(f64::NAN, |law| law.fourth(x));
+            if order == 0 { [f, f1, f2] } else { [f3, fourth(), f64::NAN] }
+        });
         [step.out, step.b, step.c].into_iter().zip(jet).for_each(|(place, number)| memory.put(place, number));
     }
 }

@@ -10,7 +10,7 @@ use crate::numbers::lanes::Level;
 /// The side of the squares that are turned in registers.
 const SIDE: usize = 4;
 
-impl<S: Level> Times<'_, S> {
+impl<S: Level> Times<S> {
     /// Appends q, q̇, q̈ and, where it is asked for, q⃛ in some lanes to these lists, a row a lane.
     pub(crate) fn append(&self, lanes: Range<usize>, lists: [&mut Vec<f64>; ORDERS + 1]) {
         self.simd.vectorize(Turning { times: self, lanes, lists });
@@ -19,18 +19,18 @@ impl<S: Level> Times<'_, S> {
     /// q in a lane, into a list.
     pub(crate) fn position(&self, lane: usize, list: &mut Vec<f64>) {
         list.clear();
-        list.extend((0..self.tape.values.len()).map(|column| self.of(column, 0)[lane]));
+        list.extend((0..self.tape().values.len()).map(|column| self.of(column, 0)[lane]));
     }
 }
 
 /// Lanes on their way into the function that has the machine's instructions.
-struct Turning<'x, 'p, S: Level> {
-    times: &'x Times<'p, S>,
+struct Turning<'x, S: Level> {
+    times: &'x Times<S>,
     lanes: Range<usize>,
     lists: [&'x mut Vec<f64>; ORDERS + 1],
 }
 
-impl<S: Level> NullaryFnOnce for Turning<'_, '_, S> {
+impl<S: Level> NullaryFnOnce for Turning<'_, S> {
     type Output = ();
 
     #[inline(always)]
@@ -39,7 +39,7 @@ impl<S: Level> NullaryFnOnce for Turning<'_, '_, S> {
         for (order, list) in [q, qd, qdd].into_iter().enumerate() {
             times.turn_all(|column| Times::<S>::line(column, order), &lanes, list);
         }
-        if !times.tape.third_rates.is_empty() {
+        if !times.tape().third_rates.is_empty() {
             times.turn_all(|column| times.line_of(column, ORDERS), &lanes, qddd);
         }
     }
@@ -51,11 +51,11 @@ fn lengthen(list: &mut Vec<f64>, count: usize) {
     list.extend(std::iter::repeat_n(f64::NAN, count));
 }
 
-impl<S: Level> Times<'_, S> {
+impl<S: Level> Times<S> {
     /// The lines of all coordinates, which are at these places, appended to a list as rows of these lanes.
     #[inline(always)]
     fn turn_all(&self, line: impl Fn(usize) -> usize, lanes: &Range<usize>, list: &mut Vec<f64>) {
-        let (n, begun) = (self.tape.values.len(), list.len());
+        let (n, begun) = (self.tape().values.len(), list.len());
         lengthen(list, lanes.len() * n);
         let rows = &mut list[begun..];
         for column in (0..n / SIDE * SIDE).step_by(SIDE) {
@@ -79,7 +79,7 @@ impl<S: Level> Times<'_, S> {
         lanes: &Range<usize>,
         rows: &mut [f64],
     ) {
-        let n = self.tape.values.len();
+        let n = self.tape().values.len();
         for first in (0..Self::LANES).step_by(SIDE) {
             let mut square = [[0.0; SIDE]; SIDE];
             for (k, own) in square.iter_mut().enumerate().take(WIDTH) {

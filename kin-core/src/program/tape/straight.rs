@@ -1,7 +1,5 @@
 //! A tape without stages, over all times of a motion: what it reads and gives are rows of lists, one a time.
 
-use std::marker::PhantomData;
-
 use kin_graph::Input;
 use pulp::NullaryFnOnce;
 
@@ -198,7 +196,7 @@ impl<S: Level, K: Sink> NullaryFnOnce for Passing<'_, '_, S, K> {
         for first in (0..all.times).step_by(Wide::<S>::LANES) {
             let lanes = (all.times - first).min(Wide::<S>::LANES);
             ports.read(simd, memory, first, lanes);
-            simd.vectorize(Replay { stage: &tape.stage, laws: &tape.laws, memory, level: PhantomData });
+            simd.vectorize(Replay { stage: &tape.stage, laws: &tape.laws, memory });
             let good = judged(simd, memory, &tape.outputs, all.marks);
             if (!good).any() {
                 bad.extend((0..lanes).filter(|lane| !good.lane(*lane)).map(|lane| first + lane));

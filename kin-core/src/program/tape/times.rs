@@ -4,15 +4,14 @@
 //! A lane's digits never depend on its neighbours: one that has converged is not changed any more while
 //! others go on.
 
-use std::marker::PhantomData;
+use std::sync::Arc;
 
 use pulp::NullaryFnOnce;
 
-use super::replay::Replay;
-use super::{SHORT, Stage, Tape};
+use super::Tape;
+use super::newton::{Checked, Solver};
 use crate::numbers::lanes::lanewise::misses;
 use crate::numbers::lanes::{Level, Mask, Wide};
-use crate::system::stop;
 
 /// A coordinate as a polynomial of time.
 pub(crate) type Curve = [f64; 9];
@@ -55,45 +54,37 @@ pub(crate) struct Judged<S: Level> {
 }
 
 /// A tape with its memory over lanes.
-pub(crate) struct Times<'p, S: Level> {
+pub(crate) struct Times<S: Level> {
     pub(super) simd: S,
-    pub(super) tape: &'p Tape,
-    memory: Vec<Wide<S>>,
+    pub(super) solver: Solver<Wide<S>>,
     /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes; behind all of them q⃛
     /// of each coordinate, where it is asked for.
     pub(super) lines: Vec<f64>,
     /// The numbers that choose between sides, in the last lane before.
     sides: Vec<f64>,
-    /// Pivots and determinants where the signs and sizes were those of a position that is known.
-    marks: Vec<Vec<f64>>,
     pub judged: Judged<S>,
-    /// How many Newton steps each lane took.
-    pub steps: Vec<usize>,
 }
 
-impl<'p, S: Level> Times<'p, S> {
+impl<S: Level> Times<S> {
     pub(crate) const LANES: usize = Wide::<S>::LANES;
     pub(super) const STRIDE: usize = Self::LANES + 1;
 
-    pub(crate) fn new(simd: S, tape: &'p Tape) -> Self {
-        let mut memory = vec![Wide::splat(simd, 0.0); tape.places.max(SHORT)];
-        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
-        let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
+    pub(crate) fn new(simd: S, tape: Arc<Tape>) -> Self {
         let numbers = ORDERS * tape.values.len() + tape.third_rates.len();
         let (lines, none) = (vec![0.0; Self::STRIDE * numbers], Wide::splat(simd, f64::NAN));
-        let (sides, steps) = (vec![f64::NAN; tape.sides.len()], vec![0; Self::LANES]);
+        let sides = vec![f64::NAN; tape.sides.len()];
         let judged = Judged { miss: none, pivot: none, residual: none };
-        Times { simd, tape, memory, lines, sides, marks, judged, steps }
+        Times { simd, solver: Solver::new(none, tape), lines, sides, judged }
     }
 
     /// True if anything may jump where coordinates move.
     pub(crate) fn jumps(&self) -> bool {
-        self.tape.jumps()
+        self.tape().jumps()
     }
 
     /// Which coordinates are torn.
     pub(crate) fn torn(&self) -> &[usize] {
-        &self.tape.columns
+        &self.tape().columns
     }
 
     /// The position before the first lane of the first group; of a later one it is the last lane's.
@@ -103,14 +94,14 @@ impl<'p, S: Level> Times<'p, S> {
         }
     }
 
-    /// Pivots and determinants of the first lane become the marks.
-    fn mark(&mut self) {
-        for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
-            marks
-                .iter_mut()
-                .zip(guards)
-                .for_each(|(mark, guard)| *mark = self.memory[*guard as usize].as_slice()[0]);
-        }
+    /// The tape that is replayed.
+    pub(super) fn tape(&self) -> &Tape {
+        &self.solver.tape
+    }
+
+    /// How many Newton steps each lane took.
+    pub(crate) fn steps(&self) -> &[f64] {
+        self.solver.steps.as_slice()
     }
 
     pub(super) fn line(column: usize, order: usize) -> usize {
@@ -122,7 +113,7 @@ impl<'p, S: Level> Times<'p, S> {
         if order < ORDERS {
             Self::line(column, order)
         } else {
-            (ORDERS * self.tape.values.len() + column) * Self::STRIDE
+            (ORDERS * self.tape().values.len() + column) * Self::STRIDE
         }
     }
 
@@ -134,8 +125,7 @@ impl<'p, S: Level> Times<'p, S> {
 
     /// The row with the largest |C_i| in a lane.
     pub(crate) fn worst(&self, lane: usize) -> usize {
-        let c = |row: usize| self.memory[self.tape.verify[row] as usize].as_slice()[lane].abs();
-        (0..self.tape.verify.len()).max_by(|a, b| c(*a).total_cmp(&c(*b))).unwrap_or_default()
+        self.solver.worst(lane)
     }
 
     /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn coordinates
@@ -155,8 +145,8 @@ impl<'p, S: Level> Times<'p, S> {
 }
 
 /// All of a group, on its way into the function that has the machine's instructions.
-struct Solving<'x, 'p, S: Level> {
-    times: &'x mut Times<'p, S>,
+struct Solving<'x, S: Level> {
+    times: &'x mut Times<S>,
     before: f64,
     all: &'x [f64],
     origin: f64,
@@ -165,13 +155,13 @@ struct Solving<'x, 'p, S: Level> {
     begins: bool,
 }
 
-impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
+impl<S: Level> NullaryFnOnce for Solving<'_, S> {
     type Output = ();
 
     #[inline(always)]
     fn call(self) {
         let Solving { times, before, all, origin, curves, limits, begins } = self;
-        let (simd, tape) = (times.simd, times.tape);
+        let simd = times.simd;
         let mut t = Wide::splat(simd, 0.0);
         let mut from = t;
         // Lanes beyond the last time repeat it.
@@ -180,136 +170,35 @@ impl<S: Level> NullaryFnOnce for Solving<'_, '_, S> {
             *t = all[own];
             *from = if own == 0 { before } else { all[own - 1] };
         }
-        times.memory[tape.t as usize] = t;
+        let Solver { tape, memory, .. } = &mut times.solver;
+        memory[tape.t as usize] = t;
         let s = t - Wide::splat(simd, origin);
         for (place, curve) in tape.torn.iter().zip(curves) {
             let own = curve
                 .iter()
                 .rev()
                 .fold(Wide::splat(simd, 0.0), |sum, c| sum.mul_add(s, Wide::splat(simd, *c)));
-            times.memory[*place as usize] = own;
+            memory[*place as usize] = own;
         }
-        times.replay(&tape.time);
-        let converged = times.newton(limits);
-        times.replay(&tape.rest);
-        if begins {
-            times.mark();
-        }
-        let (met, residual) = times.verified(limits);
-        let (pivot, turned) = times.guarded();
+        let Checked { met, residual, pivot, turned } = times.solver.solve(simd, limits, begins);
         let same = times.same_sides(begins);
         let known = times.write(begins);
         let [miss, reach] = times.missed(t - from, limits);
         let (least, most) = (Wide::splat(simd, limits.pivot), Wide::splat(simd, limits.reach));
-        let good = converged & met & same & known & !turned & pivot.ge(least) & reach.le(most);
+        let good = met & same & known & !turned & pivot.ge(least) & reach.le(most);
         let miss = good.select(miss, Wide::splat(simd, f64::NAN));
         times.judged = Judged { miss, pivot, residual };
     }
 }
 
-impl<S: Level> Times<'_, S> {
-    #[inline(always)]
-    fn replay(&mut self, stage: &Stage) {
-        // One function for all stages.
-        self.simd.vectorize(Replay {
-            stage,
-            laws: &self.tape.laws,
-            memory: &mut self.memory,
-            level: PhantomData,
-        });
-    }
-
-    /// Newton's method; where it has converged.
-    #[inline(always)]
-    fn newton(&mut self, limits: &Limits) -> Mask<S> {
-        let (simd, tape) = (self.simd, self.tape);
-        let mut open = Mask::splat(simd, true);
-        self.steps.fill(0);
-        let mut previous = Wide::splat(simd, f64::INFINITY);
-        if tape.torn.is_empty() {
-            return open;
-        }
-        for _ in 0..=limits.steps {
-            self.replay(&tape.correct);
-            let (within, largest) = self.within(limits);
-            open = open & !(within | stop::has_stalled(largest, previous));
-            if !open.any() {
-                break;
-            }
-            previous = largest;
-            for (place, change) in tape.torn.iter().zip(&tape.correction) {
-                let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
-                self.memory[*place as usize] = open.select(own + change, own);
-            }
-            let taken = open.as_numbers();
-            self.steps
-                .iter_mut()
-                .zip(taken.as_slice())
-                .for_each(|(steps, x)| *steps += usize::from(*x != 0.0));
-        }
-        !open
-    }
-
-    /// Where the correction in hand and what made it are as small as they have to be, and the largest of it
-    /// by sizes.
-    #[inline(always)]
-    fn within(&self, limits: &Limits) -> (Mask<S>, Wide<S>) {
-        let (simd, tape) = (self.simd, self.tape);
-        let (mut within, mut largest) = (Mask::splat(simd, true), Wide::splat(simd, 0.0));
-        let own = tape.correction.iter().zip(&tape.torn).zip(limits.correction.iter().zip(&limits.sizes));
-        for ((change, place), (allowed, size)) in own {
-            let (change, q) = (self.memory[*change as usize].abs(), self.memory[*place as usize].abs());
-            let allowed = Wide::splat(simd, limits.rounding).mul_add(q, Wide::splat(simd, *allowed));
-            within = within & change.le(allowed);
-            largest = largest.or_larger(change * Wide::splat(simd, size.recip()));
-        }
-        for (row, place) in tape.rows.iter().zip(&tape.left) {
-            within =
-                within & self.memory[*place as usize].abs().le(Wide::splat(simd, 0.5 * limits.rows[*row]));
-        }
-        (within, largest)
-    }
-
-    /// Where C = 0 holds as it was written, and max |C_i|.
-    #[inline(always)]
-    fn verified(&self, limits: &Limits) -> (Mask<S>, Wide<S>) {
-        let (mut met, mut most) = (Mask::splat(self.simd, true), Wide::splat(self.simd, 0.0));
-        for (place, allowed) in self.tape.verify.iter().zip(&limits.rows) {
-            let c = self.memory[*place as usize].abs();
-            met = met & c.le(Wide::splat(self.simd, *allowed));
-            most = most.or_larger(c);
-        }
-        (met, most)
-    }
-
-    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is
-    /// another one.
-    #[inline(always)]
-    fn guarded(&self) -> (Wide<S>, Mask<S>) {
-        let one = Wide::splat(self.simd, 1.0);
-        let (mut least, mut turned) = (one, Mask::splat(self.simd, false));
-        for (guards, marks) in self.tape.guards.iter().zip(&self.marks) {
-            let mut product = one;
-            for (guard, mark) in guards.iter().zip(marks) {
-                let share = self.memory[*guard as usize] * Wide::splat(self.simd, mark.recip());
-                let size = share.abs();
-                // A NaN is not among the sizes that are allowed.
-                least =
-                    size.le(least).select(size, size.gt(least).select(least, Wide::splat(self.simd, 0.0)));
-                product = product * share;
-            }
-            turned = turned | product.lt(Wide::splat(self.simd, 0.0));
-        }
-        (least, turned)
-    }
-
+impl<S: Level> Times<S> {
     /// True where everything that chooses between sides is what it was a lane before; of the first lane that
     /// is not asked where a block begins.
     #[inline(always)]
     fn same_sides(&mut self, begins: bool) -> Mask<S> {
         let mut same = Mask::splat(self.simd, true);
-        for (place, last) in self.tape.sides.iter().zip(&mut self.sides) {
-            let now = self.memory[*place as usize];
+        for (place, last) in self.solver.tape.sides.iter().zip(&mut self.sides) {
+            let now = self.solver.at(*place);
             let mut before = now;
             before.as_mut_slice()[1..].copy_from_slice(&now.as_slice()[..Self::LANES - 1]);
             if !begins {
@@ -326,14 +215,14 @@ impl<S: Level> Times<'_, S> {
     /// left out.
     #[inline(always)]
     fn write(&mut self, begins: bool) -> Mask<S> {
-        let (tape, zero) = (self.tape, Wide::splat(self.simd, 0.0));
+        let (solver, zero) = (&self.solver, Wide::splat(self.simd, 0.0));
+        let tape = &*solver.tape;
         for column in 0..tape.values.len() {
-            let mut q = self.memory[tape.values[column] as usize];
+            let mut q = solver.at(tape.values[column]);
             if !tape.jumps() {
-                q = q + self.memory[tape.corrections[column] as usize];
+                q = q + solver.at(tape.corrections[column]);
             }
-            let rates =
-                [tape.rates[column], tape.second_rates[column]].map(|place| self.memory[place as usize]);
+            let rates = [tape.rates[column], tape.second_rates[column]].map(|place| solver.at(place));
             for (order, numbers) in [q, rates[0], rates[1]].into_iter().enumerate() {
                 let line = &mut self.lines[Self::line(column, order)..][..Self::STRIDE];
                 if !begins {
@@ -344,7 +233,7 @@ impl<S: Level> Times<'_, S> {
         }
         let mut none = zero;
         for (column, place) in tape.third_rates.iter().enumerate() {
-            let (first, x) = (self.line_of(column, ORDERS) + 1, self.memory[*place as usize]);
+            let (first, x) = (self.line_of(column, ORDERS) + 1, solver.at(*place));
             self.lines[first..first + Self::LANES].copy_from_slice(x.as_slice());
             // 0 · x is 0 of a number, and not a number of anything else.
             none = none + x * zero;
@@ -359,7 +248,7 @@ impl<S: Level> Times<'_, S> {
         let simd = self.simd;
         let zero = Wide::splat(simd, 0.0);
         let (mut miss, mut reach, mut all) = (zero, zero, zero);
-        for column in 0..self.tape.values.len() {
+        for column in 0..self.tape().values.len() {
             let at = |order: usize, place: usize| {
                 let (first, mut wide) = (Self::line(column, order) + place, zero);
                 wide.as_mut_slice().copy_from_slice(&self.lines[first..first + Self::LANES]);

@@ -1,7 +1,5 @@
 //! A tape over lanes computes what the program does, node by node.
 
-use std::marker::PhantomData;
-
 use kin_graph::{Node, evaluate};
 use pulp::NullaryFnOnce;
 
@@ -38,9 +36,8 @@ impl WithLevel for Replayed<'_> {
                 .zip(&tape.columns)
                 .for_each(|(place, column)| memory[*place as usize].as_mut_slice()[lane] = q[*column]);
         }
-        let mut replay = |stage: &Stage| {
-            simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory, level: PhantomData }))
-        };
+        let mut replay =
+            |stage: &Stage| simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory }));
         // The steps that lead to the correction can be replayed any number of times.
         [&tape.time, &tape.correct, &tape.correct, &tape.rest].into_iter().for_each(&mut replay);
         let lists = [
@@ -61,7 +58,7 @@ impl WithLevel for Replayed<'_> {
     }
 }
 
-struct Again<'a, S: Level>(Replay<'a, S>);
+struct Again<'a, S: Level>(Replay<'a, Wide<S>>);
 
 impl<S: Level> NullaryFnOnce for Again<'_, S> {
     type Output = ();

@@ -8,6 +8,7 @@
 mod block;
 mod curve;
 mod holds;
+mod position;
 pub(crate) mod programs;
 
 use std::collections::HashMap;
@@ -22,6 +23,7 @@ use crate::program::{NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
+pub(crate) use position::position;
 
 /// After blocks that came to nothing so many times more are left to plain steps, up to this many.
 const PATIENCE: usize = 64;
@@ -115,7 +117,13 @@ impl Computing {
 }
 
 /// All times that the motion does not have yet by a tape, where the machine has lanes.
-fn replay(run: &mut Run<'_>, times: &[f64], motion: &mut Motion, tape: &Tape, lanes: Lanes) -> Result<()> {
+fn replay(
+    run: &mut Run<'_>,
+    times: &[f64],
+    motion: &mut Motion,
+    tape: &Arc<Tape>,
+    lanes: Lanes,
+) -> Result<()> {
     match lanes.dispatch(Work { run, times, motion, tape }) {
         Ok(done) => done,
         Err(Work { run, motion, .. }) => run.reach_all(&times[motion.len()..], motion),
@@ -127,7 +135,7 @@ struct Work<'x, 'a> {
     run: &'x mut Run<'a>,
     times: &'x [f64],
     motion: &'x mut Motion,
-    tape: &'x Tape,
+    tape: &'x Arc<Tape>,
 }
 
 impl WithLevel for Work<'_, '_> {
@@ -135,7 +143,7 @@ impl WithLevel for Work<'_, '_> {
 
     fn run<S: Level>(self, simd: S) -> Result<()> {
         let Work { run, times, motion, tape } = self;
-        let mut block = Block::new(simd, tape, run);
+        let mut block = Block::new(simd, Arc::clone(tape), run);
         let (mut pause, mut patience) = (0_usize, 1);
         while let Some(&t) = times.get(motion.len()) {
             run.reach(t, motion)?;

@@ -60,8 +60,9 @@ pub struct Options {
     /// The check that each step stays on its branch, and the branch that is taken where branches cross;
     /// default [`Follow::Smooth`].
     pub follow: Follow,
-    /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Auto`]. Single
-    /// positions and sweeps are always plain, runs in parts unless [`Engine::Compiled`] is asked for.
+    /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Auto`]. Sweeps are
+    /// always plain, runs in parts unless [`Engine::Compiled`] is asked for, and single positions unless
+    /// [`crate::System::compile`] was called.
     pub engine: Engine,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1
     /// GiB). A run that needs more is refused before it begins; [`crate::System::run_in_parts`] needs the

@@ -84,6 +84,7 @@ pub(crate) fn at(
         residual: outcome.residual,
         worst,
         smallest_pivot: position.solver.smallest_pivot(),
+        compiled: false,
     };
     Ok(Solution { t, q: position.q.to_vec(), qd: position.qd.to_vec(), qdd: position.qdd.to_vec(), report })
 }

@@ -33,6 +33,7 @@ impl Newton<'_> {
             residual: outcome.residual,
             worst: self.system.equations().equation(self.worst().0),
             smallest_pivot: self.linear.smallest_pivot(),
+            compiled: false,
         };
         Solution { t, q: self.q.to_vec(), qd: self.qd.to_vec(), qdd: self.qdd.to_vec(), report }
     }

@@ -1,6 +1,7 @@
 //! Times that a program computes between two plain steps.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::curve::{Curves, at};
 use super::holds::Sums;
@@ -27,8 +28,8 @@ const LEAST: f64 = 0.02;
 const SAME: [f64; ORDERS + 1] = [1e-9, 1e-7, 1e-6, 1e-5];
 
 /// Times that a program computes between two plain steps.
-pub(super) struct Block<'p, S: Level> {
-    times: Times<'p, S>,
+pub(super) struct Block<S: Level> {
+    times: Times<S>,
     limits: Limits,
     instant: Instant,
     /// True if laws have breaks that are looked for time by time.
@@ -63,8 +64,8 @@ enum End {
     Objection,
 }
 
-impl<'p, S: Level> Block<'p, S> {
-    pub(super) fn new(simd: S, tape: &'p Tape, run: &Run<'_>) -> Self {
+impl<S: Level> Block<S> {
+    pub(super) fn new(simd: S, tape: Arc<Tape>, run: &Run<'_>) -> Self {
         let (times, system) = (Times::new(simd, tape), run.system());
         let curves = vec![[0.0; 9]; times.torn().len()];
         let spread = (3 * Times::<S>::LANES).div_ceil(8);
@@ -220,7 +221,8 @@ impl<'p, S: Level> Block<'p, S> {
     /// the right times asked where they lead?
     fn compare(&mut self, motion: &Motion, before: usize) {
         let last = motion.len() - 1;
-        if before < self.since + self.far.reach_back() || self.times.steps.iter().all(|steps| *steps < 2) {
+        if before < self.since + self.far.reach_back() || self.times.steps().iter().all(|steps| *steps < 2.0)
+        {
             return;
         }
         let s = motion.times()[last] - motion.times()[before];
@@ -304,7 +306,7 @@ impl<'p, S: Level> Block<'p, S> {
         {
             motion.worst = Some((most, self.times.worst(first + lane)));
         }
-        motion.iterations.extend_from_slice(&self.times.steps[lanes.clone()]);
+        motion.iterations.extend(self.times.steps()[lanes.clone()].iter().map(|steps| *steps as usize));
         motion.residuals.extend_from_slice(residuals);
         motion.times.extend_from_slice(&times[lanes.clone()]);
         self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd, &mut motion.qddd]);

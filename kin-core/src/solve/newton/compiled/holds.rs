@@ -2,8 +2,8 @@
 //! they are now.
 
 use crate::solve::motion::Motion;
-use crate::solve::newton::Newton;
 use crate::solve::newton::run::Run;
+use crate::system::evaluate::{Equations, Instant};
 
 /// How far the sum of a row may be off, of the sum of the sizes of its terms.   \[-\]
 const OFF: f64 = 1e-9;
@@ -28,7 +28,12 @@ impl Run<'_> {
             let newton = &mut stepper.newton;
             newton.q.copy_from_slice(motion.q(last));
             let rates = [motion.qd(last), motion.qdd(last), motion.qddd(last)];
-            let holds = holds(newton, motion.times()[last], rates, (allowed, room));
+            let holds = newton.linearize(motion.times()[last]).is_ok() && {
+                let (values, rhs) = newton.linear.values_and_rhs();
+                let equations = newton.system.equations();
+                let look = Look { equations, instant: &mut newton.instant, c: &newton.c, values, rhs };
+                holds(look, rates, (allowed, room))
+            };
             // The sizes that were measured there count from now on, or never.
             if holds {
                 newton.linear.confirm()
@@ -40,41 +45,49 @@ impl Run<'_> {
     }
 }
 
-fn holds(
-    newton: &mut Newton<'_>,
-    t: f64,
+/// The constraints at a point: the instant, C and C_q there, and room for a right side.
+pub(super) struct Look<'n> {
+    pub equations: &'n Equations,
+    pub instant: &'n mut Instant,
+    pub c: &'n [f64],
+    pub values: &'n [f64],
+    pub rhs: &'n mut [f64],
+}
+
+/// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, unless it is empty, C_q q⃛ = −g‴(0) at that point.
+pub(super) fn holds(
+    Look { equations, instant, c, values, rhs }: Look<'_>,
     [qd, qdd, qddd]: [&[f64]; 3],
     (allowed, room): (&[f64], &mut Sums),
 ) -> bool {
-    let equations = newton.system.equations();
-    if newton.linearize(t).is_err() {
-        return false;
-    }
     // The last correction has been made since C was looked at.
-    let met = newton.c.iter().zip(allowed).all(|(c, allowed)| c.abs() <= 2.0 * allowed);
-    equations.velocity_rhs(&newton.instant, newton.linear.rhs_mut());
-    let moves = is_solution(newton, qd, room);
-    equations.set_rates(qd, &mut newton.instant);
-    equations.acceleration_rhs(&newton.instant, newton.linear.rhs_mut());
-    let follows = is_solution(newton, qdd, room);
+    let met = c.iter().zip(allowed).all(|(c, allowed)| c.abs() <= 2.0 * allowed);
+    equations.velocity_rhs(instant, rhs);
+    let mut is_solution = |x: &[f64], rhs: &[f64]| is_solution(equations, (values, x, rhs), room);
+    let moves = is_solution(qd, rhs);
+    equations.set_rates(qd, instant);
+    equations.acceleration_rhs(instant, rhs);
+    let follows = is_solution(qdd, rhs);
     if !(met && moves && follows) {
         return false;
     }
     if qddd.is_empty() {
         return true;
     }
-    let known = equations.jerk_rhs(qdd, &mut newton.instant, newton.linear.rhs_mut()).is_ok();
-    known && is_solution(newton, qddd, room)
+    equations.jerk_rhs(qdd, instant, rhs).is_ok() && is_solution(qddd, rhs)
 }
 
-/// True if x solves C_q x = b, where b is the right side in hand.
-fn is_solution(newton: &mut Newton<'_>, x: &[f64], Sums { sums, sizes }: &mut Sums) -> bool {
-    let b = newton.linear.rhs_mut();
+/// True if x solves C_q x = b, by the values of C_q.
+fn is_solution(
+    equations: &Equations,
+    (values, x, b): (&[f64], &[f64], &[f64]),
+    Sums { sums, sizes }: &mut Sums,
+) -> bool {
     sums.clear();
     sums.extend(b.iter().map(|b| -b));
     sizes.clear();
     sizes.extend(b.iter().map(|b| b.abs()));
-    for (entry, value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
+    for (entry, value) in equations.entries.iter().zip(values) {
         if let Some((row, column)) = *entry {
             sums[row] += value * x[column];
             sizes[row] += (value * x[column]).abs();

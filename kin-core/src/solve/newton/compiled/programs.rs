@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::can_be;
+use super::position::Positions;
 use crate::program::{Pose, Refusal, Tape, program, schedule};
 use crate::solve::newton::Newton;
 use crate::system::System;
@@ -16,6 +17,8 @@ pub(crate) type Compiling = std::result::Result<Arc<Tape>, Refusal>;
 pub(super) struct Programs {
     asked: Option<Made>,
     last: Option<Made>,
+    /// The one that was asked for, for single positions.
+    positions: Option<Arc<Positions>>,
 }
 
 /// A program with the pose that its elimination was chosen at. At another one it would give the same numbers
@@ -43,8 +46,16 @@ pub(super) fn cached(newton: &Newton<'_>, t: f64) -> Compiling {
 pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
     let tape = cached(newton, t);
     let asked = Some(Made { pose: bits(newton, t), tape: tape.clone() });
-    newton.system.cache().put(Arc::new(Programs { asked, ..known(newton.system) }));
+    let positions = tape.as_ref().ok().map(|tape| Arc::new(Positions::new(Arc::clone(tape), newton, t)));
+    newton.system.cache().put(Arc::new(Programs { asked, positions, ..known(newton.system) }));
     tape
+}
+
+impl Programs {
+    /// The program that was asked for, for single positions.
+    pub(super) fn positions(&self) -> Option<&Positions> {
+        self.positions.as_deref()
+    }
 }
 
 /// True if a program was asked for by [`System::compile`]: that is one without q⃛.

@@ -52,7 +52,7 @@ fn run_made(asked: Asked<'_>, tape: impl Fn(Pose<'_>) -> Option<Tape>) -> Motion
     let newton = &run.stepper().expect("plain steps").newton;
     let pose = Pose { t: times[0], q: &newton.q, sizes: &newton.sizes };
     match tape(pose) {
-        Some(tape) => replay(&mut run, times, &mut motion, &tape, Lanes::Best).expect("runs"),
+        Some(tape) => replay(&mut run, times, &mut motion, &Arc::new(tape), Lanes::Best).expect("runs"),
         None => run.reach_all(&times[1..], &mut motion).expect("runs"),
     }
     motion
@@ -68,6 +68,66 @@ fn difference(a: &Motion, b: &Motion) -> f64 {
             of(a.q(k), b.q(k)).max(of(a.qd(k), b.qd(k))).max(further)
         })
         .fold(0.0, f64::max)
+}
+
+/// Single positions by a tape that is made where the first one is, each from the one before; gives how many
+/// there are, and fails where one is not that of plain steps.
+fn singly(asked: Asked<'_>, plain: &Motion, tape: impl Fn(Pose<'_>) -> Option<Tape>) -> Option<usize> {
+    let (Asked { system, times, .. }, options) = (asked, asked.options());
+    let mut run = Run::new(system, &options, None).expect("runs");
+    run.reach(times[0], &mut Motion::new(system, 1)).expect("reaches");
+    let newton = &run.stepper().expect("plain steps").newton;
+    let tape = tape(Pose { t: times[0], q: &newton.q, sizes: &newton.sizes })?;
+    let positions = position::Positions::new(Arc::new(tape), newton, times[0]);
+    let found = (1..times.len())
+        .filter_map(|k| Some((k, positions.position(system, times[k], plain.q(k - 1), &options)?)));
+    Some(
+        found
+            .inspect(|(k, found)| {
+                let lists = [(&found.q, plain.q(*k)), (&found.qd, plain.qd(*k)), (&found.qdd, plain.qdd(*k))];
+                for (own, plain) in lists {
+                    let off = own.iter().zip(plain).map(|(a, b)| (a - b).abs() / (1.0 + b.abs()));
+                    assert!(off.fold(0.0, f64::max) < 1e-9, "{own:?} is not {plain:?}");
+                }
+            })
+            .count(),
+    )
+}
+
+/// The constraints' own kernels look at the first position, and no other one counts before that is right.
+#[test]
+fn planted_faults_never_come_to_a_single_position() {
+    let (system, times) = (four_bar(1.0), linspace(0.0, 0.2, 41));
+    let asked = Asked { system: &system, times: &times, jerk: false };
+    let plain = asked.plain();
+    let by = |change: &dyn Fn(&mut Program)| {
+        let made = singly(asked, &plain, |pose| {
+            let mut program = program(&system, pose, false).expect("compiles");
+            change(&mut program);
+            Some(schedule(program))
+        });
+        made.expect("a tape")
+    };
+    assert_eq!(by(&|_| {}), 40);
+    let all = plant::ALL.into_iter().flat_map(|fault| (0..system.n_coordinates()).map(move |k| (fault, k)));
+    let noticed = all.filter(|(fault, k)| by(&|program| plant::plant(program, *fault, *k)) == 0).count();
+    assert!(noticed > 25, "{noticed} of the faults were noticed; the others changed nothing");
+    // Single positions have no jerk.
+    let passes = PASSES.into_iter().filter(|pass| *pass != Pass::ThirdRates);
+    for (pass, wrong) in passes.flat_map(|pass| WRONGS.map(|wrong| (pass, wrong))) {
+        let found = (0..).step_by(3).map_while(|k| {
+            let there = std::cell::Cell::new(true);
+            let found = singly(asked, &plain, |pose| {
+                let made = with_fault(&system, pose, (pass, wrong), k);
+                there.set(made.is_some());
+                Some(schedule(made?.ok()?))
+            });
+            there.get().then_some(found)
+        });
+        let found: Vec<Option<usize>> = found.collect();
+        let noticed = found.iter().filter(|found| found.unwrap_or(0) == 0).count();
+        assert!(5 * noticed >= found.len(), "{pass:?} {wrong:?}: {noticed} of {}", found.len());
+    }
 }
 
 #[test]

@@ -1,0 +1,167 @@
+//! Newton's method on what is torn, and what a position is judged by, over any number: that of one time, or
+//! of one in each lane.
+
+use std::sync::Arc;
+
+use super::replay::Replay;
+use super::times::Limits;
+use super::{SHORT, Stage, Tape};
+use crate::numbers::lanes::Level;
+use crate::numbers::lanes::lanewise::{Answer, Computed};
+use crate::system::stop;
+
+/// A tape with its memory.
+pub(super) struct Solver<N> {
+    pub tape: Arc<Tape>,
+    pub memory: Vec<N>,
+    /// Pivots and determinants where the signs and sizes were those of a position that is known.
+    marks: Vec<Vec<f64>>,
+    /// How many Newton steps were taken.
+    pub steps: N,
+    /// The largest corrections of the first two steps, by sizes.
+    pub corrections: [N; 2],
+}
+
+/// The findings about a position, in each lane.
+pub(super) struct Checked<N: Computed> {
+    /// True where Newton's method has converged, and C = 0 holds as it was written.
+    pub met: N::Answer,
+    pub residual: N,
+    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is
+    /// another one.
+    pub pivot: N,
+    pub turned: N::Answer,
+}
+
+impl<N: Computed> Solver<N> {
+    /// `zero` is any number.
+    pub(super) fn new(zero: N, tape: Arc<Tape>) -> Self {
+        let mut memory = vec![zero.all(0.0); tape.places.max(SHORT)];
+        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = zero.all(*x));
+        let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
+        Solver { tape, memory, marks, steps: zero.all(0.0), corrections: [zero.all(0.0); 2] }
+    }
+
+    /// The number in a place.
+    #[inline(always)]
+    pub(super) fn at(&self, place: u32) -> N {
+        self.memory[place as usize]
+    }
+
+    /// Pivots and determinants of the first lane become the marks.
+    pub(super) fn mark(&mut self) {
+        for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
+            let first = |guard: &u32| self.memory[*guard as usize].lane(0);
+            marks.iter_mut().zip(guards).for_each(|(mark, guard)| *mark = first(guard));
+        }
+    }
+
+    /// The row with the largest |C_i| in a lane.
+    pub(super) fn worst(&self, lane: usize) -> usize {
+        let rows = self.tape.verify.iter().map(|place| self.at(*place).lane(lane).abs()).enumerate();
+        rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst }).0
+    }
+
+    /// All stages at the time that stands there, from the torn coordinates that stand there. Where a block of
+    /// times `begins`, pivots and determinants become the marks.
+    #[inline(always)]
+    pub(super) fn solve<S: Level>(&mut self, simd: S, limits: &Limits, begins: bool) -> Checked<N> {
+        self.replay(simd, |tape| &tape.time);
+        let converged = self.newton(simd, limits);
+        self.replay(simd, |tape| &tape.rest);
+        if begins {
+            self.mark();
+        }
+        let (met, residual) = self.verified(limits);
+        let (pivot, turned) = self.guarded();
+        Checked { met: converged & met, residual, pivot, turned }
+    }
+
+    #[inline(always)]
+    fn replay<S: Level>(&mut self, simd: S, stage: impl Fn(&Tape) -> &Stage) {
+        // One function for all stages.
+        let Solver { tape, memory, .. } = self;
+        simd.vectorize(Replay { stage: stage(tape), laws: &tape.laws, memory });
+    }
+
+    /// Newton's method; where it has converged.
+    #[inline(always)]
+    fn newton<S: Level>(&mut self, simd: S, limits: &Limits) -> N::Answer {
+        let one = self.steps.all(1.0);
+        let (mut open, mut previous) = (one.equals(one), one.all(f64::INFINITY));
+        self.steps = one.all(0.0);
+        if self.tape.torn.is_empty() {
+            return open;
+        }
+        for step in 0..=limits.steps {
+            self.replay(simd, |tape| &tape.correct);
+            let (within, largest) = self.within(limits);
+            if let Some(own) = self.corrections.get_mut(step) {
+                *own = largest;
+            }
+            open = open & !(within | stop::has_stalled(largest, previous));
+            if !open.any() {
+                break;
+            }
+            previous = largest;
+            for (place, change) in self.tape.torn.iter().zip(&self.tape.correction) {
+                let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
+                self.memory[*place as usize] = (own + change).where_or(open, own);
+            }
+            self.steps = self.steps + one.one_where(open);
+        }
+        !open
+    }
+
+    /// Where the correction in hand and what made it are as small as they have to be, and the largest of it
+    /// by sizes.
+    #[inline(always)]
+    fn within(&self, limits: &Limits) -> (N::Answer, N) {
+        let (tape, mut largest) = (&*self.tape, self.steps.all(0.0));
+        let mut within = largest.equals(largest);
+        let own = tape.correction.iter().zip(&tape.torn).zip(limits.correction.iter().zip(&limits.sizes));
+        for ((change, place), (allowed, size)) in own {
+            let (change, q) = (self.at(*change).abs(), self.at(*place).abs());
+            within = within & change.at_most(q.all(limits.rounding).fused(q, q.all(*allowed)));
+            largest = largest.or_larger(change * q.all(size.recip()));
+        }
+        for (row, place) in tape.rows.iter().zip(&tape.left) {
+            within = within & self.at(*place).abs().at_most(largest.all(0.5 * limits.rows[*row]));
+        }
+        (within, largest)
+    }
+
+    /// Where C = 0 holds as it was written, and max |C_i|.
+    #[inline(always)]
+    fn verified(&self, limits: &Limits) -> (N::Answer, N) {
+        let mut most = self.steps.all(0.0);
+        let mut met = most.equals(most);
+        for (place, allowed) in self.tape.verify.iter().zip(&limits.rows) {
+            let c = self.at(*place).abs();
+            met = met & c.at_most(c.all(*allowed));
+            most = most.or_larger(c);
+        }
+        (met, most)
+    }
+
+    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is
+    /// another one.
+    #[inline(always)]
+    fn guarded(&self) -> (N, N::Answer) {
+        let one = self.steps.all(1.0);
+        let (mut least, mut turned) = (one, one.below(one));
+        for (guards, marks) in self.tape.guards.iter().zip(&self.marks) {
+            let mut product = one;
+            for (guard, mark) in guards.iter().zip(marks) {
+                let share = self.at(*guard) * one.all(mark.recip());
+                let size = share.abs();
+                // A NaN is not among the sizes that are allowed.
+                let other = least.where_or(size.above(least), one.all(0.0));
+                least = size.where_or(size.at_most(least), other);
+                product = product * share;
+            }
+            turned = turned | product.below(one.all(0.0));
+        }
+        (least, turned)
+    }
+}

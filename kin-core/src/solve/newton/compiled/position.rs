@@ -1,0 +1,217 @@
+//! Single positions by the program that was asked for: one time alone, from coordinates that are near.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::holds::{Look, Sums, holds};
+use crate::numbers::lanes::{Lanes, Level, WithLevel};
+use crate::program::Tape;
+use crate::program::alone::Alone;
+use crate::program::times::Limits;
+use crate::solve::newton::{Engine, Newton, Options, Report, Stop};
+use crate::system::evaluate::Instant;
+use crate::system::{Solution, System, stop};
+
+/// Newton steps at most: from near by they are few, and from elsewhere damped ones are asked for.
+const STEPS: usize = 4;
+
+/// Every coordinate is this near to where it begins, unless rows give them all: from further off the steps of
+/// a program may come to another assembly than those of all coordinates.   \[-\]
+const NEAR: f64 = 0.1;
+
+/// A pivot or determinant is at least this share of what it was where the program was chosen.   \[-\]
+const LEAST: f64 = 0.02;
+
+/// The constraints' own kernels look at the first position in a room, and at each that so many others have
+/// gone before.
+const LOOKS: usize = 64;
+
+/// A program for single positions, with what is known where its elimination was chosen.
+pub(super) struct Positions {
+    tape: Arc<Tape>,
+    t: f64,
+    q: Vec<f64>,
+    sizes: Vec<f64>,
+    /// The smallest pivot, the norms of rows and the values of C_q.
+    pivot: f64,
+    norms: Vec<f64>,
+    values: Vec<f64>,
+    /// Rooms that no call has in hand.
+    rooms: Mutex<Vec<Box<Room>>>,
+}
+
+/// All that a call needs; what is left of the calls before has no say in the numbers.
+struct Room {
+    alone: Alone,
+    tolerance: f64,
+    limits: Limits,
+    instant: Instant,
+    c: Vec<f64>,
+    values: Vec<f64>,
+    rhs: Vec<f64>,
+    sums: Sums,
+    calls: usize,
+}
+
+/// A position that is asked for, on its way to the lanes of the machine.
+struct Asked<'a> {
+    positions: &'a Positions,
+    system: &'a System,
+    t: f64,
+    from: &'a [f64],
+    tolerance: f64,
+    steps: usize,
+}
+
+/// Position, velocity and acceleration at time t from coordinates that are near, by the program that
+/// [`System::compile`] has made; `None` where plain steps have to find them.
+pub(crate) fn position(system: &System, t: f64, from: &[f64], options: &Options) -> Option<Solution> {
+    let programs = system.cache().get::<super::programs::Programs>()?;
+    programs.positions()?.position(system, t, from, options)
+}
+
+impl Positions {
+    /// For a program whose elimination was chosen at the position in hand.
+    pub(super) fn new(tape: Arc<Tape>, newton: &Newton<'_>, t: f64) -> Self {
+        Positions {
+            tape,
+            t,
+            q: newton.q.to_vec(),
+            sizes: newton.sizes.clone(),
+            pivot: newton.linear.smallest_pivot(),
+            norms: newton.linear.norms().to_vec(),
+            values: newton.linear.values().to_vec(),
+            rooms: Mutex::default(),
+        }
+    }
+
+    /// The position at time t from coordinates that are near.
+    pub(super) fn position(
+        &self,
+        system: &System,
+        t: f64,
+        from: &[f64],
+        options: &Options,
+    ) -> Option<Solution> {
+        let Stop::Converged { tolerance } = options.stop else { return None };
+        if options.engine == Engine::Plain || !options.predict || options.jerk {
+            return None;
+        }
+        let steps = options.max_iterations.min(STEPS);
+        Lanes::Best.dispatch(Asked { positions: self, system, t, from, tolerance, steps }).ok()?
+    }
+
+    /// True if rows give all coordinates: there is one position at each time, wherever it is looked for from.
+    fn is_given(&self) -> bool {
+        self.tape.torn().is_empty() && !self.tape.jumps()
+    }
+
+    /// The limits for positions, each row by what it may be off where the program was chosen.
+    fn limits(&self, system: &System, tolerance: f64, steps: usize) -> Limits {
+        let sizes: Vec<f64> = self.tape.torn().iter().map(|column| self.sizes[*column]).collect();
+        let entries = system.equations().entries.iter().zip(&self.values);
+        let entries = entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)));
+        let mut rows = Vec::new();
+        stop::allowances(tolerance, &self.norms, entries, &self.q, &mut rows);
+        Limits {
+            correction: sizes.iter().map(|size| tolerance * size).collect(),
+            rounding: tolerance * stop::rounding(tolerance),
+            sizes,
+            rows,
+            steps,
+            pivot: LEAST,
+            ..Limits::default()
+        }
+    }
+
+    /// A room that nobody has in hand.
+    fn room<S: Level>(&self, simd: S, system: &System) -> Box<Room> {
+        let kept = self.rooms.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        kept.unwrap_or_else(|| Box::new(self.new_room(simd, system)))
+    }
+
+    fn new_room<S: Level>(&self, simd: S, system: &System) -> Room {
+        let (n, equations) = (self.q.len(), system.equations());
+        let mut room = Room {
+            alone: Alone::new(Arc::clone(&self.tape)),
+            tolerance: f64::NAN,
+            limits: Limits::default(),
+            instant: equations.instant(),
+            c: vec![0.0; n],
+            values: vec![0.0; equations.entries.len()],
+            rhs: vec![0.0; n],
+            sums: Sums::default(),
+            calls: 0,
+        };
+        equations.set_constants(&mut room.values);
+        // Shares of pivots are of those at the position where the program was chosen.
+        room.alone.solve(simd, self.t, &self.q, &self.limits(system, 1e-13, STEPS));
+        room.alone.mark();
+        room
+    }
+}
+
+impl WithLevel for Asked<'_> {
+    type Output = Option<Solution>;
+
+    fn run<S: Level>(self, simd: S) -> Option<Solution> {
+        let mut room = self.positions.room(simd, self.system);
+        let found = self.find(simd, &mut room);
+        self.positions.rooms.lock().unwrap_or_else(PoisonError::into_inner).push(room);
+        found
+    }
+}
+
+impl Asked<'_> {
+    fn find<S: Level>(&self, simd: S, room: &mut Room) -> Option<Solution> {
+        let Asked { positions, system, t, from, tolerance, steps } = *self;
+        if room.tolerance != tolerance || room.limits.steps != steps {
+            (room.limits, room.tolerance) = (positions.limits(system, tolerance, steps), tolerance);
+        }
+        let found = room.alone.solve(simd, t, from, &room.limits)?;
+        let [q, qd, qdd] = room.alone.numbers();
+        let near = |(q, (from, size)): (&f64, (&f64, &f64))| (q - from).abs() <= NEAR * size;
+        let is_near = positions.is_given() || q.iter().zip(from.iter().zip(&positions.sizes)).all(near);
+        // 0 · x is 0 of a number, and not a number of anything else.
+        let finite = [&q, &qd, &qdd].iter().all(|list| list.iter().fold(0.0, |sum, x| sum + 0.0 * x) == 0.0);
+        if !(finite && is_near && self.is_meant(room, &q) && self.is_believed(room, [&q, &qd, &qdd])) {
+            return None;
+        }
+        let worst = system.names_of_equations().get(found.worst).cloned().unwrap_or_default();
+        let report = Report {
+            iterations: found.steps,
+            residual: found.residual,
+            worst,
+            smallest_pivot: found.pivot * positions.pivot,
+            compiled: true,
+        };
+        Some(Solution { t, q, qd, qdd, report })
+    }
+
+    /// True if a position is what constraints mean.
+    fn is_meant(&self, room: &mut Room, q: &[f64]) -> bool {
+        let equations = self.system.equations();
+        equations.branches().is_empty() || {
+            equations.set_time(self.t, &mut room.instant);
+            equations.set_position(q, &mut room.instant);
+            equations.first_wrong(&room.instant).is_none()
+        }
+    }
+
+    /// True unless the constraints' own kernels are asked and say something else: then they are asked again
+    /// at the next position.
+    fn is_believed(&self, room: &mut Room, [q, qd, qdd]: [&[f64]; 3]) -> bool {
+        if !room.calls.is_multiple_of(LOOKS) {
+            room.calls += 1;
+            return true;
+        }
+        let (equations, Room { instant, c, values, rhs, sums, limits, .. }) =
+            (self.system.equations(), &mut *room);
+        equations.set_time(self.t, instant);
+        equations.set_position(q, instant);
+        equations.linearize(q, instant, c, values);
+        let look = Look { equations, instant, c, values, rhs };
+        let believed = holds(look, [qd, qdd, &[]], (&limits.rows, sums));
+        room.calls += usize::from(believed);
+        believed
+    }
+}
