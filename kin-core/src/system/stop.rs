@@ -1,7 +1,7 @@
 //! The stop rule of Newton's method and what rounding it allows, over any number: plain steps, redundant
 //! mechanisms, several cases in lanes and programs all ask it here.
 
-use crate::numbers::lanes::lanewise::{Answer, Judged, Lanewise};
+use crate::numbers::lanes::lanewise::{Judged, Lanewise};
 
 /// A correction that stalls above this share of its coordinate is no rounding but a singular
 /// position.   \[-\]
@@ -12,19 +12,15 @@ pub(crate) fn rounding(tolerance: f64) -> f64 {
     4.0 * f64::EPSILON / tolerance
 }
 
-/// True where the position is found: C = 0 is met and the next correction within the tolerance, or that has
-/// stalled. `met` is asked only where the first says nothing yet.
+/// Where the position is found if C = 0 is met there, for the next correction is within the tolerance; and
+/// where it is found whatever C is, for that correction has stalled.
+///
+/// No rule over lanes takes a closure: what LLVM leaves as a call is compiled without the machine's
+/// instructions.
 #[inline(always)]
-pub(crate) fn is_converged<N: Judged>(
-    correction: N,
-    previous: N,
-    tolerance: f64,
-    open: N::Answer,
-    met: impl FnOnce() -> N::Answer,
-) -> N::Answer {
-    let (within, stalled) =
-        (correction.at_most(correction.all(tolerance)), has_stalled(correction, previous));
-    if (open & within & !stalled).any() { (within & met()) | stalled } else { stalled }
+pub(crate) fn ends<N: Judged>(correction: N, previous: N, tolerance: f64) -> [N::Answer; 2] {
+    let stalled = has_stalled(correction, previous);
+    [correction.at_most(correction.all(tolerance)) & !stalled, stalled]
 }
 
 /// Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no more can
@@ -32,14 +28,6 @@ pub(crate) fn is_converged<N: Judged>(
 #[inline(always)]
 pub(crate) fn has_stalled<N: Judged>(correction: N, previous: N) -> N::Answer {
     correction.above(correction.all(0.5) * previous) & correction.at_most(correction.all(STALL))
-}
-
-/// The largest share of a correction, `plain` if that is within the tolerance; elsewhere rounding of large
-/// coordinates, which is no error, is allowed for: the largest [`share`].
-#[inline(always)]
-pub(crate) fn largest_share<N: Judged>(plain: N, tolerance: f64, allowed_for: impl FnOnce() -> N) -> N {
-    let within = plain.at_most(plain.all(tolerance));
-    if (!within).any() { plain.where_or(within, allowed_for()) } else { plain }
 }
 
 /// |dq| of a coordinate against its size, with `rounding` of it allowed for.
@@ -50,6 +38,7 @@ pub(crate) fn share<N: Lanewise>(dq: N, q: N, size: N, rounding: N) -> N {
 
 /// How far each row may be off: by the tolerance of its norm, and by what rounding of q makes,
 /// Σ_j |∂C_i/∂q_j q_j| ε.
+#[inline(always)]
 pub(crate) fn allowances<N: Lanewise>(
     tolerance: f64,
     norms: &[N],
@@ -94,9 +83,9 @@ mod tests {
                     for (lane, case) in cases.iter().enumerate() {
                         (correction.as_mut_slice()[lane], previous.as_mut_slice()[lane]) = (case.0, case.1);
                     }
-                    let all = crate::numbers::lanes::Mask::splat(simd, true);
-                    let met = || crate::numbers::lanes::Mask::splat(simd, met);
-                    let found = is_converged(correction, previous, 1e-13, all, met);
+                    let met = crate::numbers::lanes::Mask::splat(simd, met);
+                    let [asked, stalled] = ends(correction, previous, 1e-13);
+                    let found = (asked & met) | stalled;
                     for (lane, case) in cases.iter().enumerate() {
                         assert_eq!(found.lane(lane), case.2[k], "{case:?}");
                     }
@@ -108,7 +97,8 @@ mod tests {
     #[test]
     fn a_number_and_a_lane_stop_by_the_same_rule() {
         for (correction, previous, expected) in CASES {
-            let found = [true, false].map(|met| is_converged(correction, previous, 1e-13, true, || met));
+            let [asked, stalled] = ends(correction, previous, 1e-13);
+            let found = [true, false].map(|met| (asked && met) || stalled);
             assert_eq!(found, expected, "{correction} after {previous}");
         }
         assert!(Lanes::Best.dispatch(InLanes).is_ok() || cfg!(not(target_arch = "x86_64")));
@@ -121,7 +111,6 @@ mod tests {
         let expected = [2e-13 + 4.0 * f64::EPSILON * (3e6 + 1e4), 1e-13];
         assert!(allowed.iter().zip(expected).all(|(a, b)| (a - b).abs() <= 1e-12 * b), "{allowed:?}");
         let rounding = rounding(1e-13);
-        assert!(largest_share(1e-9, 1e-13, || share(1e-9, 1e6, 1.0, rounding)) < 1e-12);
-        assert!(largest_share(1e-9, 1e-13, || share(1e-9, 0.0, 1.0, rounding)) == 1e-9);
+        assert!(share(1e-9, 1e6, 1.0, rounding) < 1e-12 && share(1e-9, 0.0, 1.0, rounding) == 1e-9);
     }
 }

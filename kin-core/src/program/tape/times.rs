@@ -222,8 +222,8 @@ impl<S: Level> Times<S> {
             if !tape.jumps() {
                 q = q + solver.at(tape.corrections[column]);
             }
-            let rates = [tape.rates[column], tape.second_rates[column]].map(|place| solver.at(place));
-            for (order, numbers) in [q, rates[0], rates[1]].into_iter().enumerate() {
+            let (rate, second_rate) = (solver.at(tape.rates[column]), solver.at(tape.second_rates[column]));
+            for (order, numbers) in [q, rate, second_rate].into_iter().enumerate() {
                 let line = &mut self.lines[Self::line(column, order)..][..Self::STRIDE];
                 if !begins {
                     line[0] = line[Self::LANES];

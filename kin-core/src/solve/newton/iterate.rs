@@ -22,12 +22,15 @@ pub(super) trait Iterating {
     /// Solves C_q dq = −C.
     fn solve(&mut self);
 
-    /// The largest of the next correction, each coordinate against its size ([`stop::largest_share`]);
-    /// infinite where it is not finite.
-    fn correction(&self, tolerance: f64) -> Self::Number;
+    /// The largest of the next correction, each coordinate against its size; infinite where it is not finite.
+    fn correction(&self) -> Self::Number;
 
-    /// True where C = 0 holds to the tolerance, each row by its own measure.
-    fn is_met(&mut self, tolerance: f64) -> Own<Self>;
+    /// The same where rounding of large coordinates, which is no error, is allowed for ([`stop::share`]).
+    fn correction_but_for_rounding(&self, tolerance: f64) -> Self::Number;
+
+    /// True where C = 0 holds to the tolerance, each row by its own measure; the answer counts only where it
+    /// is `asked`.
+    fn is_met(&mut self, tolerance: f64, asked: Own<Self>) -> Own<Self>;
 
     /// The iteration has converged there with a correction in hand, which costs nothing any more; true where
     /// the position is one.
@@ -66,10 +69,16 @@ pub(super) fn newton<I: Iterating>(
         let mut correction = previous;
         if is_asked {
             let tolerance = options.tolerance();
-            correction = point.correction(tolerance);
+            correction = point.correction();
+            let within = correction.at_most(one.all(tolerance));
+            if (!within).any() {
+                correction = correction.where_or(within, point.correction_but_for_rounding(tolerance));
+            }
             if matches!(options.stop, Stop::Converged { .. }) {
-                let met = || point.is_met(tolerance);
-                let converged = open & stop::is_converged(correction, previous, tolerance, open, met);
+                let [asked, stalled] = stop::ends(correction, previous, tolerance);
+                let asked = open & asked;
+                let met = if asked.any() { point.is_met(tolerance, asked) } else { asked };
+                let converged = (asked & met) | (open & stalled);
                 if converged.any() {
                     (done, open) = (done | point.end(converged), open & !converged);
                 }

@@ -53,7 +53,11 @@ impl<N: Lanewise> Long<N> {
     /// For a step h; `one` is any number.
     #[inline(always)]
     pub(super) fn new(one: N, h: f64) -> Self {
-        Long(RATES.map(|weight| one.all(weight * h)), SECOND_RATES.map(|weight| one.all(weight * h * h)))
+        let ([a, b, c], [d, e, f], hh) = (RATES, SECOND_RATES, h * h);
+        Long(
+            [one.all(a * h), one.all(b * h), one.all(c * h)],
+            [one.all(d * hh), one.all(e * hh), one.all(f * hh)],
+        )
     }
 
     /// From q and the rates, latest first.

@@ -278,12 +278,16 @@ impl Iterating for Rows<'_, '_> {
         self.position.solve_for_rhs();
     }
 
-    fn correction(&self, _: f64) -> f64 {
+    fn correction(&self) -> f64 {
         padded::largest_share(self.position.x.whole(), self.position.shares.whole())
     }
 
+    fn correction_but_for_rounding(&self, _: f64) -> f64 {
+        self.correction()
+    }
+
     /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
-    fn is_met(&mut self, _: f64) -> bool {
+    fn is_met(&mut self, _: f64, _: bool) -> bool {
         true
     }
 

@@ -35,8 +35,8 @@ pub(super) struct Positions {
     pivot: f64,
     norms: Vec<f64>,
     values: Vec<f64>,
-    /// Rooms that no call has in hand.
-    rooms: Mutex<Vec<Box<Room>>>,
+    /// A room that no call has in hand, with the next one.
+    rooms: Mutex<Option<Box<Room>>>,
 }
 
 /// All that a call needs; what is left of the calls before has no say in the numbers.
@@ -50,6 +50,8 @@ struct Room {
     rhs: Vec<f64>,
     sums: Sums,
     calls: usize,
+    /// Another one that no call has in hand.
+    next: Option<Box<Room>>,
 }
 
 /// A position that is asked for, on its way to the lanes of the machine.
@@ -125,8 +127,20 @@ impl Positions {
 
     /// A room that nobody has in hand.
     fn room<S: Level>(&self, simd: S, system: &System) -> Box<Room> {
-        let kept = self.rooms.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        kept.unwrap_or_else(|| Box::new(self.new_room(simd, system)))
+        let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(mut room) = rooms.take() else {
+            drop(rooms);
+            return Box::new(self.new_room(simd, system));
+        };
+        *rooms = room.next.take();
+        room
+    }
+
+    /// Keeps a room for other calls.
+    fn keep(&self, mut room: Box<Room>) {
+        let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
+        room.next = rooms.take();
+        *rooms = Some(room);
     }
 
     fn new_room<S: Level>(&self, simd: S, system: &System) -> Room {
@@ -141,6 +155,7 @@ impl Positions {
             rhs: vec![0.0; n],
             sums: Sums::default(),
             calls: 0,
+            next: None,
         };
         equations.set_constants(&mut room.values);
         // Shares of pivots are of those at the position where the program was chosen.
@@ -156,7 +171,7 @@ impl WithLevel for Asked<'_> {
     fn run<S: Level>(self, simd: S) -> Option<Solution> {
         let mut room = self.positions.room(simd, self.system);
         let found = self.find(simd, &mut room);
-        self.positions.rooms.lock().unwrap_or_else(PoisonError::into_inner).push(room);
+        self.positions.keep(room);
         found
     }
 }

@@ -55,18 +55,19 @@ impl Iterating for Single<'_, '_> {
     }
 
     #[inline(always)]
-    fn correction(&self, tolerance: f64) -> f64 {
-        let Newton { linear, shares, q, sizes, .. } = &*self.newton;
-        let plain = padded::largest_share(linear.whole_solution(), shares.whole());
-        stop::largest_share(plain, tolerance, || {
-            let (all, rounding) =
-                (linear.solution().iter().zip(q.iter()).zip(sizes), stop::rounding(tolerance));
-            largest(all.map(|((dq, q), size)| stop::share(*dq, *q, *size, rounding)))
-        })
+    fn correction(&self) -> f64 {
+        padded::largest_share(self.newton.linear.whole_solution(), self.newton.shares.whole())
     }
 
     #[inline(always)]
-    fn is_met(&mut self, tolerance: f64) -> bool {
+    fn correction_but_for_rounding(&self, tolerance: f64) -> f64 {
+        let Newton { linear, q, sizes, .. } = &*self.newton;
+        let (all, rounding) = (linear.solution().iter().zip(q.iter()).zip(sizes), stop::rounding(tolerance));
+        largest(all.map(|((dq, q), size)| stop::share(*dq, *q, *size, rounding)))
+    }
+
+    #[inline(always)]
+    fn is_met(&mut self, tolerance: f64, _: bool) -> bool {
         self.newton.is_within(tolerance)
     }
 

@@ -74,16 +74,18 @@ impl<S: Level> Check<S> {
         per_size: &[Wide<S>],
         linear: &WideLinear<S>,
     ) -> Mask<S> {
-        let (simd, to) = (self.simd, [q, linear.rates(), linear.second_rates()]);
+        let (simd, [qd, qdd], [from, from_rates, from_second]) =
+            (self.simd, [linear.rates(), linear.second_rates()], &self.from);
         let (whole, zero) = (Wide::splat(simd, h), Wide::splat(simd, 0.0));
         let (mut miss, mut reach, mut all) = (zero, zero, zero);
         for (j, per_size) in per_size.iter().enumerate() {
-            let from = [0, 1, 2].map(|k| self.from[k][j]);
-            let [forward, back, d] = misses(whole, from, [0, 1, 2].map(|k| to[k][j]));
-            miss = miss.max(forward.abs().max(back.abs()) * *per_size);
+            // Arrays that are mapped are made by calls, without the machine's instructions.
+            let from = [from[j], from_rates[j], from_second[j]];
+            let [forward, back, d] = misses(whole, from, [q[j], qd[j], qdd[j]]);
+            miss = miss.or_larger(forward.abs().or_larger(back.abs()) * *per_size);
             all = all + (forward + back);
             if self.turns[j] {
-                reach = reach.max(d.abs());
+                reach = reach.or_larger(d.abs());
             }
         }
         let pivot = linear.smallest_pivot();

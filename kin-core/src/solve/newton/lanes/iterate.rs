@@ -1,5 +1,7 @@
 //! Newton's iteration over lanes: the one of [`crate::solve::newton::iterate`], by matrices of several cases.
 
+use pulp::NullaryFnOnce;
+
 use super::Lockstep;
 use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::solve::newton::iterate::Iterating;
@@ -55,33 +57,38 @@ impl<S: Level> Iterating for All<'_, '_, '_, S> {
     }
 
     #[inline(always)]
-    fn correction(&self, tolerance: f64) -> Wide<S> {
-        let Lockstep { simd, linear, q, sizes, per_size, .. } = &*self.lanes;
+    fn correction(&self) -> Wide<S> {
+        let Lockstep { simd, linear, per_size, .. } = &*self.lanes;
         let number = |x: f64| Wide::splat(*simd, x);
-        let (mut plain, mut sum) = (number(0.0), number(0.0));
+        let (mut largest, mut sum) = (number(0.0), number(0.0));
         for (dq, per_size) in linear.correction().iter().zip(per_size) {
             let share = dq.abs() * *per_size;
-            (plain, sum) = (share.or_larger(plain), sum + share);
+            (largest, sum) = (share.or_larger(largest), sum + share);
         }
-        let largest = stop::largest_share(plain, tolerance, || {
-            let (rounding, mut largest) = (number(stop::rounding(tolerance)), number(0.0));
-            for ((dq, q), size) in linear.correction().iter().zip(q).zip(sizes) {
-                largest = stop::share(*dq, *q, *size, rounding).or_larger(largest);
-            }
-            largest
-        });
         // A number that is not finite may be lost among the largest, not in a sum.
         sum.le(number(f64::MAX)).select(largest, number(f64::INFINITY))
     }
 
     #[inline(always)]
-    fn is_met(&mut self, tolerance: f64) -> Mask<S> {
+    fn correction_but_for_rounding(&self, tolerance: f64) -> Wide<S> {
+        let Lockstep { simd, linear, q, sizes, .. } = &*self.lanes;
+        let number = |x: f64| Wide::splat(*simd, x);
+        let (rounding, mut largest, mut sum) = (number(stop::rounding(tolerance)), number(0.0), number(0.0));
+        for ((dq, q), size) in linear.correction().iter().zip(q).zip(sizes) {
+            let share = stop::share(*dq, *q, *size, rounding);
+            (largest, sum) = (share.or_larger(largest), sum + share);
+        }
+        sum.le(number(f64::MAX)).select(largest, number(f64::INFINITY))
+    }
+
+    #[inline(always)]
+    fn is_met(&mut self, tolerance: f64, asked: Mask<S>) -> Mask<S> {
         let lanes = &*self.lanes;
         let mut met = Mask::splat(lanes.simd, true);
         for (c, norm) in lanes.linear.c().iter().zip(lanes.linear.norms()) {
             met = met & c.abs().le(norm.all(tolerance) * *norm);
         }
-        if (!met).any() { lanes.met_but_for_rounding(tolerance) } else { met }
+        if (asked & !met).any() { lanes.met_but_for_rounding(tolerance) } else { met }
     }
 
     #[inline(always)]
@@ -104,17 +111,34 @@ impl<S: Level> Iterating for All<'_, '_, '_, S> {
     }
 }
 
+/// A look at C, on its way into the function that has the machine's instructions.
+struct Look<'x, 'o, S: Level>(&'x Lockstep<'o, S>, f64);
+
+impl<S: Level> NullaryFnOnce for Look<'_, '_, S> {
+    type Output = Mask<S>;
+
+    #[inline(always)]
+    fn call(self) -> Mask<S> {
+        let Look(Lockstep { simd, linear, q, .. }, tolerance) = self;
+        let entries = linear.entries().iter().zip(linear.values());
+        let entries = entries
+            .filter_map(|(entry, value)| entry.map(|(row, column)| (row as usize, column as usize, *value)));
+        let mut allowed = Vec::new();
+        stop::allowances(tolerance, linear.norms(), entries, q, &mut allowed);
+        let mut met = Mask::splat(*simd, true);
+        for (c, allowed) in linear.c().iter().zip(&allowed) {
+            met = met & c.abs().le(*allowed);
+        }
+        met
+    }
+}
+
 impl<S: Level> Lockstep<'_, S> {
     /// True where C = 0 holds if rounding of q is allowed for.
     #[cold]
     #[inline(never)]
     fn met_but_for_rounding(&self, tolerance: f64) -> Mask<S> {
-        let entries = self.linear.entries().iter().zip(self.linear.values());
-        let entries = entries
-            .filter_map(|(entry, value)| entry.map(|(row, column)| (row as usize, column as usize, *value)));
-        let mut allowed = Vec::new();
-        stop::allowances(tolerance, self.linear.norms(), entries, &self.q, &mut allowed);
-        let within = |met, (c, allowed): (&Wide<S>, &Wide<S>)| met & c.abs().le(*allowed);
-        self.linear.c().iter().zip(&allowed).fold(Mask::splat(self.simd, true), within)
+        let simd = self.simd;
+        simd.vectorize(Look(self, tolerance))
     }
 }

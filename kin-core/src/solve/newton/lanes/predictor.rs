@@ -29,10 +29,10 @@ impl<S: Level> Predictor<S> {
     /// The position a step h after the last solution, into `q`.
     #[inline(always)]
     pub(super) fn predict(&self, h: f64, last: Last<'_, S>, q: &mut [Wide<S>]) {
-        let knows = self.pace.knows(h);
+        let (knows, long) = (self.pace.knows(h), Long::new(Wide::splat(self.simd, 0.0), h));
         for (j, q) in q.iter_mut().enumerate() {
             let short = self.short(h, last, j);
-            *q = if knows { self.trusted.select(self.long(h, last, j), short) } else { short };
+            *q = if knows { self.trusted.select(self.long(&long, last, j), short) } else { short };
         }
     }
 
@@ -51,10 +51,10 @@ impl<S: Level> Predictor<S> {
             return;
         }
         let zero = Wide::splat(self.simd, 0.0);
-        let (mut long, mut short) = (zero, zero);
+        let (by_long, mut long, mut short) = (Long::new(zero, h), zero, zero);
         for (j, (q, per_size)) in q.iter().zip(per_size).enumerate() {
-            long = long.max((self.long(h, last, j) - *q).abs() * *per_size);
-            short = short.max((self.short(h, last, j) - *q).abs() * *per_size);
+            long = long.or_larger((self.long(&by_long, last, j) - *q).abs() * *per_size);
+            short = short.or_larger((self.short(h, last, j) - *q).abs() * *per_size);
         }
         self.trusted = (stepped & long.le(short)) | (!stepped & self.trusted);
     }
@@ -69,10 +69,10 @@ impl<S: Level> Predictor<S> {
     }
 
     #[inline(always)]
-    fn long(&self, h: f64, [q, qd, qdd]: Last<'_, S>, j: usize) -> Wide<S> {
+    fn long(&self, long: &Long<Wide<S>>, [q, qd, qdd]: Last<'_, S>, j: usize) -> Wide<S> {
         let [one, two] = &self.past;
         let (rates, second_rates) = ([qd[j], one[0][j], two[0][j]], [qdd[j], one[1][j], two[1][j]]);
-        Long::new(q[j], h).position(q[j], rates, second_rates)
+        long.position(q[j], rates, second_rates)
     }
 
     /// q + h q̇ + ½ h² q̈
