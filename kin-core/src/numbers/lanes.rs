@@ -15,6 +15,7 @@ mod trig;
 pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
 pub(crate) use kernel::{LaneBlock, LaneInstant, Table};
 pub use level::Level;
+pub(crate) use number::whole;
 pub use number::{Mask, Wide};
 
 /// How many cases of a sweep advance together: two registers of them.

@@ -4,8 +4,9 @@
 //! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint), `gather` (all
 //! constraints in one graph; values of time that only the user's program knows are laws there, by `timed`),
 //! `substitute` (coordinates that a row gives), `eliminate` (the linear systems of what is left), `stages`,
-//! `schedule` (the tape). Then `replay` runs a tape over lanes, and `times` solves many times of one run with
-//! it; `along` makes tapes of what is asked of a motion that is known.
+//! `schedule` (the tape). Then `replay` runs a tape over any number, `newton` solves with it, many times of
+//! one run in lanes (`times`) or one time alone (`alone`); `along` makes tapes of what is asked of a motion
+//! that is known.
 
 mod along;
 mod blocks;

@@ -7,7 +7,7 @@ use super::curve::{Curves, at};
 use super::holds::Sums;
 use crate::model::error::Result;
 use crate::model::units::Unit;
-use crate::numbers::lanes::Level;
+use crate::numbers::lanes::{Level, whole};
 use crate::program::Tape;
 use crate::program::times::{Curve, Limits, ORDERS, Times};
 use crate::solve::follow::{REACH, misses_too_far};
@@ -306,7 +306,7 @@ impl<S: Level> Block<S> {
         {
             motion.worst = Some((most, self.times.worst(first + lane)));
         }
-        motion.iterations.extend(self.times.steps()[lanes.clone()].iter().map(|steps| *steps as usize));
+        motion.iterations.extend(self.times.steps()[lanes.clone()].iter().map(|steps| whole(*steps)));
         motion.residuals.extend_from_slice(residuals);
         motion.times.extend_from_slice(&times[lanes.clone()]);
         self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd, &mut motion.qddd]);

@@ -7,7 +7,7 @@ use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::Tape;
 use crate::program::alone::Alone;
 use crate::program::times::Limits;
-use crate::solve::newton::{Engine, Newton, Options, Report, Stop};
+use crate::solve::newton::{DOUBTFUL, Engine, Newton, Options, Report, SIMILAR, Stop};
 use crate::system::evaluate::Instant;
 use crate::system::{Solution, System, stop};
 
@@ -183,12 +183,15 @@ impl Asked<'_> {
             (room.limits, room.tolerance) = (positions.limits(system, tolerance, steps), tolerance);
         }
         let found = room.alone.solve(simd, t, from, &room.limits)?;
+        let smallest_pivot = found.pivot * positions.pivot;
         let [q, qd, qdd] = room.alone.numbers();
         let near = |(q, (from, size)): (&f64, (&f64, &f64))| (q - from).abs() <= NEAR * size;
         let is_near = positions.is_given() || q.iter().zip(from.iter().zip(&positions.sizes)).all(near);
         // 0 · x is 0 of a number, and not a number of anything else.
         let finite = [&q, &qd, &qdd].iter().all(|list| list.iter().fold(0.0, |sum, x| sum + 0.0 * x) == 0.0);
-        if !(finite && is_near && self.is_meant(room, &q) && self.is_believed(room, [&q, &qd, &qdd])) {
+        // Plain steps tell whether a position is singular.
+        let fits = finite && is_near && smallest_pivot >= SIMILAR * DOUBTFUL;
+        if !(fits && self.is_meant(room, &q) && self.is_believed(room, [&q, &qd, &qdd])) {
             return None;
         }
         let worst = system.names_of_equations().get(found.worst).cloned().unwrap_or_default();
@@ -196,7 +199,7 @@ impl Asked<'_> {
             iterations: found.steps,
             residual: found.residual,
             worst,
-            smallest_pivot: found.pivot * positions.pivot,
+            smallest_pivot,
             compiled: true,
         };
         Some(Solution { t, q, qd, qdd, report })

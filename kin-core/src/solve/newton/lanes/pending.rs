@@ -3,7 +3,7 @@
 
 use pulp::NullaryFnOnce;
 
-use crate::numbers::lanes::{Level, Wide};
+use crate::numbers::lanes::{Level, Wide, whole};
 use crate::solve::motion::Motion;
 
 /// Times that are kept, a multiple of 4: with fewer the motions are written in pieces too short for the
@@ -12,9 +12,6 @@ const TIMES: usize = 16;
 
 /// The numbers kept of each time: q, q̇, q̈, the largest residual and the number of Newton steps.
 const KINDS: usize = 5;
-
-/// 2⁵²: added to a whole number below 2³² it leaves that in the last bits.
-const WHOLE: f64 = 4_503_599_627_370_496.0;
 
 pub(super) struct Pending<S: Level> {
     simd: S,
@@ -80,10 +77,7 @@ impl<S: Level> Pending<S> {
                 self.own[k][lane * quads..][..quads].as_flattened().split_at(count).0
             };
             let [q, qd, qdd, residuals, steps] = std::array::from_fn(own);
-            motion.push_all(
-                [q, qd, qdd, residuals],
-                steps.iter().map(|steps| (steps + WHOLE).to_bits() as u32 as usize),
-            );
+            motion.push_all([q, qd, qdd, residuals], steps.iter().map(|steps| whole(*steps)));
         }
         self.times = 0;
     }
