@@ -92,8 +92,8 @@ pub fn as_defined() -> Options {
 
 /// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step checked to stay
 /// on its branch, as it comes (`Options::default()`, compiled before), the same by plain steps, those
-/// unchecked, with the jerk by a program and by plain steps, single positions one after the other, and on
-/// dual numbers as defined.
+/// unchecked, with the jerk by a program and by plain steps, single positions one after the other by the
+/// program and by plain steps, and on dual numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
     let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
@@ -110,15 +110,16 @@ pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System
         ),
         kin("kin-jerk", false, Options { jerk: true, engine: Engine::Compiled, ..Options::default() }),
         kin("kin-jerk-plain", false, Options { jerk: true, engine: Engine::Plain, ..Options::default() }),
-        singly("kin-singly", model(false)),
+        singly("kin-singly", model(false), Options::default()),
+        singly("kin-singly-plain", model(false), Options { engine: Engine::Plain, ..Options::default() }),
         kin("kin-dual", true, as_defined()),
     ]
 }
 
 /// Single positions, from a system that is compiled as far as they can make use of that.
-fn singly(peer: &'static str, system: System) -> Route {
+fn singly(peer: &'static str, system: System, options: Options) -> Route {
     system.compile().unwrap_or_else(|error| panic!("{error}"));
-    Route { peer, solver: Solver::Singly(Box::new(system), Options::default()) }
+    Route { peer, solver: Solver::Singly(Box::new(system), options) }
 }
 
 /// Each position alone, from the last one, the first from where the system starts.

@@ -31,7 +31,7 @@ impl Newton<'_> {
         let report = Report {
             iterations: self.steps,
             residual: outcome.residual,
-            worst: self.system.equations().equation(self.worst().0),
+            worst: self.system.names_of_equations().get(self.worst().0).cloned().unwrap_or_default(),
             smallest_pivot: self.linear.smallest_pivot(),
             compiled: false,
         };
