@@ -1,5 +1,6 @@
 //! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
 
+mod axes;
 mod cache;
 pub(crate) mod dimensions;
 pub(crate) mod evaluate;
@@ -8,6 +9,7 @@ pub(crate) mod parameters;
 pub(crate) mod scale;
 pub(crate) mod scaled;
 pub(crate) mod singular;
+mod solution;
 mod states;
 pub(crate) mod stop;
 mod terms;
@@ -27,6 +29,7 @@ use crate::system::scaled::Model;
 use cache::Cache;
 use dimensions::Dimensions;
 use evaluate::{Block, Equations};
+pub use solution::{Report, Solution};
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
 ///
@@ -55,6 +58,8 @@ pub struct System {
     pub(crate) limits: Vec<Limit>,
     /// The constraints with conditions or other kinks, which a run has to look for.
     switching: Arc<[usize]>,
+    /// Axes of which components were set.
+    axes: Vec<axes::Given>,
     cache: Cache,
     /// Masses, gravity and what else acts; nothing of it is asked before forces are.
     pub(crate) loads: Arc<Loads>,
@@ -67,38 +72,6 @@ pub(crate) struct PreferredMeasure {
     pub number: usize,
     pub is_angle: bool,
     pub value: f64,
-}
-
-/// Report of Newton's iteration at one time.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Report {
-    /// Newton steps taken, those of rescued attempts included.
-    pub iterations: usize,
-    /// max |C_i| at the solution, in the unit of its row.
-    pub residual: f64,
-    /// Name of the equation that has it, such as `A.x`; empty for a mechanism without coordinates.
-    pub worst: String,
-    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position.   \[-\]
-    pub smallest_pivot: f64,
-    /// True if the program of [`System::compile`] has found it, false of plain steps.
-    pub compiled: bool,
-}
-
-/// Position, velocity and acceleration at one time.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Solution {
-    /// Time t.   \[s\]
-    pub t: f64,
-    /// q, C(q, t) = 0.   \[m, rad\]
-    pub q: Vec<f64>,
-    /// q̇, C_q q̇ = −C_t.   \[m/s, rad/s\]
-    pub qd: Vec<f64>,
-    /// q̈, C_q q̈ = Q_d.   \[m/s², rad/s²\]
-    pub qdd: Vec<f64>,
-    /// Report of Newton's iteration.
-    pub report: Report,
 }
 
 impl System {
@@ -132,6 +105,7 @@ impl System {
             linear,
             limits,
             switching,
+            axes: Vec::new(),
             cache: Cache::default(),
             loads: Arc::default(),
         }

@@ -1,7 +1,7 @@
 //! Axes, turns and spatial links that hang on dimensions: set, they are those of a mechanism built so.
 
 use kin::prelude::*;
-use kin::{Axis, Dimension, IntoAxis, IntoNumber, Mechanism, Registry};
+use kin::{Axis, Dimension, IntoAxis, IntoNumber, Lanes, Mechanism, Registry};
 
 use crate::engines::Engines;
 use crate::{apart, same_bits, times};
@@ -174,5 +174,90 @@ fn an_axis_without_a_direction_is_refused_and_the_old_one_stays() -> kin::Result
     let told = system.set("z", 0.0).unwrap_err().to_string();
     assert!(told.contains("hinge") && told.contains("no direction"), "{told}");
     assert_eq!((system.parameter("z")?, system.parameter("hinge.h_i.z")?), (1.0, 1.0));
+    Ok(())
+}
+
+/// A door whose hinge and motor have plain axes.
+fn plain_door(along: [f64; 3]) -> kin::Result<System> {
+    let mut m = Mechanism::new("door");
+    let door = m.spatial("door", SpatialPose::at((0.0, 0.0, 0.0)))?;
+    let (o, up) = ((0.0, 0.0, 0.0), Axis::from((0.0, 0.0, 1.0)));
+    m.add(
+        "hinge",
+        spatial::revolute(door, Ground, o, o, Axis::new(along, (1.0, 0.0, 0.0)), (0.0, 0.0, 1.0)),
+    )?;
+    m.add("motor", spatial::drive_turn(door, Ground, up, up, Law::linear(0.3, 1.0)))?;
+    m.build()
+}
+
+/// Components of an axis that are set one after the other are those of one direction, whatever was set
+/// before.
+#[test]
+fn an_axis_does_not_remember_what_its_components_were() -> kin::Result<()> {
+    let system = plain_door([0.0, 0.0, 1.0])?;
+    let at = |system: &System| system.position(1.0).map(|found| found.q);
+    let tilted = at(&plain_door([0.2, 0.0, 1.0])?)?;
+    for values in [&[0.2][..], &[0.2, 0.2], &[5.0, -3.0, 0.2]] {
+        let mut set = system.clone();
+        for value in values {
+            set.set("hinge.h_i.x", *value)?;
+            assert_eq!(set.parameter("hinge.h_i.x")?, *value);
+        }
+        let off = at(&set)?.iter().zip(&tilted).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        assert!(off < 1e-14, "{values:?}: {off:e}");
+    }
+    // All three, from anywhere: the direction is the one that they say.
+    let mut set = system.clone();
+    for (name, value) in [("x", 5.0), ("y", 1.0), ("z", 1.0), ("x", 0.3), ("y", -0.2), ("z", 2.0)] {
+        set.set(&format!("hinge.h_i.{name}"), value)?;
+    }
+    let expected = at(&plain_door([0.3, -0.2, 2.0])?)?;
+    assert!(at(&set)?.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14));
+    // The derivative is that by the component as it was given.
+    let times = linspace(0.0, 1.0, 5);
+    let (motion, h) = (set.run(&times)?, 1e-5);
+    let by = set.sensitivities(&motion, ["hinge.h_i.x"])?;
+    let moved = |off: f64| -> kin::Result<Motion> {
+        let mut moved = set.clone();
+        moved.set("hinge.h_i.x", 0.3 + off)?;
+        moved.run(&times)
+    };
+    let (more, less) = (moved(h)?, moved(-h)?);
+    for (k, x) in by.by("hinge.h_i.x")?.q(4).iter().enumerate() {
+        let difference = (more.q(4)[k] - less.q(4)[k]) / (2.0 * h);
+        assert!((difference - x).abs() < 1e-8, "{k}: {difference} {x}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_component_that_is_refused_leaves_all_as_it_was() -> kin::Result<()> {
+    let mut system = plain_door([0.0, 0.0, 1.0])?;
+    let before = (system.position(1.0)?, system.parameters());
+    let told = system.set("motor.h_i.z", 0.0).unwrap_err().to_string();
+    assert!(told.contains("motor") && told.contains("no direction"), "{told}");
+    assert_eq!((system.position(1.0)?, system.parameters()), before);
+    Ok(())
+}
+
+/// Equal cases of a sweep are equal, whatever their neighbours are and wherever they are computed.
+#[test]
+fn sweeps_over_a_component_of_an_axis_give_equal_cases_equal_motions() -> kin::Result<()> {
+    let system = plain_door([0.0, 0.0, 1.0])?;
+    let cases: Vec<[f64; 1]> = (0..64).map(|k| [if k % 16 == 0 { 5.0 } else { 0.2 }]).collect();
+    let expected = plain_door([0.2, 0.0, 1.0])?.run([0.0, 1.0])?.q(1)[4];
+    for (lanes, threads) in [(Lanes::Off, 1), (Lanes::Off, 2), (Lanes::Best, 1), (Lanes::Best, 2)] {
+        let sweep = system.sweep(["hinge.h_i.x"])?.lanes(lanes).threads(threads);
+        let found = sweep.run(&cases, [0.0, 1.0], |_, motion| motion.map(|motion| motion.q(1)[4]))?;
+        for (case, found) in cases.iter().zip(found).filter(|(case, _)| case[0] == 0.2) {
+            let found = found?;
+            assert!((found - expected).abs() < 1e-13, "{lanes:?} {threads} {case:?}: {found} {expected}");
+        }
+        // A case without a direction is told, and no other one is the worse for it.
+        let sweep = system.sweep(["motor.h_i.z"])?.lanes(lanes).threads(threads);
+        let told = sweep.run(&[[1.0], [0.0], [1.0]], [0.0, 1.0], |_, motion| motion.map(|_| ()))?;
+        assert!(told[0].is_ok() && told[2].is_ok(), "{told:?}");
+        assert!(told[1].as_ref().is_err_and(|error| error.to_string().contains("no direction")), "{told:?}");
+    }
     Ok(())
 }

@@ -310,3 +310,60 @@ fn kernels_over_lanes_of_the_library_are_its_equations() {
         );
     }
 }
+
+#[constraint(lanes)]
+#[require(l > 0.0, "a rod needs a length above zero")]
+fn rod(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, l: f64) -> f64 {
+    let d = i.point(u_i) - j.point(u_j);
+    d.dot(d) - l * l
+}
+
+/// A crank of a length that is a dimension, and a block on a guide behind a rod.
+fn guided(law: Law) -> kin::Result<System> {
+    let mut m = Mechanism::new("guided");
+    let a = m.dimension("a", 0.1)?.within(0.05, 0.2);
+    let crank = m.link("crank", a)?;
+    let block = m.planar("block", pose(0.4, 0.0, 0.0))?;
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start()))?;
+    m.add("guide", prismatic(block, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0))?;
+    m.add("rod", rod(crank, block, crank.end(), vec2(0.0, 0.0), 0.3))?;
+    m.add("motor", drive_angle(crank, law))?;
+    m.build()
+}
+
+/// Numbers that `set` refuses are refused in the cases of a sweep too, by the same words, and the others are
+/// none the worse for it.
+#[test]
+fn cases_that_cannot_be_set_are_refused_as_set_refuses_them() -> kin::Result<()> {
+    let system = guided(Law::s_curve(0.3, 0.4, 0.8, 3.0))?;
+    for (name, good, bad) in [
+        ("rod.l", 0.3, -0.3),
+        ("a", 0.1, 0.9),
+        ("a", 0.1, -0.1),
+        ("motor.law.acceleration", 0.8, -0.8),
+        ("guide.h_i.x", 1.0, 0.0),
+    ] {
+        let told = system.clone().set(name, bad).expect_err("refused").to_string();
+        for lanes in [Lanes::Off, Lanes::Best] {
+            let cases = [[good], [bad], [good]];
+            let found = system
+                .sweep([name])?
+                .lanes(lanes)
+                .run(&cases, [0.0, 0.5], |_, motion| motion.map(|motion| motion.q(1).to_vec()))?;
+            let [Ok(first), Err(error), Ok(last)] = &found[..] else {
+                panic!("{name} {lanes:?}: {found:?}");
+            };
+            assert!(first == last && error.to_string() == told, "{name} {lanes:?}: {error} {told}");
+        }
+    }
+    Ok(())
+}
+
+/// No more threads than there can be work for.
+#[test]
+fn a_million_threads_are_no_more_than_there_are_cases() -> kin::Result<()> {
+    let system = guided(Law::ramp(1.0))?;
+    let sweep = system.sweep(["rod.l"])?.threads(1_000_000);
+    assert!(sweep.run(&[[0.3]], [0.0, 0.5], |_, motion| motion.is_ok())?[0]);
+    Ok(())
+}

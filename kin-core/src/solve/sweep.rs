@@ -19,6 +19,9 @@ use crate::system::parameters::CasePlace;
 /// Cases that are handed to a thread at once: as many as there are lanes, or a multiple.
 const BATCH: usize = 16;
 
+/// Threads of a sweep at most.
+const THREADS: usize = 256;
+
 /// Many cases of one [`System`]: one row of numbers a case, one number for each name.
 ///
 /// ```
@@ -101,8 +104,8 @@ impl<'a> Sweep<'a> {
         self
     }
 
-    /// On so many threads of its own. Without it the threads are rayon's: one a core, or those of the pool
-    /// that the sweep is run in.
+    /// On so many threads of its own, and no more than can have cases, nor than 256. Without it the threads
+    /// are rayon's: one a core, or those of the pool that the sweep is run in.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads.max(1));
@@ -166,15 +169,17 @@ impl<'a> Sweep<'a> {
         };
         match self.threads {
             None => all(),
-            Some(threads) => pool(threads)?.install(all),
+            Some(threads) => pool(threads.min(cases.len().div_ceil(BATCH)).clamp(1, THREADS))?.install(all),
         }
     }
 
-    /// Gives the system the numbers of a case.
-    fn set(&self, system: &mut System, case: &[f64]) {
+    /// Gives the system the numbers of a case; an error where one of them could not be set
+    /// ([`System::set`]).
+    fn set(&self, system: &mut System, case: &[f64]) -> Result<()> {
         for (place, value) in self.places.iter().zip(case) {
             system.put(*place, *value);
         }
+        system.check_put(&self.places)
     }
 
     /// Each case must have one finite number for each name.
@@ -213,8 +218,9 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
             || self.sweep.system.clone(),
             |system, first, cases| {
                 let run = |(k, case): (usize, &C)| {
-                    self.sweep.set(system, case.as_ref());
-                    (self.keep)(first + k, system, self.alone(system))
+                    let set = self.sweep.set(system, case.as_ref());
+                    let motion = set.and_then(|()| self.alone(system));
+                    (self.keep)(first + k, system, motion)
                 };
                 cases.iter().enumerate().map(run).collect()
             },
@@ -270,25 +276,23 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
         first: usize,
         cases: &[C],
     ) -> Vec<R> {
-        for (lane, system) in systems.iter_mut().enumerate() {
-            // Lanes without a case have the first one's numbers, so that nothing odd is computed there.
-            let Some(case) = cases.get(lane).or(cases.first()) else { continue };
-            self.sweep.set(system, case.as_ref());
-        }
-        let motions = self.motions(
-            lockstep,
-            &LaneSystems::new(systems),
-            Mask::from_fn(simd, |lane| lane < cases.len()),
-            cases.len(),
-        );
-        let results = motions
-            .into_iter()
-            .zip(systems.iter())
-            .map(|(motion, system)| (system, motion.map_or_else(|| self.alone(system), Ok)));
-        results
-            .enumerate()
-            .map(|(lane, (system, motion))| (self.keep)(first + lane, system, motion))
-            .collect()
+        // Lanes without a case have the first one's numbers, so that nothing odd is computed there.
+        let all = systems.iter_mut().enumerate();
+        let set: Vec<Result<()>> = all
+            .map(|(lane, system)| {
+                let case = cases.get(lane).or(cases.first());
+                case.map_or(Ok(()), |case| self.sweep.set(system, case.as_ref()))
+            })
+            .collect();
+        let wanted =
+            Mask::from_fn(simd, |lane| lane < cases.len() && set.get(lane).is_some_and(Result::is_ok));
+        let motions = self.motions(lockstep, &LaneSystems::new(systems), wanted, cases.len());
+        let each = motions.into_iter().zip(systems.iter()).zip(set).enumerate();
+        each.map(|(lane, ((motion, system), set))| {
+            let motion = set.and_then(|()| motion.map_or_else(|| self.alone(system), Ok));
+            (self.keep)(first + lane, system, motion)
+        })
+        .collect()
     }
 
     /// The motions of one group of lanes; none for those that fail.
@@ -340,7 +344,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
         let worker = || {
             let mut typical = sweep.system.clone();
             if let Some(case) = self.cases.first() {
-                sweep.set(&mut typical, case.as_ref());
+                // Its numbers may be none that can be set: then its lane is not asked.
+                let _ = sweep.set(&mut typical, case.as_ref());
             }
             let varied = sweep.system.varied(&sweep.places);
             let ends = [self.times[0], self.times[self.times.len() - 1]];

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::parameters::CasePlace;
 use super::{PreferredMeasure, System};
 use crate::model::constraint::Constraint;
-use crate::model::describer::Describer;
 use crate::model::dimension::{
     Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Snapshot,
 };
@@ -140,14 +139,7 @@ impl System {
     /// Sets a dimension and all that hangs on it; on an error the old value stays.
     pub(super) fn set_dimension(&mut self, k: usize, value: f64) -> Result<()> {
         self.settable_dimension(k)?;
-        let Some(entry) = self.dimension_entry(k).cloned() else { return Ok(()) };
-        let fail = |reason: String| Err(DimensionError::invalid(&entry.name, reason));
-        if !value.is_finite() {
-            return fail(format!("it cannot be {value}; give a finite number"));
-        }
-        if let Some([from, to]) = entry.range.filter(|[from, to]| !(*from <= value && value <= *to)) {
-            return fail(format!("{value} is beyond its range {from} … {to}"));
-        }
+        self.check_range(k, value)?;
         let before = self.clone();
         self.put_dimension(k, value);
         let checked = self.check_dimension(k, value);
@@ -155,6 +147,24 @@ impl System {
             *self = before;
         }
         checked
+    }
+
+    /// An error where the value that a dimension has been put to is none that it can be set to.
+    pub(super) fn check_dimension_as_put(&self, k: usize) -> Result<()> {
+        let value = self.dimensions.as_ref().and_then(|all| all.values.get(k).copied());
+        value.map_or(Ok(()), |value| self.check_range(k, value).and_then(|()| self.check_dimension(k, value)))
+    }
+
+    fn check_range(&self, k: usize, value: f64) -> Result<()> {
+        let Some(entry) = self.dimension_entry(k) else { return Ok(()) };
+        let fail = |reason: String| Err(DimensionError::invalid(&entry.name, reason));
+        if !value.is_finite() {
+            return fail(format!("it cannot be {value}; give a finite number"));
+        }
+        match entry.range.filter(|[from, to]| !(*from <= value && value <= *to)) {
+            Some([from, to]) => fail(format!("{value} is beyond its range {from} … {to}")),
+            None => Ok(()),
+        }
     }
 
     /// Sets a dimension and all that hangs on it, however little sense that makes; false if a number of it
@@ -175,6 +185,9 @@ impl System {
                 Bound::Length(link) => self.lengths[*link].1 = value,
                 Bound::Axis { of, name, .. } => {
                     let axis = Axis::given(&together().collect::<Vec<f64>>()).numbers();
+                    if let Holder::Constraint(block) = of {
+                        self.forget_axis(*block, name);
+                    }
                     let Some(constraint) = self.held_mut(*of) else { continue };
                     for (part, value) in axis.into_iter().enumerate() {
                         done &= constraint.set_parameter(&Axis::name_of(name, part), value);
@@ -324,8 +337,8 @@ impl System {
     pub(crate) fn moving_with(&self, name: &str) -> Result<Vec<Moved>> {
         let (Some(k), Some(Dimensions { all, values })) = (self.dimension_number(name), &self.dimensions)
         else {
-            let (block, own, value) = self.find(name)?;
-            return Ok(self.moved_parameter(block, own, value));
+            let (block, own, _) = self.find(name)?;
+            return Ok(self.moved_parameter(block, own));
         };
         self.settable_dimension(k)?;
         let numbers = all.along(values, k);
@@ -350,30 +363,14 @@ impl System {
     }
 
     /// The numbers that move with a parameter: itself, or those of the axis whose direction it is one of.
-    fn moved_parameter(&self, block: usize, own: String, value: f64) -> Vec<Moved> {
-        let of_axis = own.split_once('.').and_then(|(axis, component)| {
-            let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
-            let mut given = self.directions_of(block, axis)?.map(|x| Real(Dual64::new(x, 0.0)));
-            given[k] = Real(Dual64::new(value, 1.0));
-            Some(Moved::axis(block, axis, Axis::given(&given)).collect())
+    fn moved_parameter(&self, block: usize, own: String) -> Vec<Moved> {
+        let of_axis = self.component(block, &own).and_then(|(axis, k)| {
+            let directions = self.directions(block, &axis)?;
+            let mut given = directions.map(|x| Real(Dual64::new(x, 0.0)));
+            given[k] = Real(Dual64::new(directions[k], 1.0));
+            Some(Moved::axis(block, &axis, Axis::given(&given)).collect())
         });
         of_axis.unwrap_or_else(|| vec![Moved { block, name: own, slope: 1.0 }])
-    }
-
-    /// h and f of the axis of that name; `None` if the parameter is none.
-    fn directions_of(&self, block: usize, name: &str) -> Option<[f64; 6]> {
-        let constraint = &self.equations.blocks[block].constraint;
-        if !constraint.clone_boxed().set_parameter(&Axis::name_of(name, 0), 1.0) {
-            return None;
-        }
-        let mut described = Describer::default();
-        constraint.describe(&mut described);
-        let mut numbers = described.parameters.get(name)?.as_array()?.iter().flat_map(|v| v.as_array());
-        let [h, f] = [numbers.next()?, numbers.next()?];
-        let mut all = h.iter().chain(f).filter_map(|x| x.as_f64());
-        let mut directions = [f64::NAN; 6];
-        directions.iter_mut().for_each(|to| *to = all.next().unwrap_or(f64::NAN));
-        Some(directions)
     }
 }
 

@@ -9,6 +9,8 @@ use crate::model::mechanism::admission::sensible_parameters;
 pub(crate) enum CasePlace {
     /// Parameter `index` of a constraint.
     Parameter { block: usize, index: usize },
+    /// Component `k` of the direction along an axis, which parameter `index` of a constraint is.
+    Component { block: usize, index: usize, k: usize },
     /// The initial value of a coordinate, and the preferred one if it has one.
     Coordinate(usize),
     /// The value of a dimension, and all that hangs on it.
@@ -19,10 +21,11 @@ impl System {
     /// Names and values of all numeric parameters, such as (`slot.k`, 2.0), in the order of the constraints.
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut all = Vec::new();
-        for block in &self.equations.blocks {
-            block
-                .constraint
-                .parameters(&mut |name, value| all.push((format!("{}.{name}", block.name), value)));
+        for (number, block) in self.equations.blocks.iter().enumerate() {
+            block.constraint.parameters(&mut |name, value| {
+                let value = self.given_component(number, name).unwrap_or(value);
+                all.push((format!("{}.{name}", block.name), value));
+            });
         }
         all
     }
@@ -32,7 +35,8 @@ impl System {
         if let Some((_, value)) = self.dimensions().into_iter().find(|(known, _)| known == name) {
             return Ok(value);
         }
-        self.find(name).map(|(_, _, value)| value)
+        let (block, own, value) = self.find(name)?;
+        Ok(self.given_component(block, &own).unwrap_or(value))
     }
 
     /// Sets one dimension and all that hangs on it, or one parameter, such as `slot.k`; pattern and order
@@ -50,15 +54,22 @@ impl System {
         if !value.is_finite() {
             return Err(Error::ParameterNotFinite { constraint: block.name.clone(), parameter, value });
         }
-        let before = self.parameter(name)?;
+        let (constraint, axes) = (block.constraint.clone_boxed(), self.axes.clone());
         self.forget();
+        let set = match self.component(index, &parameter) {
+            Some((axis, k)) => self.put_component(index, (&axis, k), value),
+            None => self.equations.blocks[index].constraint.set_parameter(&parameter, value),
+        };
         let block = &mut self.equations.blocks[index];
-        if block.constraint.set_parameter(&parameter, value) {
-            return sensible_parameters(&block.name, block.constraint.as_ref()).inspect_err(|_| {
-                block.constraint.set_parameter(&parameter, before);
-            });
+        let checked = if set {
+            sensible_parameters(&block.name, block.constraint.as_ref())
+        } else {
+            Err(cannot_be_set(name))
+        };
+        if checked.is_err() {
+            (block.constraint, self.axes) = (constraint, axes);
         }
-        Err(cannot_be_set(name))
+        checked
     }
 
     /// Where the numbers of a case go.
@@ -93,7 +104,7 @@ impl System {
     pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
         let has = |k: usize| {
             places.iter().any(|place| match place {
-                CasePlace::Parameter { block, .. } => *block == k,
+                CasePlace::Parameter { block, .. } | CasePlace::Component { block, .. } => *block == k,
                 CasePlace::Dimension(dimension) => self.blocks_on(*dimension).any(|block| block == k),
                 CasePlace::Coordinate(_) => false,
             })
@@ -110,9 +121,19 @@ impl System {
     fn numbered(&self, mut number: usize) -> CasePlace {
         for (block, own) in self.equations.blocks.iter().enumerate() {
             let mut count = 0;
-            own.constraint.parameters(&mut |_, _| count += 1);
+            let mut wanted = String::new();
+            own.constraint.parameters(&mut |name, _| {
+                if count == number {
+                    wanted = name.to_string();
+                }
+                count += 1;
+            });
             if number < count {
-                return CasePlace::Parameter { block, index: number };
+                let index = number;
+                let component = self.component(block, &wanted);
+                return component.map_or(CasePlace::Parameter { block, index }, |(_, k)| {
+                    CasePlace::Component { block, index, k }
+                });
             }
             number -= count;
         }
@@ -128,6 +149,7 @@ impl System {
                 .blocks
                 .get_mut(block)
                 .is_some_and(|block| block.constraint.set_parameter_at(index, value)),
+            CasePlace::Component { block, index, k } => self.put_numbered(block, index, k, value),
             CasePlace::Coordinate(column) => {
                 self.initial[column] = value;
                 self.preferred
@@ -138,6 +160,18 @@ impl System {
             }
             CasePlace::Dimension(k) => self.put_dimension(k, value),
         }
+    }
+
+    /// An error where numbers that were put in these places are none that they can be set to.
+    pub(crate) fn check_put(&self, places: &[CasePlace]) -> Result<()> {
+        places.iter().try_for_each(|place| match place {
+            CasePlace::Parameter { block, .. } | CasePlace::Component { block, .. } => {
+                let block = self.equations.blocks.get(*block);
+                block.map_or(Ok(()), |block| sensible_parameters(&block.name, block.constraint.as_ref()))
+            }
+            CasePlace::Coordinate(_) => Ok(()),
+            CasePlace::Dimension(k) => self.check_dimension_as_put(*k),
+        })
     }
 
     /// The constraint, the parameter's name in it, and its value; names may have dots themselves.

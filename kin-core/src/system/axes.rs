@@ -1,0 +1,93 @@
+//! Axes whose components are set one by one. A constraint keeps unit vectors; the directions that they are
+//! made of are kept here as they were given, so that an axis does not hang on the order in which its
+//! components were set, nor on what they were before.
+
+use super::System;
+use crate::model::describer::Describer;
+use crate::numbers::algebra::Axis;
+
+/// An axis of a constraint, and the directions along it and across it that it is made of.
+#[derive(Clone, Debug)]
+pub(crate) struct Given {
+    block: usize,
+    name: String,
+    directions: [f64; 6],
+}
+
+impl Given {
+    fn is(&self, block: usize, name: &str) -> bool {
+        self.block == block && self.name == name
+    }
+}
+
+impl System {
+    /// The axis and the number of its component that a parameter such as `h_i.x` is; `None` if it is none.
+    pub(super) fn component(&self, block: usize, parameter: &str) -> Option<(String, usize)> {
+        let (axis, component) = parameter.rsplit_once('.')?;
+        let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
+        self.directions(block, axis).map(|_| (axis.to_string(), k))
+    }
+
+    /// The component of an axis that was given, where it was.
+    pub(super) fn given_component(&self, block: usize, parameter: &str) -> Option<f64> {
+        let (axis, component) = parameter.rsplit_once('.')?;
+        let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
+        self.axes.iter().find(|given| given.is(block, axis)).map(|given| given.directions[k])
+    }
+
+    /// Sets component k of the axis that parameter `index` of a constraint is of; false if it cannot be set.
+    pub(super) fn put_numbered(&mut self, block: usize, index: usize, k: usize, value: f64) -> bool {
+        let (mut count, mut axis) = (0, String::new());
+        if let Some(block) = self.equations.blocks.get(block) {
+            block.constraint.parameters(&mut |name, _| {
+                if count == index {
+                    axis = name.rsplit_once('.').map_or("", |(axis, _)| axis).to_string();
+                }
+                count += 1;
+            });
+        }
+        self.put_component(block, (&axis, k), value)
+    }
+
+    /// The direction along an axis and the one across it, as they were given; `None` if there is no axis of
+    /// that name.
+    pub(super) fn directions(&self, block: usize, name: &str) -> Option<[f64; 6]> {
+        let given = self.axes.iter().find(|given| given.is(block, name));
+        given.map(|given| given.directions).or_else(|| self.directions_now(block, name))
+    }
+
+    /// The unit vectors that the constraint has.
+    fn directions_now(&self, block: usize, name: &str) -> Option<[f64; 6]> {
+        let constraint = &self.equations.blocks.get(block)?.constraint;
+        if !constraint.clone_boxed().set_parameter(&Axis::name_of(name, 0), 1.0) {
+            return None;
+        }
+        let mut described = Describer::default();
+        constraint.describe(&mut described);
+        let mut numbers = described.parameters.get(name)?.as_array()?.iter().flat_map(|v| v.as_array());
+        let [h, f] = [numbers.next()?, numbers.next()?];
+        let mut all = h.iter().chain(f).filter_map(|x| x.as_f64());
+        let mut directions = [f64::NAN; 6];
+        directions.iter_mut().for_each(|to| *to = all.next().unwrap_or(f64::NAN));
+        Some(directions)
+    }
+
+    /// Sets a component of the direction along an axis; false if it cannot be set.
+    pub(super) fn put_component(&mut self, block: usize, (name, k): (&str, usize), value: f64) -> bool {
+        let Some(mut directions) = self.directions(block, name) else { return false };
+        directions[k] = value;
+        self.forget_axis(block, name);
+        self.axes.push(Given { block, name: name.to_string(), directions });
+        // Across an axis along the direction that was across it anything will do.
+        let chosen = Axis::given(&directions);
+        let axis = if chosen.is_sound() { chosen } else { Axis::given(&directions[..3]) };
+        let constraint = &mut self.equations.blocks[block].constraint;
+        let mut parts = (0..).zip(axis.numbers());
+        parts.all(|(part, value)| constraint.set_parameter(&Axis::name_of(name, part), value))
+    }
+
+    /// The axis is another one from now on.
+    pub(super) fn forget_axis(&mut self, block: usize, name: &str) {
+        self.axes.retain(|given| !given.is(block, name));
+    }
+}
