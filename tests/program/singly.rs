@@ -1,9 +1,10 @@
 //! Single positions by the program of `compile`: those of plain steps, from wherever they are looked for.
 
 use kin::prelude::*;
-use kin::{Engine, Options, Solution};
+use kin::{Engine, Options, Solution, Stop};
 
 use crate::gallery::mechanisms;
+use crate::{USUAL, four_bar};
 
 fn plain() -> Options {
     Options { engine: Engine::Plain, ..Options::default() }
@@ -52,4 +53,21 @@ fn positions_of_the_gallery_are_those_of_plain_steps() {
     // Percent; of positions that rows give wherever they are looked for from there are three in 27.
     let enough = by_program.iter().zip([95, 70, 20, 10]).all(|(own, least)| 100 * own >= least * asked);
     assert!(enough, "{by_program:?} of {asked} by the program");
+}
+
+/// A looser stop rule asks for less, and what it gives is the same whatever was asked before.
+#[test]
+fn a_loose_tolerance_gives_rates_of_its_own_position_each_time() {
+    let system = four_bar(USUAL, |m, crank, _| {
+        m.add("motor", drive_angle(crank, Law::linear(0.1, 1.0))).expect("adds");
+    });
+    system.compile().expect("compiles");
+    let q = system.position(0.0).expect("solves").q;
+    let loose = Options { stop: Stop::Converged { tolerance: 1e-4 }, ..Options::default() };
+    let exact = system.solve_at_with(0.02, &q, &plain()).expect("solves");
+    let first = system.solve_at_with(0.02, &q, &loose).expect("solves");
+    assert!(first.report.compiled && apart(&exact, &first).iter().all(|off| *off < 1e-11));
+    for _ in 0..70 {
+        assert_eq!(system.solve_at_with(0.02, &q, &loose).expect("solves"), first);
+    }
 }

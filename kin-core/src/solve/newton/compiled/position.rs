@@ -21,6 +21,9 @@ const NEAR: f64 = 0.1;
 /// A pivot or determinant is at least this share of what it was where the program was chosen.   \[-\]
 const LEAST: f64 = 0.02;
 
+/// The tolerance of the stop rule at most: see [`Stop::Converged`].   \[-\]
+const TOLERANCE: f64 = 1e-13;
+
 /// The constraints' own kernels look at the first position in a room, and at each that so many others have
 /// gone before.
 const LOOKS: usize = 64;
@@ -98,7 +101,8 @@ impl Positions {
         if options.engine == Engine::Plain || !options.predict || options.jerk {
             return None;
         }
-        let steps = options.max_iterations.min(STEPS);
+        // Rates are those of the position before the last correction, which has to be none.
+        let (tolerance, steps) = (tolerance.min(TOLERANCE), options.max_iterations.min(STEPS));
         Lanes::Best.dispatch(Asked { positions: self, system, t, from, tolerance, steps }).ok()?
     }
 
@@ -159,7 +163,7 @@ impl Positions {
         };
         equations.set_constants(&mut room.values);
         // Shares of pivots are of those at the position where the program was chosen.
-        room.alone.solve(simd, self.t, &self.q, &self.limits(system, 1e-13, STEPS));
+        room.alone.solve(simd, self.t, &self.q, &self.limits(system, TOLERANCE, STEPS));
         room.alone.mark();
         room
     }
