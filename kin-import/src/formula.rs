@@ -147,7 +147,8 @@ impl Token {
     }
 }
 
-/// Numbers, names and signs. A number may end in `d`; `<n>` is a new line.
+/// Numbers, names and signs. A number may end in `d`, which begins an exponent where digits follow
+/// (`1.0d-3`); `<n>` is a new line.
 fn tokens(text: &str) -> Result<Vec<Token>, String> {
     let text: String = text.split('"').step_by(2).collect::<Vec<&str>>().join(" ").replace("<n>", " ");
     let mut rest = text.trim_start();
@@ -163,7 +164,7 @@ fn tokens(text: &str) -> Result<Vec<Token>, String> {
         let (word, after) = rest.split_at(length);
         all.push(match first {
             '0'..='9' | '.' => {
-                let value = word.trim_end_matches('d').parse::<f64>();
+                let value = word.trim_end_matches('d').replace('d', "e").parse::<f64>();
                 Token::Number(value.map_err(|_| format!("`{word}` is no number"))?)
             }
             '+' | '-' | '*' | '/' | '^' | '(' | ')' => Token::Sign(first),
@@ -176,21 +177,19 @@ fn tokens(text: &str) -> Result<Vec<Token>, String> {
 }
 
 fn number_length(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let mut k = 0;
-    while k < bytes.len() {
-        let is_sign = matches!(bytes[k], b'+' | b'-') && matches!(bytes[k - 1], b'e' | b'E');
-        let is_exponent = matches!(bytes[k], b'e' | b'E')
-            && bytes.get(k + 1).is_some_and(|next| next.is_ascii_digit() || matches!(next, b'+' | b'-'));
-        match bytes[k] {
-            b'0'..=b'9' | b'.' => {}
-            b'd' => return k + 1,
-            _ if is_exponent || (k > 0 && is_sign) => {}
-            _ => break,
-        }
-        k += 1;
+    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+    let whole = digits(0);
+    let mantissa = if text[whole..].starts_with('.') { whole + 1 + digits(whole + 1) } else { whole };
+    let rest = &text[mantissa..];
+    if !rest.starts_with(['d', 'e', 'E']) {
+        return mantissa;
     }
-    k
+    let sign = usize::from(rest[1..].starts_with(['+', '-']));
+    let length = match digits(mantissa + 1 + sign) {
+        0 => mantissa,
+        exponent => mantissa + 1 + sign + exponent,
+    };
+    length + usize::from(text[length..].starts_with('d'))
 }
 
 struct Reader {
@@ -301,6 +300,18 @@ mod tests {
         assert_eq!(at("\"a remark (of T1\"<n>1.5e-1d*arctan(1000*(time - 2))<n>", 2.0), 0.0);
         assert_eq!(at("0*(time - 3) + 1.0e2", 7.0), 100.0);
         assert_eq!(at("time/(2 - 4)/2", 8.0), -2.0);
+        for (text, factor) in [
+            ("1.0d-3", 1e-3),
+            ("1d+2", 100.0),
+            ("5d-1", 0.5),
+            ("1.0d2", 100.0),
+            ("2.5E-1d", 0.25),
+            (".5d", 0.5),
+        ] {
+            assert_eq!(at(&format!("{text}*time"), 2.0), 2.0 * factor, "{text}");
+        }
+        assert_eq!(at("2.0d - 3.0d*time", 1.0), -1.0);
+        assert_eq!(at("2.0d-time", 1.0), 1.0);
     }
 
     #[test]
