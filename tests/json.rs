@@ -224,6 +224,37 @@ fn mistakes_in_data_are_told_by_name() {
 }
 
 /// Files of the first days, without equations and dimensions, give the motion of those of today.
+/// A number or a part that a law does not have is told, and not left out.
+#[test]
+fn numbers_that_a_law_does_not_have_are_told_by_name() {
+    let law = |text: &str| {
+        let data: kin::data::LawData = serde_json::from_str(text).expect("reads");
+        kin::Registry::new().law(&data).map(|law| law.at(1.0))
+    };
+    assert_eq!(law(r#"{"kind": "ramp", "numbers": {"rate": 2}}"#), Ok(2.0));
+    for (text, told) in [
+        (
+            r#"{"kind": "ramp", "numbers": {"rate": 2, "f0": 0.5}}"#,
+            "the law `ramp` has no number `f0`; it has `rate`",
+        ),
+        (
+            r#"{"kind": "ramp", "numbers": {"rate": 2}, "parts": {"base": {"kind": "ramp", "numbers": {"rate": 1}}}}"#,
+            "the law `ramp` has no part `base`",
+        ),
+        (
+            r#"{"kind": "polynomial", "numbers": {"c[0]": 1, "c[2]": 1}}"#,
+            "the law `polynomial` has no number `c[2]`",
+        ),
+        (
+            r#"{"kind": "spline", "numbers": {"x[0]": 0, "y[0]": 0, "x[1]": 1, "y[1]": 0, "x[2]": 2}}"#,
+            "the law `spline` has 3 numbers `x` and 2 numbers `y`",
+        ),
+    ] {
+        let error = law(text).expect_err("refused");
+        assert!(error.contains(told), "{error}");
+    }
+}
+
 #[test]
 fn the_first_files_are_still_read() -> kin::Result<()> {
     let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>();

@@ -17,7 +17,7 @@ use crate::error::Mistakes;
 use crate::limits;
 use attribute::Asked;
 pub use demand::Demand;
-pub use force::force;
+pub use force::in_role;
 pub use measure::Measure;
 use types::has_rows;
 pub use types::{Kind, Shape, kind, literal_length, shape};

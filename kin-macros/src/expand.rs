@@ -20,7 +20,7 @@ fn compiled(attribute: TokenStream, item: TokenStream, role: Role) -> TokenStrea
     let parsed = limits::check(&item).and_then(|()| parse::constraint(attribute, item.clone()));
     let parsed = parsed.and_then(|mut source| {
         source.role = role;
-        if role == Role::Force { parse::force(source) } else { Ok(source) }
+        parse::in_role(source, role)
     });
     let source = match parsed {
         Ok(source) => source,

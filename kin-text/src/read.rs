@@ -160,7 +160,7 @@ fn is_called(attribute: &Attribute, name: &str) -> bool {
 fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read> {
     let mut source = parse::constraint(said, item.to_token_stream())?;
     (source.role, source.second_reader) = (role, SecondReader::Nobody);
-    let source = if role == Role::Force { parse::force(source)? } else { source };
+    let source = parse::in_role(source, role)?;
     let signature = Signature::of(&source.arguments)?;
     let mut lowered = understood(lower::constraint(&source))?;
     let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();

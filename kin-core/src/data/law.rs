@@ -1,6 +1,7 @@
 //! Laws as data: a kind, its own numbers, and the laws that it is made of.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
@@ -54,13 +55,36 @@ impl LawData {
 
 /// A law's data as its constructor reads them.
 pub struct LawReader<'a> {
-    pub(super) data: &'a LawData,
-    pub(super) registry: &'a Registry,
+    data: &'a LawData,
+    registry: &'a Registry,
+    /// The names that the constructor has asked for.
+    asked: RefCell<BTreeSet<String>>,
 }
 
-impl LawReader<'_> {
+impl<'a> LawReader<'a> {
+    pub(super) fn new(data: &'a LawData, registry: &'a Registry) -> Self {
+        LawReader { data, registry, asked: RefCell::default() }
+    }
+
+    fn ask(&self, name: &str) {
+        self.asked.borrow_mut().insert(name.to_string());
+    }
+
+    /// An error by name where the data have a number or a part that nothing has asked for.
+    pub(super) fn all_are_asked(&self) -> Result<(), String> {
+        let asked = self.asked.borrow();
+        let of = |names: Vec<&String>| names.into_iter().find(|name| !asked.contains(*name)).cloned();
+        let number = of(self.data.numbers.keys().collect()).map(|name| ("number", name));
+        let found = number.or_else(|| of(self.data.parts.keys().collect()).map(|name| ("part", name)));
+        let Some((what, name)) = found else { return Ok(()) };
+        let has: Vec<String> = asked.iter().map(|name| format!("`{name}`")).collect();
+        let has = if has.is_empty() { "nothing".to_string() } else { has.join(", ") };
+        Err(format!("the law `{}` has no {what} `{name}`; it has {has}", self.data.name()))
+    }
+
     /// The number of that name. Errors: none.
     pub fn number(&self, name: &str) -> Result<f64, String> {
+        self.ask(name);
         self.data
             .numbers
             .get(name)
@@ -75,16 +99,33 @@ impl LawReader<'_> {
 
     /// Names of all its numbers and parts.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.data.numbers.keys().chain(self.data.parts.keys()).map(String::as_str)
+        let all = self.data.numbers.keys().chain(self.data.parts.keys()).map(String::as_str);
+        all.inspect(|name| self.ask(name))
     }
 
     /// The numbers `name[first]`, `name[first + 1]`, … as far as they go.
     pub fn list(&self, name: &str, first: usize) -> Vec<f64> {
-        (first..).map_while(|k| self.data.numbers.get(&format!("{name}[{k}]")).copied()).collect()
+        let number = |k: usize| {
+            let name = format!("{name}[{k}]");
+            let number = self.data.numbers.get(&name).copied();
+            number.inspect(|_| self.ask(&name))
+        };
+        (first..).map_while(number).collect()
+    }
+
+    /// Two such lists side by side. Errors: one of them is longer.
+    fn pairs(&self, names: [&str; 2], first: usize) -> Result<Vec<(f64, f64)>, String> {
+        let [a, b] = names.map(|name| self.list(name, first));
+        if a.len() == b.len() {
+            return Ok(a.into_iter().zip(b).collect());
+        }
+        let ([one, other], own) = (names, self.data.name());
+        Err(format!("the law `{own}` has {} numbers `{one}` and {} numbers `{other}`", a.len(), b.len()))
     }
 
     /// The law of that name that this one is made of. Errors: none, of an unknown kind.
     pub fn part(&self, name: &str) -> Result<Law, String> {
+        self.ask(name);
         let part = self
             .data
             .parts
@@ -120,7 +161,7 @@ pub(super) fn shipped(registry: Registry) -> Registry {
             Ok(Law::sine(law.number("amplitude")?, law.number("omega")?, law.number("phase")?))
         })
         .with_law("fourier", |law| {
-            let pairs: Vec<(f64, f64)> = law.list("a", 1).into_iter().zip(law.list("b", 1)).collect();
+            let pairs = law.pairs(["a", "b"], 1)?;
             Ok(Law::fourier(law.number("mean")?, law.number("omega")?, &pairs))
         })
         .with_law("trapezoidal", |law| {
@@ -145,7 +186,7 @@ pub(super) fn shipped(registry: Registry) -> Registry {
 }
 
 fn spline(law: &LawReader<'_>, make: fn(&[(f64, f64)], Ends) -> Law) -> Result<Law, String> {
-    let table: Vec<(f64, f64)> = law.list("x", 0).into_iter().zip(law.list("y", 0)).collect();
+    let table = law.pairs(["x", "y"], 0)?;
     let ends = match (law.number("periodic"), law.number("start")) {
         (Ok(_), _) => Ends::Periodic,
         (_, Ok(start)) => Ends::Clamped { start, end: law.number("end")? },

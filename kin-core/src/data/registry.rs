@@ -169,12 +169,13 @@ impl Registry {
     }
 
     /// The law that the data say: by its kind, where that is known, else by its text. Errors: unknown kind,
-    /// numbers or parts that are missing, mistakes in the text.
+    /// numbers or parts that are missing or that it does not have, mistakes in the text.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
-        let law = LawReader { data, registry: self };
+        let law = LawReader::new(data, self);
+        let whole = |made| law.all_are_asked().map(|()| made);
         match (self.laws.get(&data.kind), &data.text, self.law_texts) {
-            (Some(make), ..) => make(&law),
-            (None, Some(_), Some(read)) => read(&law),
+            (Some(make), ..) => make(&law).and_then(whole),
+            (None, Some(_), Some(read)) => read(&law).and_then(whole),
             (None, Some(_), None) => Err(format!(
                 "unknown law `{}`: add it with `Registry::with_law`, or read its text with `kin::text::registry()`, of the feature `text`",
                 data.kind

@@ -1,6 +1,6 @@
 //! The signature of a function under `#[force]`: f(x, ẋ, t) along a length or an angle x.
 
-use super::{ConstraintFn, Kind, Shape};
+use super::{ConstraintFn, Kind, Role, Shape};
 
 const FIRST: &str = "a force begins with the length or the angle that it acts along: `x: Coord`";
 const SECOND: &str = "after x there is its rate alone, `rate: Rate`: other coordinates belong to x, whatever \
@@ -9,9 +9,24 @@ const BODY: &str =
     "a force depends on x, its rate and t: the bodies belong to x, which the constructor takes";
 const VALUE: &str = "a force along x is one number: return an `f64`";
 
+const RATE: &str = "an equation C(q, t) = 0 reads no rates, Kin differentiates it: a coordinate is a `Coord`, and what \
+     acts by a rate is a `#[force]`";
+
+/// Checks a signature by what its function is for. Errors: at the type of an argument that does not belong
+/// there.
+pub fn in_role(source: ConstraintFn, role: Role) -> syn::Result<ConstraintFn> {
+    if role == Role::Force {
+        return force(source);
+    }
+    match source.arguments.iter().find(|argument| super::types::is_rate(&argument.ty)) {
+        Some(argument) => Err(syn::Error::new_spanned(&argument.ty, RATE)),
+        None => Ok(source),
+    }
+}
+
 /// Checks the signature of a force, read as that of a constraint. Errors: other arguments than x, its rate, t
 /// and parameters, at their types.
-pub fn force(source: ConstraintFn) -> syn::Result<ConstraintFn> {
+fn force(source: ConstraintFn) -> syn::Result<ConstraintFn> {
     for (k, argument) in source.arguments.iter().enumerate() {
         let text = match (&argument.kind, k) {
             (Kind::Coord, 0) if !super::types::is_rate(&argument.ty) => continue,
