@@ -43,3 +43,24 @@ fn slope_that_is_infinite() {
   Stay clear of that pose, or write the equation without this edge: d·d - l*l instead of d.norm() - l.";
     assert_eq!(text([0.2, 1.0], true), expected);
 }
+
+#[law]
+fn hop(t: f64, h: f64) -> f64 {
+    h * (t - 1.0).sqrt()
+}
+
+/// A law that ends is told by the name of its function, whatever joint asks it.
+#[test]
+fn a_law_without_a_number_is_told_by_its_name() {
+    let mut m = Mechanism::new("crank");
+    let crank = m.link("crank", 1.0).expect("a link");
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
+    m.add("motor", drive_angle(crank, hop(0.5))).expect("adds");
+    let system = m.build().expect("builds");
+    for (t, told) in
+        [(0.5, "`law.at(t)` is not a number (operand 0.5)"), (1.0, "has no finite slope (operand 1)")]
+    {
+        let error = system.position(t).unwrap_err().to_string();
+        assert!(error.contains(told) && error.contains("the law `hop`") && !error.contains("d·d"), "{error}");
+    }
+}

@@ -51,6 +51,8 @@ pub struct Found {
     pub value: f64,
     /// The numbers it is computed from directly.
     pub operands: Vec<f64>,
+    /// The kind of the law that is asked there, if it is one: the name of its function.
+    pub law: Option<String>,
 }
 
 impl fmt::Display for Source {
@@ -84,6 +86,12 @@ impl fmt::Display for Culprit {
             place.into_iter().chain((!values.is_empty()).then(|| format!("at {values}"))).collect();
         if !told.is_empty() {
             write!(f, "\n  {}.", told.join(", "))?;
+        }
+        if let Some(law) = &found.law {
+            return write!(
+                f,
+                "\n  That is the law `{law}`: stay where it has a value and slopes, or give another one."
+            );
         }
         f.write_str(match found.part {
             Part::Value => "\n  Begin at another pose, change the parameters, or write `if` around it.",

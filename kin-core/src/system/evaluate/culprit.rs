@@ -36,6 +36,11 @@ impl Culprit {
         };
         let inputs = blame.inputs.iter().filter_map(named).collect();
         let Blame { expression, source, part, value, operands, .. } = blame;
-        Culprit { found: Some(Found { expression, source, part, value, operands }), inputs }
+        let mut law = None;
+        block.constraint.laws(&at, &mut |name, asked, x| {
+            let is_it = operands[..] == [x] && expression.starts_with(&format!("{name}."));
+            law = law.take().or_else(|| is_it.then(|| asked.kind().to_string()));
+        });
+        Culprit { found: Some(Found { expression, source, part, value, operands, law }), inputs }
     }
 }
