@@ -53,7 +53,7 @@ pub use design::{
 pub use dimension::{
     Dimension, DimensionError, Distribution, IntoGravity, IntoNumber, IntoParameter, IntoVector,
 };
-pub use error::{Error, Result};
+pub use error::{Error, OtherMotion, Result};
 pub use forces::library as loads;
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};
 pub use joints::spatial;

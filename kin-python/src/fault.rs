@@ -91,6 +91,7 @@ fn facts(error: &Error) -> (&'static str, Value) {
         }
         Error::Dimension(found) => ("DimensionError", of_dimension(found)),
         Error::NotUnique(_) => ("NotUnique", json!({})),
+        Error::OtherMotion(found) => ("OtherMotion", json!({ "equation": found.equation, "t": found.t })),
         Error::OutputNotFinite { output, t, .. } => ("OutputNotFinite", json!({ "output": output, "t": t })),
         Error::Mismatch(_) => ("Mismatch", json!({})),
         Error::NoDerivative(_) => ("NoDerivative", json!({})),

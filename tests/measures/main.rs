@@ -4,6 +4,7 @@
 #[path = "../data/engines.rs"]
 mod engines;
 mod happened;
+mod set_since;
 
 use kin::prelude::*;
 use kin::{Options, Quantity};

@@ -13,12 +13,13 @@ type Line = (&'static str, i32, &'static str, Vec<String>);
 
 /// Classes that no command line leads to: a program has bodies and motions of two mechanisms, numbers that
 /// are none, tables and files of its own, stops its runs, compares routes to derivatives.
-const OF_PROGRAMS: [&str; 9] = [
+const OF_PROGRAMS: [&str; 10] = [
     "ForeignBody",
     "InitialNotFinite",
     "ParameterNotFinite",
     "CaseNotFinite",
     "WrongLength",
+    "OtherMotion",
     "Stopped",
     "Mismatch",
     "Table",

@@ -35,7 +35,7 @@ impl System {
         what: impl Measure,
         weights: impl Fn(usize) -> [f64; 3],
     ) -> Result<Vec<f64>> {
-        self.own(motion)?;
+        self.own_as_it_is(motion)?;
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         names.iter().try_for_each(|name| refuse_own(self, &what, name))?;
         let weights = self.weights(motion, &what, weights)?;

@@ -64,7 +64,7 @@ impl System {
         motion: &'a Motion,
         names: impl IntoIterator<Item = impl AsRef<str>>,
     ) -> Result<Sensitivities<'a>> {
-        self.own(motion)?;
+        self.own_as_it_is(motion)?;
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
         let mut prepared = Prepared::new(self, &names)?;

@@ -81,7 +81,7 @@ impl System {
     /// program, by name: friction, redundant equations, a load that is a closure, a constraint that is not
     /// known as a formula.
     pub fn forces_by<'a>(&'a self, motion: &'a Motion, engine: Engine) -> Result<Forces<'a>> {
-        self.own(motion)?;
+        self.own_as_it_is(motion)?;
         if !self.has_forces() {
             return Err(Error::InvalidParameters {
                 constraint: self.name().to_string(),

@@ -149,6 +149,10 @@ class NotUnique(Error):
     """A force that redundant constraints share, so that no balance decides it."""
 
 
+class OtherMotion(Error):
+    """A motion of a system in which something was set since: at `t` its `equation` does not hold."""
+
+
 class Jammed(Error):
     """A mechanism that friction holds fast: no finite forces of its drives move it. `constraint` is the joint that holds, `t` the
     first such time, `share` how much of the friction is enough, `drives` what works against it."""

@@ -12,7 +12,7 @@ impl System {
     /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another system,
     /// those of [`System::solve_at`].
     pub fn at(&self, motion: &Motion, t: f64) -> Result<Motion> {
-        self.own(motion)?;
+        self.own_as_it_is(motion)?;
         let before = step_of(motion.times(), t).ok_or_else(|| outside(motion, t))?;
         let mut pose = Motion::new(self, 1);
         self.add_between(motion, before, t, &mut pose)?;

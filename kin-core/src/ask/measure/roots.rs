@@ -59,7 +59,7 @@ struct End {
 
 impl<'a, M: Measure> Search<'a, M> {
     pub(super) fn new(system: &'a System, motion: &'a Motion, what: &'a M, zero: Zero) -> Result<Self> {
-        system.own(motion)?;
+        system.own_as_it_is(motion)?;
         let grid = what.of(system, motion)?;
         let [x, rates, ..] = grid.orders();
         let largest = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));

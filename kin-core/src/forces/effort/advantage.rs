@@ -46,7 +46,7 @@ impl System {
     /// of several rows, one that redundant equations do not let move alone; those of [`System::measure`]; a
     /// singular position.
     pub fn mechanical_advantage(&self, motion: &Motion, drive: &str, output: impl Measure) -> Result<Series> {
-        self.own(motion)?;
+        self.own_as_it_is(motion)?;
         let block = self.driver_of_one_row(drive)?;
         let row = block.rows().start;
         let [mut moved, mut still] = [0, 1].map(|_| Motion::new(self, motion.len()));

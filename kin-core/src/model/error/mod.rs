@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use crate::model::{blame::Culprit, motion::Motion, units::Units, verdict::Diagnosis, words};
 
 mod carried;
+mod other_motion;
 mod text;
 
 pub use carried::Result;
+pub use other_motion::OtherMotion;
 
 /// Everything that can go wrong. `Debug` prints what `Display` does: errors of `main` read well.
 #[derive(thiserror::Error)]
@@ -45,7 +47,6 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-
     /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
     #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
         [.movable, .dependent], .unmet)), text::computed_before(.motion))]
@@ -71,7 +72,6 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-
     /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate there.
     #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
         text::toggle(.movable, .dependent, .diagnosis), text::computed_before(.motion))]
@@ -91,7 +91,6 @@ pub enum Error {
         /// The motion computed before; its last [`Motion::singular_positions`] is the toggle.
         motion: Option<Box<Motion>>,
     },
-
     /// A step that may have left its branch, and cannot be made any shorter.
     #[error("{}", text::cannot_follow(&words::at(*.t, .units), reason, .motion))]
     CannotFollow {
@@ -104,7 +103,6 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-
     /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
     #[error("{}", text::wrong_branch(&words::at(*.t, .units), [constraint, kind, reason], .motion))]
     WrongBranch {
@@ -121,7 +119,6 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-
     /// A law that jumps where it drives the motion.
     #[error("{}", text::law_jumps(&words::at(*.t, .units), [constraint, law], (*.at, *.order), .motion))]
     LawJumps {
@@ -363,6 +360,9 @@ pub enum Error {
     /// A force that redundant constraints share ([`crate::Forces`]).
     #[error(transparent)]
     NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
+    /// A motion of another system, or of this one before something was set.
+    #[error(transparent)]
+    OtherMotion(#[from] Box<other_motion::OtherMotion>),
     /// A mechanism that friction holds fast ([`crate::Mechanism::friction`]).
     #[error(transparent)]
     Jammed(#[from] Box<crate::model::jammed::Jammed>),
