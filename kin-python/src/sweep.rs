@@ -95,13 +95,15 @@ pub fn sweep<'py>(
 ) -> PyResult<Rows<'py>> {
     let system = system.now();
     let wanted =
-        wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?))).collect::<PyResult<_>>()?;
+        wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?))).collect::<PyResult<Vec<_>>>()?;
+    let times = numbers::read(times)?;
+    or_raise(py, known(&system, &wanted, times.first()))?;
     let asked = Asked {
         wanted: of_forces(&system, wanted)?,
         system,
         cases: rows(numbers::read(cases)?, names.len())?,
         names,
-        times: numbers::read(times)?,
+        times,
         options: options(Some(keywords))?,
         lanes,
         threads,
@@ -126,6 +128,28 @@ fn of_forces(system: &kin::System, wanted: Vec<(String, Feature)>) -> PyResult<V
         Ok((name, kept, is_force))
     };
     wanted.into_iter().map(told).collect()
+}
+
+/// An error for a name that nothing has, before anything is computed. Columns of forces are known where there
+/// are forces at the first time; where there are none each case says so.
+fn known(system: &kin::System, wanted: &[(String, Feature)], first: Option<&f64>) -> kin::Result<()> {
+    let mut all: Vec<String> = system.measures();
+    all.extend(system.coordinate_names().iter().cloned());
+    let unknown =
+        |all: &[String]| wanted.iter().map(|(name, _)| name).find(|name| !all.contains(name)).cloned();
+    if unknown(&all).is_some() && system.has_forces() {
+        let columns = |t: f64| {
+            let motion = system.run([t])?;
+            let forces = system.forces(&motion)?;
+            Ok::<_, kin::Error>(
+                forces.columns().iter().map(|column| column.name().to_string()).collect::<Vec<_>>(),
+            )
+        };
+        let Some(Ok(columns)) = first.map(|t| columns(*t)) else { return Ok(()) };
+        all.extend(columns);
+    }
+    let what = "measure, coordinate or column of forces";
+    unknown(&all).map_or(Ok(()), |name| Err(kin::Error::UnknownName { what, name, known: all }))
 }
 
 /// The cases, one after the other.
