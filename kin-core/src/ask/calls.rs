@@ -34,7 +34,7 @@ impl System {
     ///
     /// After a call of [`System::compile`] positions that are near q0 (each coordinate within a tenth of a
     /// radian, or of the mechanism's typical length, and Newton's steps shrink quickly) are found by the
-    /// program, five to ten times faster; [`crate::Report::compiled`] tells.
+    /// program, two to nine times faster; [`crate::Report::compiled`] tells.
     ///
     /// ```
     /// # use kin::prelude::*;
