@@ -4,9 +4,9 @@
 mod alias;
 mod attribute;
 mod demand;
-mod force;
 mod length;
 mod measure;
+mod role;
 mod types;
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -17,8 +17,8 @@ use crate::error::Mistakes;
 use crate::limits;
 use attribute::Asked;
 pub use demand::Demand;
-pub use force::in_role;
 pub use measure::Measure;
+pub use role::in_role;
 use types::has_rows;
 pub use types::{Kind, Shape, kind, literal_length, shape};
 

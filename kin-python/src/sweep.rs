@@ -97,7 +97,8 @@ pub fn sweep<'py>(
     let wanted =
         wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?))).collect::<PyResult<Vec<_>>>()?;
     let times = numbers::read(times)?;
-    or_raise(py, known(&system, &wanted, times.first()))?;
+    let kept: Vec<&str> = wanted.iter().map(|(name, _)| name.as_str()).collect();
+    or_raise(py, times.first().map_or(Ok(()), |t| system.check_columns(&kept, *t)))?;
     let asked = Asked {
         wanted: of_forces(&system, wanted)?,
         system,
@@ -128,28 +129,6 @@ fn of_forces(system: &kin::System, wanted: Vec<(String, Feature)>) -> PyResult<V
         Ok((name, kept, is_force))
     };
     wanted.into_iter().map(told).collect()
-}
-
-/// An error for a name that nothing has, before anything is computed. Columns of forces are known where there
-/// are forces at the first time; where there are none each case says so.
-fn known(system: &kin::System, wanted: &[(String, Feature)], first: Option<&f64>) -> kin::Result<()> {
-    let mut all: Vec<String> = system.measures();
-    all.extend(system.coordinate_names().iter().cloned());
-    let unknown =
-        |all: &[String]| wanted.iter().map(|(name, _)| name).find(|name| !all.contains(name)).cloned();
-    if unknown(&all).is_some() && system.has_forces() {
-        let columns = |t: f64| {
-            let motion = system.run([t])?;
-            let forces = system.forces(&motion)?;
-            Ok::<_, kin::Error>(
-                forces.columns().iter().map(|column| column.name().to_string()).collect::<Vec<_>>(),
-            )
-        };
-        let Some(Ok(columns)) = first.map(|t| columns(*t)) else { return Ok(()) };
-        all.extend(columns);
-    }
-    let what = "measure, coordinate or column of forces";
-    unknown(&all).map_or(Ok(()), |name| Err(kin::Error::UnknownName { what, name, known: all }))
 }
 
 /// The cases, one after the other.

@@ -65,7 +65,7 @@ INSTEAD = {
     },
     "Solid": {"and": "`solid + solid`"},
     "System": {
-        "assemblies_with": "assemblies", "assembly_with": "assembly", "constraint_names": "constraints", "coordinate_names": "names",
+        "assemblies_with": "assemblies", "assembly_with": "assembly", "check_columns": "`kin.sweep`", "constraint_names": "constraints", "coordinate_names": "names",
         "coordinate_units": "units", "diagnose_at": "diagnose(t, q)", "diagnose_at_with": "diagnose", "diagnose_with": "diagnose",
         "equation_names": "equations", "forces_by": "`forces(motion, engine=…)`", "forces_with": "forces(motion, sharing)",
         "link_length": "parameters", "load_names": "loads",

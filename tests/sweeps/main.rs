@@ -367,3 +367,13 @@ fn a_million_threads_are_no_more_than_there_are_cases() -> kin::Result<()> {
     assert!(sweep.run(&[[0.3]], [0.0, 0.5], |_, motion| motion.is_ok())?[0]);
     Ok(())
 }
+
+/// Names of what is to be kept are looked at before anything is computed.
+#[test]
+fn names_that_nothing_has_are_told_before_a_sweep() -> kin::Result<()> {
+    let system = guided(Law::ramp(1.0))?;
+    system.check_columns(&["block.R_x", "guide.slide"], 0.0)?;
+    let told = system.check_columns(&["block.R_x", "motor"], 0.0).unwrap_err().to_string();
+    assert!(told.contains("`motor`") && told.contains("`guide.slide`"), "{told}");
+    Ok(())
+}

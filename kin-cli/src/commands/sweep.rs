@@ -91,40 +91,21 @@ fn unread(error: &csv::Error) -> String {
     }
 }
 
-/// An error for names that the mechanism does not have, before anything is computed. The columns of forces
-/// are known where there are forces: where there is none at the first time, each case says so.
+/// An error for names that the mechanism does not have, before anything is computed.
 fn known(system: &System, names: &[String], keep: &[String], first: Option<&f64>) -> Result<(), Fault> {
     system.sweep(names).map_err(Fault::asked)?;
-    let mut all = of_motion(system);
-    let unknown = |all: &[String]| keep.iter().find(|name| !all.contains(name)).cloned();
-    if unknown(&all).is_some() && system.has_forces() {
-        let Some(columns) = first.and_then(|t| columns(system, *t).ok()) else { return Ok(()) };
-        all.extend(columns);
-    }
-    match unknown(&all) {
-        None => Ok(()),
-        Some(name) => {
-            let what = "measure, coordinate or column of forces";
-            Err(match Fault::asked(kin::Error::UnknownName { what, name, known: all }) {
-                Fault::Usage(text) if system.has_forces() => {
-                    Fault::Usage(format!("{text}; the first line of `kin forces FILE` has those of forces"))
-                }
-                other => other,
-            })
+    let checked = first.map_or(Ok(()), |t| system.check_columns(keep, *t));
+    checked.map_err(|error| match Fault::asked(error) {
+        Fault::Usage(text) if system.has_forces() => {
+            Fault::Usage(format!("{text}; the first line of `kin forces FILE` has those of forces"))
         }
-    }
+        other => other,
+    })
 }
 
 /// Measures and coordinates.
 fn of_motion(system: &System) -> Vec<String> {
     system.measures().into_iter().chain(system.coordinate_names().iter().cloned()).collect()
-}
-
-/// The columns of forces.
-fn columns(system: &System, t: f64) -> kin::Result<Vec<String>> {
-    let motion = system.run([t])?;
-    let forces = system.forces(&motion)?;
-    Ok(forces.columns().iter().map(|column| column.name().to_string()).collect())
 }
 
 /// The run of each case.

@@ -10,9 +10,37 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::model::motion::Series;
 use crate::solve::motion::csv::{reason, to_file};
+use crate::system::System;
 
 /// A force below this share of the largest one is none.   \[-\]
 const NOTHING: f64 = 1e-9;
+
+impl System {
+    /// An error for the first of these names that is no measure, no coordinate and no column of forces
+    /// ([`Forces::columns`]): for what is to be kept of many cases, before any of them is computed. Columns
+    /// are those at time t; where there are no forces then, nothing is said of names that may be theirs.
+    ///
+    /// Errors: [`Error::UnknownName`], with the names that there are.
+    pub fn check_columns(&self, names: &[impl AsRef<str>], t: f64) -> Result<()> {
+        let mut known: Vec<String> = self.measures();
+        known.extend(self.coordinate_names().iter().cloned());
+        let unknown = |known: &[String]| {
+            names.iter().map(AsRef::as_ref).find(|name| !known.iter().any(|known| known == name))
+        };
+        if unknown(&known).is_some() && self.has_forces() {
+            let columns = || -> Result<Vec<Series>> { Ok(self.forces(&self.run([t])?)?.columns()) };
+            let Ok(columns) = columns() else { return Ok(()) };
+            known.extend(columns.iter().map(|column| column.name().to_string()));
+        }
+        match unknown(&known) {
+            None => Ok(()),
+            Some(name) => {
+                let what = "measure, coordinate or column of forces";
+                Err(Error::UnknownName { what, name: name.to_string(), known })
+            }
+        }
+    }
+}
 
 impl Forces<'_> {
     /// Everything that is unique as numbers over time: of each drive effort and power, of each constraint the

@@ -73,7 +73,7 @@ def sweep(
     `keep` lists what is kept of each motion: "rocker.theta max", or ("rocker.theta", "max"). Of a measure or coordinate
     `max`, `min`, `range`, `first`, `last`, and of its rates `max_rate` and `max_second_rate`, the largest absolute values;
     of a column of forces, such as `motor` or `A on crank.F_x`, the first five. They are those of the times that are given: what
-    lies between them is told by `system.extremes(motion, …)`, and by the command's `kin sweep` without `--keep`.
+    lies between them is told by `system.extremes(motion, …)`, and by the command's `kin sweep`.
 
     Cases run on all cores, and several together in the lanes of SIMD registers where the constraints can. The company of
     other cases in its lanes changes the last digits of a result; `lanes=False` gives every case the same digits however

@@ -11,6 +11,7 @@ mod extremes;
 mod joint;
 pub(crate) mod kinks;
 mod limits;
+mod own;
 mod passed;
 mod roots;
 

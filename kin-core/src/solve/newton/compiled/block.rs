@@ -14,7 +14,7 @@ use crate::solve::follow::{REACH, misses_too_far};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
 use crate::solve::newton::{Outcome, Stop};
-use crate::system::evaluate::Instant;
+use crate::system::evaluate::{Equations, Instant};
 use crate::system::stop;
 
 /// Times of a block at most, between plain steps.
@@ -22,7 +22,7 @@ const MOST: usize = 240;
 
 /// A pivot or determinant that is less than this share of what it was where the block began is left to plain
 /// steps.   \[-\]
-const LEAST: f64 = 0.02;
+pub(super) const LEAST: f64 = 0.02;
 
 /// How far q, and q̇, q̈ and q⃛ by the largest of them, may be from those of a plain step.   \[-\]
 const SAME: [f64; ORDERS + 1] = [1e-9, 1e-7, 1e-6, 1e-5];
@@ -276,7 +276,7 @@ impl<S: Level> Block<S> {
             let mut good = if is_given { !miss.is_nan() } else { !misses_too_far(*miss, least) };
             if branches && good {
                 solved.position(taken.end, q);
-                good = is_meant(run, (*t, q), instant);
+                good = is_meant(run.system().equations(), (*t, q), instant);
             }
             if !good {
                 end = End::Objection;
@@ -315,8 +315,7 @@ impl<S: Level> Block<S> {
 
 /// True if a position is what constraints mean.
 #[cold]
-fn is_meant(run: &Run<'_>, (t, q): (f64, &[f64]), instant: &mut Instant) -> bool {
-    let equations = run.system().equations();
+pub(super) fn is_meant(equations: &Equations, (t, q): (f64, &[f64]), instant: &mut Instant) -> bool {
     equations.set_time(t, instant);
     equations.set_position(q, instant);
     equations.first_wrong(instant).is_none()

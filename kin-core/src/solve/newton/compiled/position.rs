@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::block::{LEAST, is_meant};
 use super::holds::{Look, Sums, holds};
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::Tape;
@@ -17,9 +18,6 @@ const STEPS: usize = 4;
 /// Every coordinate is this near to where it begins, unless rows give them all: from further off the steps of
 /// a program may come to another assembly than those of all coordinates.   \[-\]
 const NEAR: f64 = 0.1;
-
-/// A pivot or determinant is at least this share of what it was where the program was chosen.   \[-\]
-const LEAST: f64 = 0.02;
 
 /// The tolerance of the stop rule at most: see [`Stop::Converged`].   \[-\]
 const TOLERANCE: f64 = 1e-13;
@@ -212,11 +210,7 @@ impl Asked<'_> {
     /// True if a position is what constraints mean.
     fn is_meant(&self, room: &mut Room, q: &[f64]) -> bool {
         let equations = self.system.equations();
-        equations.branches().is_empty() || {
-            equations.set_time(self.t, &mut room.instant);
-            equations.set_position(q, &mut room.instant);
-            equations.first_wrong(&room.instant).is_none()
-        }
+        equations.branches().is_empty() || is_meant(equations, (self.t, q), &mut room.instant)
     }
 
     /// True unless the constraints' own kernels are asked and say something else: then they are asked again

@@ -1,4 +1,5 @@
-//! The signature of a function under `#[force]`: f(x, ẋ, t) along a length or an angle x.
+//! Signatures by what their functions are for: an equation C(q, t), or under `#[force]` f(x, ẋ, t) along a
+//! length or an angle x.
 
 use super::{ConstraintFn, Kind, Role, Shape};
 
