@@ -28,8 +28,8 @@ pub use kin_text as text;
 #[doc(hidden)]
 pub use kin_core::extend::{
     Attached, Attachment, Dependence, Dual, Entry, Facts, Lanes, LawFunction, Measured, Moving, Parameters,
-    Real, Target, Terms, Written, blame, by_dual, coordinates, dual_route, dual_terms, jerk_rhs, lanes,
-    measure, real, state, terms,
+    Real, Target, Terms, Written, blame, by_dual, coordinates, dual_route, dual_terms, jerk_rhs, measure,
+    real, state, terms,
 };
 
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.

@@ -34,7 +34,7 @@ fn table(x: f64) -> f64 {
 }
 
 /// Pin joint.      [m]
-#[constraint(lanes)]
+#[constraint(symbolic)]
 pub fn pin(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
     i.point(u_i) - j.point(u_j)
 }

@@ -39,12 +39,6 @@ pub mod dual_route {
     pub use crate::model::dual_route::*;
 }
 
-/// Several mechanisms at once: numbers over the lanes of a SIMD register.
-pub mod lanes {
-    #[doc(inline)]
-    pub use crate::numbers::lanes::*;
-}
-
 /// Numbers that carry derivatives.
 pub mod real {
     #[doc(inline)]

@@ -12,7 +12,6 @@
 mod condition;
 mod echelon;
 mod independent;
-pub(crate) mod lanes;
 mod least_squares;
 mod measures;
 mod recorded;

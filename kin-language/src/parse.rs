@@ -35,8 +35,6 @@ pub struct ConstraintFn {
     /// The body as it was written, if it gives names to types.
     named: Option<Block>,
     pub choice: Choice,
-    /// True if kernels over lanes are asked for.
-    pub lanes: bool,
     /// True if a warning is asked for where the body cannot be read.
     pub warn_dual: bool,
     /// The lengths of constants beside the function, as the attribute gives them.
@@ -110,7 +108,7 @@ pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
 
 /// Reads the attribute and the signature; every mistake at its own token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
-    let Asked { choice, lanes, warn_dual, lengths: given, with } = attribute::asked(attribute)?;
+    let Asked { choice, warn_dual, lengths: given, with } = attribute::asked(attribute)?;
     let mut function = item_fn(item.clone())?;
     let mut mistakes = Mistakes::default();
     let lengths = length::put(&mut function, &given, &mut mistakes);
@@ -138,7 +136,6 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
         body,
         named,
         choice,
-        lanes,
         warn_dual,
         lengths,
         given,

@@ -220,7 +220,6 @@ const _: () = {
             ::kin::emitted::Parts {
                 parameters: ::core::option::Option::Some(self),
                 written: ::core::option::Option::Some(self),
-                in_lanes: ::core::option::Option::Some(self),
             }
         }
         fn parameters_mut(
@@ -318,103 +317,6 @@ rows 30 31
                     ::kin::emitted::point(1, [self.u_j.x, self.u_j.y, 0.0]),
                 ],
             )
-        }
-    }
-    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::emitted::InLanes for revolute {
-        fn kernels(&self) -> ::kin::emitted::LaneKernels {
-            ::kin::emitted::LaneKernels::of::<Self>()
-        }
-        fn n_known(&self) -> [usize; 2] {
-            [4, 0]
-        }
-        fn of_parameters(&self, known: &mut [f64]) {
-            let (at, t_dot) = (&::kin::emitted::At::new(0.0, &[], &[]), 1.0);
-            let ::core::option::Option::Some(known) = known.first_chunk_mut() else {
-                return
-            };
-            *known = [self.u_i.x, self.u_i.y, self.u_j.x, self.u_j.y];
-        }
-    }
-    #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    impl ::kin::emitted::LaneKernel for revolute {
-        #[inline(always)]
-        fn linearize<__S: ::kin::emitted::Level>(
-            at: &::kin::emitted::LaneAt<'_, __S>,
-            c: &mut [::kin::emitted::Wide<__S>],
-            c_q: &mut [::kin::emitted::Wide<__S>],
-        ) {
-            let ::core::option::Option::Some([c_0, c_1]) = at.rows(c) else { return };
-            let ::core::option::Option::Some([_, c_q_1, _, c_q_3, _, c_q_5, _, c_q_7]) = at
-                .values(c_q) else { return };
-            let ::core::option::Option::Some(known) = at.known::<4>() else { return };
-            let ::core::option::Option::Some([i_x, i_y, _, i_sin, i_cos]) = at.state(0)
-            else { return };
-            let ::core::option::Option::Some([j_x, j_y, _, j_sin, j_cos]) = at.state(1)
-            else { return };
-            let j_cos = *j_cos;
-            let j_sin = *j_sin;
-            let t0 = ::kin::emitted::Wide::mul_add(known[3], j_cos, known[2] * j_sin);
-            *c_q_3 = t0;
-            let i_cos = *i_cos;
-            let i_sin = *i_sin;
-            let t1 = ::kin::emitted::Wide::mul_add(
-                -known[1],
-                i_cos,
-                -(known[0] * i_sin),
-            );
-            let i_y = *i_y;
-            let j_y = *j_y;
-            *c_1 = ((i_y - j_y) - t1) - t0;
-            *c_q_1 = t1;
-            let t2 = ::kin::emitted::Wide::mul_add(-known[1], i_sin, known[0] * i_cos);
-            *c_q_5 = t2;
-            let t3 = ::kin::emitted::Wide::mul_add(-known[2], j_cos, known[3] * j_sin);
-            let i_x = *i_x;
-            let j_x = *j_x;
-            *c_0 = ((i_x - j_x) + t2) + t3;
-            *c_q_7 = t3;
-        }
-        #[inline(always)]
-        fn acceleration_rhs<__S: ::kin::emitted::Level>(
-            at: &::kin::emitted::LaneAt<'_, __S>,
-            qd: &::kin::emitted::LaneRates<'_, __S>,
-            q_d: &mut [::kin::emitted::Wide<__S>],
-        ) {
-            let ::core::option::Option::Some([q_d_0, q_d_1]) = at.rows(q_d) else {
-                return
-            };
-            let ::core::option::Option::Some(known) = at.known::<4>() else { return };
-            let ::core::option::Option::Some([_, _, _, i_sin, i_cos]) = at.state(0) else {
-                return
-            };
-            let ::core::option::Option::Some([_, _, _, j_sin, j_cos]) = at.state(1) else {
-                return
-            };
-            let ::core::option::Option::Some([_, _, i_theta_d]) = qd.of(0) else {
-                return
-            };
-            let ::core::option::Option::Some([_, _, j_theta_d]) = qd.of(1) else {
-                return
-            };
-            let i_theta_d = *i_theta_d;
-            let t0 = i_theta_d * i_theta_d;
-            let j_theta_d = *j_theta_d;
-            let t1 = j_theta_d * j_theta_d;
-            let j_cos = *j_cos;
-            let j_sin = *j_sin;
-            let i_cos = *i_cos;
-            let i_sin = *i_sin;
-            *q_d_1 = ::kin::emitted::Wide::mul_add(
-                -::kin::emitted::Wide::mul_add(known[3], j_cos, known[2] * j_sin),
-                t1,
-                ::kin::emitted::Wide::mul_add(known[1], i_cos, known[0] * i_sin) * t0,
-            );
-            *q_d_0 = ::kin::emitted::Wide::mul_add(
-                -::kin::emitted::Wide::mul_add(-known[3], j_sin, known[2] * j_cos),
-                t1,
-                ::kin::emitted::Wide::mul_add(-known[1], i_sin, known[0] * i_cos) * t0,
-            );
         }
     }
     #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]

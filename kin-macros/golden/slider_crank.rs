@@ -253,7 +253,6 @@ const _: () = {
             ::kin::emitted::Parts {
                 parameters: ::core::option::Option::Some(self),
                 written: ::core::option::Option::Some(self),
-                in_lanes: ::core::option::Option::None,
             }
         }
         fn parameters_mut(

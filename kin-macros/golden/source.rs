@@ -3,7 +3,7 @@
 use kin::prelude::*;
 
 /// Pin joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      [m]
-#[constraint(lanes)]
+#[constraint]
 pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
     i.point(u_i) - j.point(u_j)
 }
@@ -17,7 +17,7 @@ fn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omeg
 }
 
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
-#[constraint(lanes)]
+#[constraint]
 fn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let p = cam.local(follower.point(tip));
     let phi = p.y.atan2(p.x);

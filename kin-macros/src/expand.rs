@@ -90,12 +90,11 @@ fn with_stand_in(mistakes: &syn::Error, stand_in: &TokenStream) -> TokenStream {
     quote!(#stand_in #messages)
 }
 
-/// `#[constraint(symbolic)]` or `#[constraint(lanes)]` on a body that cannot be read.
+/// `#[constraint(symbolic)]` on a body that cannot be read.
 fn refusal(why: &Unreadable, source: &ConstraintFn) -> syn::Error {
     let (name, what) = (&source.name, &why.what);
-    let asked = if source.lanes { "lanes" } else { "symbolic" };
     let text = format!(
-        "{what} cannot be read by the compiler, so `{name}` would be differentiated by dual numbers; `#[constraint({asked})]` asks otherwise"
+        "{what} cannot be read by the compiler, so `{name}` would be differentiated by dual numbers; `#[constraint(symbolic)]` asks otherwise"
     );
     syn::Error::new(why.span, text)
 }

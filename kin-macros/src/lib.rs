@@ -75,10 +75,6 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// `#[constraint(symbolic)]` makes such a body a compile error at the token that cannot be read,
 /// `#[constraint(dual)]` asks for dual numbers.
 ///
-/// `#[constraint(lanes)]` (symbolic too) emits the kernels over SIMD lanes as well, for sweeps over many
-/// cases of one mechanism: several of them advance together. Laws and functions of the user's that depend on
-/// coordinates are called lane by lane.
-///
 /// `#[constraint(with = helper)]` puts the text of a function under [`macro@helper`] into mechanism files,
 /// with that of the constraint that calls it. Constants that are an f64 go there by themselves.
 ///

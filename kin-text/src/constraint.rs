@@ -166,7 +166,7 @@ impl Constraint for ReadConstraint {
     }
 
     fn parts(&self) -> Parts<'_> {
-        Parts { parameters: Some(self), written: Some(self), in_lanes: None }
+        Parts { parameters: Some(self), written: Some(self) }
     }
 
     fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {

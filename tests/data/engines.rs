@@ -13,9 +13,10 @@ const APART: [f64; 4] = [1e-12, 1e-11, 1e-9, 1e-7];
 /// So many times more with a singular position on the way, as the references allow near one.
 const NEAR_SINGULAR: f64 = 10.0;
 
-/// Rounding of positions beside a singular position: each order of rates has it divided once more by how far
-/// away that is, as a share of the motion's time. Nearer than `NEAREST` single steps compute rates.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Rounding of positions beside a singular one is divided by how far away that is, as a share of the motion's
+/// time, for C_q is as small there; and of each order of rates it is divided once more. Nearer than `NEAREST`
+/// single steps compute rates.
+const ROUNDING: f64 = f64::EPSILON / 16.0;
 const NEAREST: f64 = 2e-4;
 
 /// Steps that change no angle and no Euler parameter by more than this are short: a program computes them.
@@ -166,7 +167,7 @@ fn allowed(motion: &Motion, k: usize, order: usize, loose: f64) -> f64 {
         motion.singular_positions().iter().map(|found| ((times[k] - found.t).abs() / span).max(NEAREST));
     match ways.reduce(f64::min) {
         None => loose * APART[order],
-        Some(way) => loose * (NEAR_SINGULAR * APART[order]).max(ROUNDING / way.powi(order as i32)),
+        Some(way) => loose * (NEAR_SINGULAR * APART[order]).max(ROUNDING / way.powi(order as i32 + 1)),
     }
 }
 

@@ -157,15 +157,25 @@ fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
     assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
 }
 
-/// Cases of a sweep are those of plain steps, whatever engine is asked for.
+/// Cases of a sweep are computed by the engine that is asked for.
 #[test]
-fn sweeps_are_plain() {
+fn sweeps_heed_the_engine() {
     let (system, times) = (driven(), linspace(0.0, 1.0, 1501));
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
-    let plain = system.run_with(&times, &plain).expect("runs");
-    let sweep =
-        system.sweep(["coupler.theta"]).expect("a sweep").options(compiled()).lanes(kin::lanes::Lanes::Off);
+    let by = |options: Options| {
+        let sweep = system.sweep(["coupler.theta"]).expect("a sweep").options(options);
+        let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs"));
+        found.expect("runs").remove(0)
+    };
+    let plain = by(Options { engine: Engine::Plain, ..Options::default() });
+    for found in [by(compiled()), by(Options::default())] {
+        assert!(plain.engine().compiled == 0 && found.engine().compiled > 1400, "{:?}", found.engine());
+        assert!(differences(&plain, &found).iter().all(|off| *off < 1e-10));
+    }
+    let refused = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
+    let sweep = refused.sweep(["coupler.theta"]).expect("a sweep").options(compiled());
+    let error = sweep.run(&[[0.6]], &times, |_, _| ()).expect_err("refused");
+    assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
+    let sweep = refused.sweep(["coupler.theta"]).expect("a sweep");
     let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs")).expect("runs");
-    assert_eq!(found[0].engine().compiled, 0);
-    assert!(differences(&plain, &found[0]).iter().all(|off| *off < 1e-10));
+    assert!(found[0].why_plain().is_some_and(|why| why.contains("`motor` cannot be compiled")));
 }

@@ -4,12 +4,13 @@
 
 #[path = "../data/engines.rs"]
 mod engines;
+mod free;
 mod own;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use kin::prelude::*;
-use kin::{Error, Lanes, Options, any_coord, any_planar};
+use kin::{Error, Lanes, Options};
 
 use crate::engines::Engines;
 
@@ -179,7 +180,6 @@ fn no_case_at_all_is_a_sweep_too() {
     );
 }
 
-/// Results of the same cases with other lanes.
 /// How many kinds of machine with lanes this one is: none, if it is old.
 fn kinds_of_machine() -> usize {
     #[cfg(target_arch = "x86_64")]
@@ -244,8 +244,9 @@ fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
     }
 }
 
+/// Which cases there are besides, and in which order, changes the last digits alone.
 #[test]
-fn company_in_the_lanes_does_not_matter() {
+fn company_does_not_matter() {
     let system = four_bar([1.0, 3.5, 3.0, 4.0]);
     let cases: Vec<[f64; 8]> = links(24).into_iter().map(case).collect();
     let shuffled: Vec<usize> = (0..24).map(|k| (7 * k + 5) % 24).collect();
@@ -288,30 +289,7 @@ fn lanes_that_are_not_there_are_told() {
     assert!(error.contains("Only(3)") && error.contains("Lanes::Best"), "{error}");
 }
 
-#[test]
-fn kernels_over_lanes_of_the_library_are_its_equations() {
-    let (a, b) = (any_planar(), any_planar());
-    let (u, v) = (vec2(0.3, -0.7), vec2(-1.1, 0.4));
-    let law = || Law::sine(0.7, 2.0, 0.3);
-    let all: Vec<Box<dyn Constraint>> = vec![
-        Box::new(fixed(a, u, 0.4)),
-        Box::new(revolute(a, b, u, v)),
-        Box::new(prismatic(a, b, u, v, vec2(0.2, 0.9), 0.5)),
-        Box::new(drive(any_coord(), law())),
-        Box::new(drive_angle(a, law())),
-        Box::new(drive_point(a, u, law(), Law::ramp(0.5))),
-    ];
-    for constraint in &all {
-        assert_eq!(
-            kin::check::lanes(constraint.as_ref()).unwrap(),
-            kinds_of_machine(),
-            "{}",
-            constraint.facts().kind
-        );
-    }
-}
-
-#[constraint(lanes)]
+#[constraint]
 #[require(l > 0.0, "a rod needs a length above zero")]
 fn rod(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, l: f64) -> f64 {
     let d = i.point(u_i) - j.point(u_j);

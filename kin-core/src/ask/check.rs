@@ -17,12 +17,10 @@
 mod bounds;
 mod central;
 mod entries;
-mod lanes;
 mod law;
 mod promises;
 
 pub use crate::model::mismatch::{Disagreement, Mismatch};
-pub use lanes::{LaneMismatch, lanes};
 pub use law::{LawMismatch, compare_law, law};
 
 use nalgebra::{DMatrix, DVector};
@@ -62,9 +60,6 @@ pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// same as a value.
 pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: E) {
     if let Err(mismatch) = compare::<E, N, M>(&equation) {
-        panic!("{mismatch}");
-    }
-    if let Err(mismatch) = lanes(&equation) {
         panic!("{mismatch}");
     }
 }

@@ -28,7 +28,6 @@ pub use crate::model::dual_route::{ArgumentKind, Equation};
 pub use crate::model::law::LawFunction;
 pub use crate::model::state::{At, Offsets, PlanarState, Rates, SpatialState};
 pub use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat2, Mat3, Vec2, Vec3};
-pub use crate::numbers::lanes::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates, Level, Mask, Wide};
 pub use crate::numbers::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
 
 pub use crate::{

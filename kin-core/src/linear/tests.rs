@@ -1,7 +1,6 @@
 //! The solver on matrices of every kind.
 
 mod condition;
-mod lanes;
 mod random;
 mod replayed;
 

@@ -102,7 +102,7 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
     }
 
     fn parts(&self) -> Parts<'_> {
-        Parts { written: Some(self), in_lanes: None, ..self.0.parts() }
+        Parts { written: Some(self), ..self.0.parts() }
     }
 
     fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {

@@ -1,32 +1,27 @@
-//! Several mechanisms at once: numbers over the lanes of a SIMD register, and the kernels that compute with
-//! them.
+//! Numbers over the lanes of SIMD registers: several times of a run at once.
 //!
 //! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2) and holds
-//! whatever is unsafe about it: its tokens exist only where the instructions do. Kernels are generic over the
-//! token; each level gets its own compiled copy, handed out as a function pointer, because what is called
-//! through `dyn` is never inlined into a caller with wider registers.
+//! whatever is unsafe about it: its tokens exist only where the instructions do. Code is generic over the
+//! token.
 
-mod kernel;
 pub(crate) mod lanewise;
 mod level;
 mod number;
 mod trig;
 
-pub use kernel::{InLanes, LaneAt, LaneKernel, LaneKernels, LaneRates};
-pub(crate) use kernel::{LaneBlock, LaneInstant, Table};
 pub use level::Level;
 pub(crate) use number::whole;
 pub use number::{Mask, Wide};
 
-/// How many cases of a sweep advance together: two registers of them.
+/// How many times of a run, or of each case of a sweep, a program computes at once: two registers of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lanes {
-    /// As many as the machine has lanes, where some constraint has kernels for them.
+    /// As many as the machine has lanes.
     #[default]
     Best,
-    /// One after the other.
+    /// None: plain steps, one time after the other.
     Off,
-    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon), whatever the constraints have.
+    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon).
     Only(usize),
 }
 

@@ -34,7 +34,7 @@ impl Guarded {
     ) -> Option<Guarded> {
         let sizes = sizes(system, t, q)?;
         let pose = Pose { t, q, sizes: &sizes };
-        let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &laws });
+        let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &laws, free: &[] });
         let eligible = |(row, cells): (usize, &Vec<(usize, Node)>)| {
             let nodes: Vec<Node> = cells.iter().map(|(_, cell)| *cell).collect();
             let values = at(&graph, &nodes);
@@ -51,7 +51,7 @@ impl Guarded {
         let cells: Vec<Vec<(usize, Node)>> = cells.iter().map(masked).collect();
         let values = at(&graph, masks.behind());
         let by_cells = |graph: &Graph, nodes: &[Node]| {
-            numbers(graph, nodes, &Masked { at: At { pose, laws: &laws }, values: &values })
+            numbers(graph, nodes, &Masked { at: At { pose, laws: &laws, free: &[] }, values: &values })
         };
         let elimination = Elimination::new(&mut graph, &order, &cells, &sizes, by_cells).ok()?;
         let guards = elimination.guards().concat();

@@ -1,6 +1,9 @@
 //! All equations of a system in one graph: coordinates are those of the system, parameters are folded, equal
 //! expressions of different constraints are one node.
 
+mod free;
+mod timed;
+
 use std::collections::HashMap;
 use std::fmt;
 use std::rc::Rc;
@@ -9,13 +12,16 @@ use kin_graph::differentiate::Partial;
 use kin_graph::{Graph, Input, Node, Op};
 
 use super::kind::{FOREIGN, Kind, SELF, TIMED};
-use super::timed::timed;
 use crate::model::constraint::Constraint;
 use crate::model::formula::{Given, Outside, Table, copied, nothing_outside};
 use crate::model::law::Law;
 use crate::model::layout::Place;
 use crate::numbers::real::Dual3_64;
 use crate::system::System;
+pub(crate) use free::{Case, Differences, Free};
+
+use free::LawPlace;
+use timed::timed;
 
 /// All rows, with what their graph reads.
 pub(crate) struct Whole {
@@ -27,6 +33,8 @@ pub(crate) struct Whole {
     pub n: usize,
     /// The nodes that choose between sides where coordinates move: see [`Kind::sides`].
     pub sides: Vec<Node>,
+    /// The numbers and laws that differ from case to case.
+    pub free: Free,
     /// True if rows have what the jerk asks of them.
     jerk: bool,
     /// The values of coordinates that stand still; all others move.
@@ -71,9 +79,10 @@ pub(crate) const UNREAD: &str =
 pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 
 /// Gathers the equations of a system, with or without what the jerk asks of them; refuses by name what cannot
-/// be read.
-pub(crate) fn gather(system: &System, jerk: bool) -> Result<Whole, Refusal> {
-    gathered(system, Whole { jerk, ..Whole::new(system.n_coordinates()) })
+/// be read. What differs from case to case is left free.
+pub(crate) fn gather(system: &System, jerk: bool, differences: Differences) -> Result<Whole, Refusal> {
+    let free = Free::new(differences);
+    gathered(system, Whole { jerk, free, ..Whole::new(system.n_coordinates()) })
 }
 
 /// The same where some coordinates stand still at these values.
@@ -82,7 +91,8 @@ pub(crate) fn gather_where(system: &System, still: Vec<Option<f64>>) -> Result<W
 }
 
 fn gathered(system: &System, mut whole: Whole) -> Result<Whole, Refusal> {
-    for block in &system.equations().blocks {
+    for (number, block) in system.equations().blocks.iter().enumerate() {
+        whole.free.enter(number);
         let rows = whole.rows_of(system, block.constraint.as_ref());
         let refused = |reason| Refusal { constraint: block.name.clone(), reason };
         whole.rows.extend(rows.map_err(refused)?);
@@ -96,16 +106,29 @@ pub(crate) struct Leaves<'a> {
     pub parameters: &'a [f64],
     /// The values and laws that only the user's program can compute.
     pub outside: Outside<'a>,
-    /// Values of time alone that only the user's program can compute, by their places from [`TIMED`] on.
-    pub timed: &'a [Law],
+    /// Values without coordinates that only the user's program can compute, with their nodes: those of time,
+    /// by their places from [`TIMED`] on, then those of parameters that are free, which are these values.
+    pub timed: &'a [(Node, Law)],
+    pub of_parameters: &'a [(usize, usize)],
 }
 
 impl Leaves<'_> {
     fn law(&self, number: usize) -> Option<Law> {
         if let Some(k) = number.checked_sub(TIMED) {
-            return self.timed.get(k).cloned();
+            return self.timed.get(k).map(|(_, law)| law.clone());
         }
         Given::by(self.outside, number, &[]).law().cloned()
+    }
+
+    fn place(&self, number: usize) -> LawPlace {
+        let timed = number.checked_sub(TIMED).and_then(|k| self.timed.get(k));
+        timed.map_or(LawPlace::Law(number), |(node, _)| LawPlace::Node(*node))
+    }
+
+    /// The law that stands for a value of free parameters.
+    fn of_parameters(&self, number: usize, component: usize) -> Option<usize> {
+        let known = self.of_parameters.iter().position(|known| *known == (number, component))?;
+        Some(TIMED + self.timed.len() - self.of_parameters.len() + known)
     }
 
     fn foreign(&self, number: usize, component: usize, operands: &[f64]) -> f64 {
@@ -147,8 +170,8 @@ impl Whole {
     /// Of so many coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
         let (kinds, still) = (HashMap::new(), vec![None; n]);
-        let (rows, laws, sides) = Default::default();
-        Whole { graph: Graph::default(), rows, laws, n, sides, jerk: false, still, kinds }
+        let (rows, laws, sides, free) = Default::default();
+        Whole { graph: Graph::default(), rows, laws, n, sides, free, jerk: false, still, kinds }
     }
 
     /// A coordinate.
@@ -191,8 +214,13 @@ impl Whole {
         let columns = columns(system, constraint).ok_or(ABROAD)?;
         let done = constraint.formula(|table, parameters, outside| {
             let kind = self.kind(table, constraint.facts().rows.len())?;
-            let timed = timed(constraint, &kind.timed);
-            self.rows_of_kind(&kind, &Leaves { columns: &columns, parameters, outside, timed: &timed })
+            let mut nodes = kind.timed.clone();
+            let foreign = if self.free.differs() { &kind.foreign[..] } else { &[] };
+            nodes.extend(foreign.iter().map(|(_, node)| *node));
+            let of_parameters: Vec<(usize, usize)> = foreign.iter().map(|(value, _)| *value).collect();
+            let (timed, of_parameters) = (&timed(constraint, &nodes)[..], &of_parameters[..]);
+            let leaves = Leaves { columns: &columns, parameters, outside, timed, of_parameters };
+            self.rows_of_kind(&kind, &leaves)
         });
         done.unwrap_or(Err(UNREAD))
     }
@@ -208,7 +236,7 @@ impl Whole {
             let kind = self.kind(table, 1)?;
             let row = kind.rows.first().ok_or(UNREAD)?.residual;
             let timed = timed(constraint, &kind.timed);
-            let leaves = Leaves { columns: &columns, parameters, outside, timed: &timed };
+            let leaves = Leaves { columns: &columns, parameters, outside, timed: &timed, of_parameters: &[] };
             let places = self.copy(&kind.graph, &kind.graph.reachable(&[row]), &leaves)?;
             Ok(places[row.index()])
         });
@@ -278,19 +306,38 @@ impl Whole {
                 Some(Column::Node(_)) | None => return Err(UNREAD),
             },
             Op::Input(Input::Parameter(k)) => {
-                leaves.parameters.get(k).map(|value| self.graph.constant(*value)).ok_or(UNREAD)?
+                let value = *leaves.parameters.get(k).ok_or(UNREAD)?;
+                match self.free.parameter(k) {
+                    Some(input) => self.graph.input(input),
+                    None => self.graph.constant(value),
+                }
             }
             Op::Input(Input::Time) => self.graph.input(Input::Time),
             Op::Input(Input::TimeRate) => self.graph.constant(1.0),
             Op::Law(number, x, order) => {
                 let law = leaves.law(number).ok_or(UNREAD)?;
-                self.law_at(law, of(x), order).ok_or(UNREAD)?
+                match self.free.law(leaves.place(number), &law, &mut self.laws) {
+                    Some(number) => self.graph.law(number, of(x), order),
+                    None => self.law_at(law, of(x), order).ok_or(UNREAD)?,
+                }
             }
             Op::Opaque(number, component) => {
                 let operands: Option<Vec<f64>> =
                     from.opaques[number].iter().map(|operand| self.graph.known_value(of(*operand))).collect();
-                let value = leaves.foreign(number, component, &operands.ok_or(FOREIGN)?);
-                self.graph.constant(value)
+                match (operands, leaves.of_parameters(number, component)) {
+                    (Some(operands), _) => {
+                        let value = leaves.foreign(number, component, &operands);
+                        self.graph.constant(value)
+                    }
+                    (None, Some(number)) => {
+                        let law = leaves.law(number).ok_or(FOREIGN)?;
+                        let own = self.free.law(leaves.place(number), &law, &mut self.laws);
+                        // It is the same at all times.
+                        let never = self.graph.zero();
+                        own.map(|own| self.graph.law(own, never, 0)).ok_or(FOREIGN)?
+                    }
+                    (None, None) => return Err(FOREIGN),
+                }
             }
             op => self.graph.rebuilt(op, of).ok_or(UNREAD)?,
         })

@@ -26,6 +26,8 @@ pub(super) struct Kind {
     /// Values of time alone that only rustc can read, as nodes of the formula; the graph has them as laws of
     /// time, by their places here from [`TIMED`] on.
     pub timed: Vec<Node>,
+    /// Values of parameters alone that only rustc can read, by number and component, as nodes of the formula.
+    pub foreign: Vec<((usize, usize), Node)>,
 }
 
 /// One row: C, ∂C/∂q_k by local columns, C_t, g″(0) along the rates, which is −Q_d, and, where the jerk is
@@ -52,9 +54,12 @@ impl Kind {
             return Err(EMPTY);
         }
         let (mut graph, mut places) = (Graph::default(), vec![Node::default(); formula.graph.len()]);
-        let mut timed = Vec::new();
+        let (mut timed, mut foreign) = (Vec::new(), Vec::new());
         for node in formula.graph.reachable(&formula.rows) {
             places[node.index()] = read(&mut graph, &formula.graph, node, &places, &mut timed)?;
+            if let Op::Opaque(number, component) = graph.op(places[node.index()]) {
+                foreign.push(((number, component), node));
+            }
         }
         let residuals: Vec<Node> = formula.rows.iter().map(|row| places[row.index()]).collect();
         let residuals = looked_up(&mut graph, &residuals);
@@ -80,7 +85,7 @@ impl Kind {
             rows.push(KindRow { residual, columns, slopes, by_time, second, third });
         }
         let nodes = graph.reachable(&[outputs(&rows), sides.clone()].concat());
-        Ok(Kind { graph, rows, nodes, sides, timed })
+        Ok(Kind { graph, rows, nodes, sides, timed, foreign })
     }
 }
 

@@ -7,7 +7,7 @@
 use kin_graph::{Graph, Input, LeafUse, Node, Source, evaluate};
 
 use super::eliminate::Elimination;
-use super::gather::{Refusal, Whole, gather};
+use super::gather::{Differences, Free, Refusal, Whole, gather};
 use super::kind::{SECOND, SELF};
 use super::reduce::Reduced;
 use super::substitute::{Order, substitute};
@@ -28,6 +28,8 @@ pub(crate) struct Pose<'a> {
 pub(crate) struct Program {
     pub graph: Graph,
     pub laws: Vec<Law>,
+    /// The numbers and laws that differ from case to case.
+    pub free: Free,
     /// The coordinates that are left to Newton's method, and by how much they are to be corrected: C_q Δq =
     /// −C.
     pub torn: Vec<usize>,
@@ -56,11 +58,21 @@ pub(crate) const REDUNDANT: &str = "it has more equations than coordinates";
 
 /// The program of a system, its elimination chosen at a pose; with or without q⃛.
 pub(crate) fn program(system: &System, pose: Pose<'_>, jerk: bool) -> Result<Program, Refusal> {
+    program_of_cases(system, pose, jerk, Differences::default())
+}
+
+/// The same for many cases, of which the system is one: what differs between them is left free.
+pub(crate) fn program_of_cases(
+    system: &System,
+    pose: Pose<'_>,
+    jerk: bool,
+    differences: Differences,
+) -> Result<Program, Refusal> {
     let refused = |reason| Refusal { constraint: String::new(), reason };
     if system.n_equations() != system.n_coordinates() {
         return Err(refused(REDUNDANT));
     }
-    let mut whole = gather(system, jerk)?;
+    let mut whole = gather(system, jerk, differences)?;
     let slopes = slopes(&whole, pose);
     let order = substitute(&mut whole, &slopes, pose.sizes);
     let (mut reduced, values) = Reduced::new(&whole, &order);
@@ -80,7 +92,9 @@ pub(super) fn eliminated<'o>(
         .iter()
         .map(|row| row.slopes.iter().map(|(column, slope)| (*column, reduced.of(*slope))).collect())
         .collect();
-    let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &whole.laws });
+    let at = |graph: &Graph, nodes: &[Node]| {
+        numbers(graph, nodes, &At { pose, laws: &whole.laws, free: &whole.free.values })
+    };
     Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
 }
 
@@ -128,6 +142,7 @@ pub(super) fn finished(
         sides,
         verify,
         laws: whole.laws.clone(),
+        free: whole.free.clone(),
     }
 }
 
@@ -171,7 +186,8 @@ fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec
 pub(super) fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
     let nodes: Vec<Node> =
         whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
-    let mut all = numbers(&whole.graph, &nodes, &At { pose, laws: &whole.laws }).into_iter();
+    let mut all =
+        numbers(&whole.graph, &nodes, &At { pose, laws: &whole.laws, free: &whole.free.values }).into_iter();
     whole.rows.iter().map(|row| all.by_ref().take(row.slopes.len()).collect()).collect()
 }
 
@@ -185,6 +201,8 @@ pub(crate) fn numbers(graph: &Graph, nodes: &[Node], source: &impl Source<f64>) 
 pub(crate) struct At<'a> {
     pub pose: Pose<'a>,
     pub laws: &'a [Law],
+    /// The values of parameters that are free.
+    pub free: &'a [f64],
 }
 
 impl Source<f64> for At<'_> {
@@ -194,6 +212,7 @@ impl Source<f64> for At<'_> {
                 self.pose.q.get(column).copied().unwrap_or(f64::NAN)
             }
             Input::Time => self.pose.t,
+            Input::Parameter(k) => self.free.get(k).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
         }
     }

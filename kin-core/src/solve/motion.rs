@@ -78,19 +78,6 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// The same of several times at once: rows of q, of q̇ and of q̈, residuals and numbers of Newton steps;
-    /// to be completed.
-    pub(crate) fn push_all(
-        &mut self,
-        [q, qd, qdd, residuals]: [&[f64]; 4],
-        steps: impl Iterator<Item = usize>,
-    ) {
-        let kinds =
-            [(&mut self.q, q), (&mut self.qd, qd), (&mut self.qdd, qdd), (&mut self.residuals, residuals)];
-        kinds.into_iter().for_each(|(all, more)| all.extend_from_slice(more));
-        self.iterations.extend(steps);
-    }
-
     /// Takes the times from number `len` on back, the largest residual being this without them.
     pub(crate) fn cut(&mut self, len: usize, worst: Option<(f64, usize)>) {
         let numbers = len * self.layout.len();
@@ -101,12 +88,6 @@ impl Motion {
         self.iterations.truncate(len);
         self.residuals.truncate(len);
         self.worst = worst;
-    }
-
-    /// The times of all that was pushed, the largest residual and its row.
-    pub(crate) fn complete(&mut self, times: &[f64], worst: (f64, usize)) {
-        self.times.extend_from_slice(times);
-        self.worst = Some(worst);
     }
 
     /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of

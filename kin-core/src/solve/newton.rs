@@ -1,16 +1,13 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 //!
-//! One iteration (`iterate`) serves single positions, redundant mechanisms (`redundant`) and cases in
-//! lanes (`lanes`), and one loop (`advance`) the smaller steps of time. Vectors alone are there twice, in
-//! whole fours and over lanes: through the vectors of lanes a single case takes 10 690 instructions a step
-//! of a four-bar instead of 8270, and eight cases one by one take 66 000 instead of 10 690.
+//! One iteration (`iterate`) serves single positions and redundant mechanisms (`redundant`), and one loop
+//! (`advance`) the smaller steps of time; `compiled` computes many times at once by a program.
 
 mod advance;
 pub(crate) mod compiled;
 mod driven;
 pub(crate) mod first_position;
 mod iterate;
-pub(crate) mod lanes;
 mod law_breaks;
 mod options;
 pub(crate) mod predictor;
@@ -148,7 +145,7 @@ impl<'a> Newton<'a> {
     fn iterate(&mut self, t: f64, steps: Steps, still: bool) -> Result<Outcome, Failure> {
         let (options, near) = (self.options, steps == Steps::Near);
         let mut single = Single { newton: self, t, steps, still, iterations: 0, failure: None };
-        let found = iterate::newton(&mut single, options, near, (true, 0.0));
+        let found = iterate::newton(&mut single, options, near);
         let Single { iterations, failure, .. } = single;
         if found { self.regular(iterations) } else { Err(failure.unwrap_or_else(|| self.failure())) }
     }

@@ -1,5 +1,5 @@
 //! Many cases of one system: other parameters and initial values in each, spread over the cores of the
-//! machine.
+//! machine, by one program in which they are left free.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -7,16 +7,15 @@ use std::sync::{Mutex, PoisonError};
 use rayon::prelude::*;
 
 use crate::model::error::{Error, Result};
-use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
+use crate::numbers::lanes::Lanes;
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
-use crate::solve::newton::lanes::Lockstep;
-use crate::solve::newton::{self, Engine, Options};
+use crate::solve::newton::compiled::{Cases, Varied};
+use crate::solve::newton::{self, Options};
 use crate::system::System;
-use crate::system::evaluate::lanes::LaneSystems;
 use crate::system::parameters::CasePlace;
 
-/// Cases that are handed to a thread at once: as many as there are lanes, or a multiple.
+/// Cases that are handed to a thread at once.
 const BATCH: usize = 16;
 
 /// Threads of a sweep at most.
@@ -50,11 +49,12 @@ const THREADS: usize = 256;
 /// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what
 /// the closure gives back is kept, so memory grows with the results alone.
 ///
-/// Where constraints have kernels over lanes (the library's joints and drivers, and your own with
-/// `#[constraint(lanes)]`), two SIMD registers of cases advance together (16 with AVX-512); the others' are
-/// evaluated lane by lane. Lanes, and the company of other cases in them, change results by rounding only: by
-/// no more than the tolerance of the stop rule. A case that fails in its lane is run again alone. Limits of
-/// joints are not looked at: ask a run of the case for them.
+/// All cases are computed by one program of the whole mechanism where there can be one and it pays
+/// ([`Engine`](crate::Engine)): what differs from case to case is left free in it, and many times of a case
+/// are computed at once, in two SIMD registers (16 with AVX-512). The program is made where the system as it
+/// is begins, or, if that cannot be assembled, the first case that can: only then do results hang on which
+/// cases there are, by no more than the tolerance of the stop rule. Limits of joints are not looked at: ask a
+/// run of the case for them.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
@@ -75,7 +75,7 @@ impl<'a> Sweep<'a> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
         let (lanes, progress) = (Lanes::default(), Mutex::new(None));
-        let options = Options { engine: Engine::Plain, ..Options::default() };
+        let options = Options::default();
         Ok(Sweep {
             system,
             names,
@@ -89,15 +89,14 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Other options than [`Options::default`]. The engine is plain whatever they say: a program is of one
-    /// case only.
+    /// Other options than [`Options::default`].
     #[must_use]
     pub fn options(mut self, options: Options) -> Self {
-        self.options = Options { engine: Engine::Plain, ..options };
+        self.options = options;
         self
     }
 
-    /// How many cases advance together; [`Lanes::Off`] turns lanes off.
+    /// How many times of a case a program computes at once; [`Lanes::Off`] turns lanes, and programs, off.
     #[must_use]
     pub fn lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;
@@ -156,21 +155,26 @@ impl<'a> Sweep<'a> {
         self.options.check()?;
         newton::run::check(times)?;
         self.check(cases)?;
-        let job = Job { sweep: self, cases, times, keep: &keep, done: Mutex::new(0) };
-        job.report(0);
-        let all = || match self.lanes {
-            Lanes::Off => job.one_by_one(),
-            _ if self.options.jerk || self.system.n_coordinates() == 0 || self.system.is_redundant() => {
-                job.one_by_one()
-            }
-            Lanes::Best if !self.system.has_lanes() => job.one_by_one(),
-            Lanes::Best => Lanes::Best.dispatch(&job).unwrap_or_else(|job| job.one_by_one()),
-            lanes => lanes.dispatch(&job).unwrap_or_else(|_| Err(not_there(lanes))),
-        };
-        match self.threads {
-            None => all(),
-            Some(threads) => pool(threads.min(cases.len().div_ceil(BATCH)).clamp(1, THREADS))?.install(all),
+        if matches!(self.lanes, Lanes::Only(_)) && !self.lanes.are_there() {
+            return Err(not_there(self.lanes));
         }
+        let means = self.means(cases, times)?;
+        let job = Job { sweep: self, cases, times, means, keep: &keep, done: Mutex::new(0) };
+        job.report(0);
+        match self.threads {
+            None => job.run(),
+            Some(threads) => {
+                pool(threads.min(cases.len().div_ceil(BATCH)).clamp(1, THREADS))?.install(|| job.run())
+            }
+        }
+    }
+
+    /// The means that compute all cases.
+    fn means(&self, cases: &[impl AsRef<[f64]>], times: &[f64]) -> Result<Cases> {
+        let set = |system: &mut System, case: usize| self.set(system, cases[case].as_ref());
+        let Sweep { system, names, places, .. } = self;
+        let varied = Varied { system, names, places, count: cases.len(), times, set: &set };
+        Cases::new(&varied, &self.options, self.lanes)
     }
 
     /// Gives the system the numbers of a case; an error where one of them could not be set
@@ -205,58 +209,43 @@ struct Job<'j, 'a, C, K> {
     sweep: &'j Sweep<'a>,
     cases: &'j [C],
     times: &'j [f64],
+    means: Cases,
     keep: &'j K,
     /// How many cases are done.
     done: Mutex<usize>,
 }
 
 impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R + Sync> Job<'_, '_, C, K> {
-    /// Each case by itself.
-    fn one_by_one(&self) -> Result<Vec<R>> {
-        self.check_memory(1)?;
-        self.batches(
-            || self.sweep.system.clone(),
-            |system, first, cases| {
-                let run = |(k, case): (usize, &C)| {
-                    let set = self.sweep.set(system, case.as_ref());
-                    let motion = set.and_then(|()| self.alone(system));
-                    (self.keep)(first + k, system, motion)
-                };
-                cases.iter().enumerate().map(run).collect()
-            },
-        )
-    }
-
-    /// One case by itself.
-    fn alone(&self, system: &System) -> Result<Motion> {
-        newton::run::run(system, self.times, &self.sweep.options, self.sweep.explain, None)
-    }
-
-    /// An error if the motions that are under way at once, so many a thread, take more memory than is
-    /// allowed.
-    fn check_memory(&self, lanes: usize) -> Result<()> {
-        let at_once = self.cases.len().min(rayon::current_num_threads().saturating_mul(lanes));
-        self.sweep.options.check_memory(at_once, self.times.len(), self.sweep.system.n_coordinates())
-    }
-
     /// All batches, on the threads of this pool.
-    fn batches<W>(
-        &self,
-        worker: impl Fn() -> W + Sync + Send,
-        run: impl Fn(&mut W, usize, &[C]) -> Vec<R> + Sync + Send,
-    ) -> Result<Vec<R>> {
-        let batch = |worker: &mut W, (number, cases): (usize, &[C])| {
+    fn run(&self) -> Result<Vec<R>> {
+        let at_once = self.cases.len().min(rayon::current_num_threads());
+        self.sweep.options.check_memory(at_once, self.times.len(), self.sweep.system.n_coordinates())?;
+        let batch = |system: &mut System, (number, cases): (usize, &[C])| {
             if self.sweep.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
                 let (done, all) = (*lock(&self.done), self.cases.len());
                 return Err(Error::Stopped { done, all, motion: None });
             }
-            let kept = run(worker, number * BATCH, cases);
+            let each = cases.iter().enumerate();
+            let kept: Vec<R> = each
+                .map(|(k, case)| {
+                    let set = self.sweep.set(system, case.as_ref());
+                    let motion = set.and_then(|()| self.motion(system));
+                    (self.keep)(number * BATCH + k, system, motion)
+                })
+                .collect();
             self.report(cases.len());
             Ok(kept)
         };
-        let kept: Result<Vec<Vec<R>>> =
-            self.cases.par_chunks(BATCH).enumerate().map_init(worker, batch).collect();
+        let batches = self.cases.par_chunks(BATCH).enumerate();
+        let kept: Result<Vec<Vec<R>>> = batches.map_init(|| self.sweep.system.clone(), batch).collect();
         Ok(kept?.into_iter().flatten().collect())
+    }
+
+    /// The motion of a case whose numbers the system has.
+    fn motion(&self, system: &System) -> Result<Motion> {
+        let (options, explain) = (&self.sweep.options, self.sweep.explain);
+        let computing = self.means.computing(system, self.times.len(), options)?;
+        newton::run::run_by(system, self.times, (options, explain), None, computing)
     }
 
     /// Counts more cases as done and tells; the count is held meanwhile, so it is told in order.
@@ -266,96 +255,6 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
         if let Some(progress) = lock(&self.sweep.progress).as_mut() {
             progress(*done, self.cases.len());
         }
-    }
-
-    /// As many cases as there are lanes, together.
-    fn together<S: Level>(
-        &self,
-        simd: S,
-        (systems, lockstep): &mut Worker<'_, S>,
-        first: usize,
-        cases: &[C],
-    ) -> Vec<R> {
-        // Lanes without a case have the first one's numbers, so that nothing odd is computed there.
-        let all = systems.iter_mut().enumerate();
-        let set: Vec<Result<()>> = all
-            .map(|(lane, system)| {
-                let case = cases.get(lane).or(cases.first());
-                case.map_or(Ok(()), |case| self.sweep.set(system, case.as_ref()))
-            })
-            .collect();
-        let wanted =
-            Mask::from_fn(simd, |lane| lane < cases.len() && set.get(lane).is_some_and(Result::is_ok));
-        let motions = self.motions(lockstep, &LaneSystems::new(systems), wanted, cases.len());
-        let each = motions.into_iter().zip(systems.iter()).zip(set).enumerate();
-        each.map(|(lane, ((motion, system), set))| {
-            let motion = set.and_then(|()| motion.map_or_else(|| self.alone(system), Ok));
-            (self.keep)(first + lane, system, motion)
-        })
-        .collect()
-    }
-
-    /// The motions of one group of lanes; none for those that fail.
-    fn motions<S: Level>(
-        &self,
-        lockstep: &mut Lockstep<'_, S>,
-        batch: &LaneSystems<'_>,
-        wanted: Mask<S>,
-        count: usize,
-    ) -> Vec<Option<Motion>> {
-        let mut motions: Vec<Motion> =
-            batch.systems.iter().take(count).map(|system| Motion::new(system, self.times.len())).collect();
-        let mut active = wanted;
-        for (k, &t) in self.times.iter().enumerate() {
-            let before = active;
-            active =
-                if k == 0 { lockstep.first(batch, active, t) } else { lockstep.advance(batch, active, t) };
-            if !active.any() {
-                break;
-            }
-            if (before & !active).any() {
-                lockstep.fill(active);
-            }
-            if lockstep.keep() {
-                lockstep.flush(&mut motions);
-            }
-        }
-        lockstep.flush(&mut motions);
-        lockstep.complete(self.times, &mut motions);
-        let done = |lane: usize, motion: &Motion| {
-            active.lane(lane)
-                && batch.systems[lane].all_meant((0..motion.len()).map(|k| (motion.times()[k], motion.q(k))))
-        };
-        motions.into_iter().enumerate().map(|(lane, motion)| done(lane, &motion).then_some(motion)).collect()
-    }
-}
-
-/// The systems of all lanes, and their common steps.
-type Worker<'o, S> = (Vec<System>, Lockstep<'o, S>);
-
-impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R + Sync> WithLevel
-    for &Job<'_, '_, C, K>
-{
-    type Output = Result<Vec<R>>;
-
-    fn run<S: Level>(self, simd: S) -> Self::Output {
-        let (sweep, lanes) = (self.sweep, Wide::<S>::LANES);
-        self.check_memory(lanes)?;
-        let worker = || {
-            let mut typical = sweep.system.clone();
-            if let Some(case) = self.cases.first() {
-                // Its numbers may be none that can be set: then its lane is not asked.
-                let _ = sweep.set(&mut typical, case.as_ref());
-            }
-            let varied = sweep.system.varied(&sweep.places);
-            let ends = [self.times[0], self.times[self.times.len() - 1]];
-            let lockstep = Lockstep::new(simd, &typical, &varied, &sweep.options, ends);
-            (vec![typical; lanes], lockstep)
-        };
-        self.batches(worker, |worker, first, cases| {
-            let groups = cases.chunks(lanes).enumerate();
-            groups.flat_map(|(k, group)| self.together(simd, worker, first + k * lanes, group)).collect()
-        })
     }
 }
 

@@ -5,7 +5,6 @@ mod block;
 mod culprit;
 mod held;
 mod laid_out;
-pub(crate) mod lanes;
 mod linear;
 mod named;
 mod sides;
@@ -15,7 +14,7 @@ use std::sync::OnceLock;
 use crate::model::state::{At, Rates};
 use crate::system::states::StatePlan;
 pub(crate) use block::Block;
-use block::{Span, from};
+use block::from;
 use linear::LinearRows;
 
 /// The arguments of constraints at one instant: the time, values computed from it alone, states and rates.

@@ -112,9 +112,17 @@ impl System {
         (0..self.equations.blocks.len()).map(has).collect()
     }
 
-    /// True if some constraint has kernels over lanes.
-    pub(crate) fn has_lanes(&self) -> bool {
-        self.equations.blocks.iter().any(|block| block.constraint.parts().in_lanes.is_some())
+    /// A copy in which each of these numbers is another one, to see what hangs on them.
+    pub(crate) fn nudged(&self, names: &[String], places: &[CasePlace]) -> System {
+        let mut copy = self.clone();
+        for (k, (name, place)) in names.iter().zip(places).enumerate() {
+            let share = 0.01 * (k as f64 + std::f64::consts::SQRT_2);
+            if let Ok(value) = self.parameter(name) {
+                // Different shares, so that nothing cancels.
+                copy.put(*place, value + share * (1.0 + value));
+            }
+        }
+        copy
     }
 
     /// The place of a parameter by its number among all of them.

@@ -1,8 +1,6 @@
 //! States of bodies and bare coordinates: evaluated once an iterate, each in one place where all constraints
 //! read it.
 
-mod lanes;
-
 use crate::model::coordinates::{Target, Trig};
 use crate::model::layout::Place;
 use crate::model::state::{

@@ -10,8 +10,6 @@ use super::Choice;
 /// The contents of the attribute.
 pub struct Asked {
     pub choice: Choice,
-    /// Kernels over lanes, which are symbolic.
-    pub lanes: bool,
     /// A warning at the token that cannot be read.
     pub warn_dual: bool,
     /// Lengths by their names: `LEGS = 6`.
@@ -23,7 +21,7 @@ pub struct Asked {
 /// Reads the words; each at most once, and none that contradict each other.
 pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     const WORDS: &str =
-        "`#[constraint]` takes nothing, `symbolic`, `dual`, `lanes`, `warn_dual`, or a length: `LEGS = 6`";
+        "`#[constraint]` takes nothing, `symbolic`, `dual`, `warn_dual`, or a length: `LEGS = 6`";
     let mistake = |text: &str| syn::Error::new_spanned(&attribute, text);
     let given = Punctuated::<Word, syn::Token![,]>::parse_terminated
         .parse2(attribute.clone())
@@ -34,17 +32,16 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     let is_flag = |word: &Word| word.length.is_none() && word.with.is_none();
     let words: Vec<Ident> = given.into_iter().filter(is_flag).map(|word| word.name).collect();
     let find = |text: &str| words.iter().find(|word| *word == text);
-    let (symbolic, dual, lanes, warn_dual) =
-        (find("symbolic"), find("dual"), find("lanes"), find("warn_dual"));
-    if [symbolic, dual, lanes, warn_dual].iter().flatten().count() != words.len() {
+    let (symbolic, dual, warn_dual) = (find("symbolic"), find("dual"), find("warn_dual"));
+    if find("lanes").is_some() {
+        return Err(mistake(
+            "sweeps run every constraint that the compiler can read in lanes: leave `lanes` out",
+        ));
+    }
+    if [symbolic, dual, warn_dual].iter().flatten().count() != words.len() {
         return Err(mistake(WORDS));
     }
-    let choice = match (dual, symbolic.or(lanes)) {
-        (Some(_), Some(_)) if lanes.is_some() => {
-            return Err(mistake(
-                "kernels over lanes are made of the symbolic derivatives: leave `dual` or `lanes` out",
-            ));
-        }
+    let choice = match (dual, symbolic) {
         (Some(_), Some(_)) => {
             return Err(mistake("`symbolic` and `dual` are the two routes: leave one of them out"));
         }
@@ -56,10 +53,10 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
         (Some(_), Choice::Dual(_)) => {
             Err(mistake("`warn_dual` warns of what `dual` asks for: leave one of them out"))
         }
-        (Some(_), Choice::Symbolic) => Err(mistake(
-            "where `symbolic` or `lanes` stands the dual route is an error: leave `warn_dual` out",
-        )),
-        _ => Ok(Asked { choice, lanes: lanes.is_some(), warn_dual: warn_dual.is_some(), lengths, with }),
+        (Some(_), Choice::Symbolic) => {
+            Err(mistake("where `symbolic` stands the dual route is an error: leave `warn_dual` out"))
+        }
+        _ => Ok(Asked { choice, warn_dual: warn_dual.is_some(), lengths, with }),
     }
 }
 

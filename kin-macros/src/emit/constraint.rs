@@ -6,7 +6,6 @@ use quote::{quote, quote_spanned};
 
 use super::functions::Parts;
 use super::kernel::Kernel;
-use super::lanes;
 use super::route::DualReason;
 use super::{
     attachments, blame, demands, described, editor, facts, functions, measures, rewrite, template, unlinted,
@@ -28,8 +27,6 @@ struct Frame<'a> {
     dual: Dual,
     /// Slots whose sine or cosine is read.
     trig: Vec<usize>,
-    /// Kernels over lanes, where they are asked for.
-    lanes: Option<TokenStream>,
 }
 
 /// The equation over dual numbers.
@@ -49,14 +46,13 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
     let pattern = derived.jacobian.iter().map(|(row, column, _)| (*row, *column)).collect();
     let trig = derived.trig(&lowered.graph);
     let parts = functions::symbolic(&source.arguments, &mut lowered, &derived);
-    let lanes = source.lanes.then(|| lanes::lanes(&source.name, &source.arguments, &mut lowered, &derived));
     let dual = if rewrite::is_sure(&source.body, &source.arguments) {
         Dual::Body(rewrite::dual(&source.body, &source.arguments))
     } else {
         let (code, rows) = Kernel::over_duals(&lowered, &source.arguments).values(&rows);
         Dual::Graph(code.tokens, rows)
     };
-    let frame = Frame { trig, lanes, ..Frame::new(source, dual, row_names, pattern) };
+    let frame = Frame { trig, ..Frame::new(source, dual, row_names, pattern) };
     let (written, attachments) = (&parts.written, attachments::symbolic(&source.arguments, &lowered));
     let leaves: Vec<TokenStream> = lowered
         .leaves
@@ -91,15 +87,7 @@ impl<'a> Frame<'a> {
         row_names: Vec<String>,
         pattern: Vec<(usize, usize)>,
     ) -> Self {
-        Frame {
-            source,
-            n: super::columns(&source.arguments),
-            row_names,
-            pattern,
-            dual,
-            trig: vec![],
-            lanes: None,
-        }
+        Frame { source, n: super::columns(&source.arguments), row_names, pattern, dual, trig: vec![] }
     }
 
     fn emit(&self, parts: &Parts, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
@@ -116,7 +104,6 @@ impl<'a> Frame<'a> {
         let leaves = if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let kinds = source.arguments.iter().flat_map(super::kinds);
-        let lane_kernels = &self.lanes;
         let as_data = described::described(source, &kind, &n, &m);
         let constraint = self.constraint(&kind, parts, lowered);
         let lengths = lengths(source);
@@ -128,7 +115,6 @@ impl<'a> Frame<'a> {
                 #written
                 #leaves
                 #constraint
-                #lane_kernels
                 #as_data
                 #unlinted
                 impl ::kin::emitted::Equation<#n, #m> for #name {
@@ -147,10 +133,6 @@ impl<'a> Frame<'a> {
         let (arguments, describe) = (self.arguments(), described::describe(source, lowered));
         let (visit, set) = super::parameter_methods(&source.arguments);
         let take = described::take(source);
-        let in_lanes = match self.lanes {
-            Some(_) => quote!(::core::option::Option::Some(self)),
-            None => quote!(::core::option::Option::None),
-        };
         let (ends, measure) = (measures::ends(source), measures::measure(source));
         let (refusal, branch) = (demands::refusal(source), demands::branch(source));
         let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
@@ -172,7 +154,6 @@ impl<'a> Frame<'a> {
                     ::kin::emitted::Parts {
                         parameters: ::core::option::Option::Some(self),
                         written: ::core::option::Option::Some(self),
-                        in_lanes: #in_lanes,
                     }
                 }
                 fn parameters_mut(&mut self) -> ::core::option::Option<&mut dyn ::kin::emitted::Parameters> {

@@ -16,7 +16,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 pub use words::number;
-use words::{comparison_method, sign};
+use words::sign;
 
 use super::slots::{Slot, binding, slots};
 use super::timed::{self, Timed};
@@ -33,20 +33,13 @@ const DEEPEST: usize = 5;
 enum Numbers {
     /// f64.
     Plain,
-    /// One f64 for each lane.
-    Wide,
     /// `Real<__D>`, of the states by the user's names.
     Dual,
 }
 
-/// Nodes that come out of an evaluation in plain numbers, lane by lane: its number, the place among its
-/// results, and how many there are.
-pub type Evaluations = HashMap<Node, (usize, usize, usize)>;
-
 /// One emitted function body.
 pub struct Kernel<'a> {
     numbers: Numbers,
-    lane_by_lane: Evaluations,
     lowered: &'a Lowered,
     /// How each state argument is named, by its slot.
     slots: Vec<Slot>,
@@ -114,16 +107,6 @@ impl<'a> Kernel<'a> {
         Kernel { named: given, ..Kernel::new(lowered, arguments) }
     }
 
-    /// The same over lanes.
-    pub fn over_lanes(
-        lowered: &'a Lowered,
-        arguments: &[Argument],
-        given: HashMap<Node, TokenStream>,
-        lane_by_lane: Evaluations,
-    ) -> Self {
-        Kernel { numbers: Numbers::Wide, lane_by_lane, ..Kernel::from_given(lowered, arguments, given) }
-    }
-
     /// Code in dual numbers: the states have the user's names, the time is `t`.
     pub fn over_duals(lowered: &'a Lowered, arguments: &'a [Argument]) -> Self {
         Kernel { numbers: Numbers::Dual, places: dual::places(arguments), ..Kernel::new(lowered, arguments) }
@@ -173,7 +156,6 @@ impl<'a> Kernel<'a> {
         let slots = slots(arguments);
         Kernel {
             numbers: Numbers::Plain,
-            lane_by_lane: HashMap::new(),
             lowered,
             slots,
             branches: Branches::none(),
@@ -242,13 +224,10 @@ impl<'a> Kernel<'a> {
         if of_state { self.slots[slot].state(part) } else { self.slots[slot].rate(part) }
     }
 
-    /// Learns of `outputs` how often each node is used, and which choices are worth a branch. Numbers in
-    /// lanes may take either branch.
+    /// Learns of `outputs` how often each node is used, and which choices are worth a branch.
     fn look_at(&mut self, outputs: &[Node]) {
-        if self.numbers != Numbers::Wide {
-            let known = |node: Node| self.named.contains_key(&node);
-            self.branches = Branches::new(self.graph(), outputs, known, |table| self.is_readable(table));
-        }
+        let known = |node: Node| self.named.contains_key(&node);
+        self.branches = Branches::new(self.graph(), outputs, known, |table| self.is_readable(table));
         self.count_uses(outputs);
     }
 

@@ -11,7 +11,6 @@ mod facts;
 mod force;
 mod functions;
 mod kernel;
-mod lanes;
 pub mod law;
 mod measures;
 mod probe;

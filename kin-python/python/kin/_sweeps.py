@@ -75,9 +75,9 @@ def sweep(
     of a column of forces, such as `motor` or `A on crank.F_x`, the first five. They are those of the times that are given: what
     lies between them is told by `system.extremes(motion, …)`, and by the command's `kin sweep`.
 
-    Cases run on all cores, and several together in the lanes of SIMD registers where the constraints can. The company of
-    other cases in its lanes changes the last digits of a result; `lanes=False` gives every case the same digits however
-    the rows are parted among machines.
+    Cases run on all cores, and by one program of the whole mechanism where it pays, in which `names` are left free: many
+    times of a case at once, in the lanes of SIMD registers. A few rows are run by plain steps, whose last digits are
+    others; `lanes=False` gives every case the same digits however the rows are parted among machines.
     """
     wanted = [_kept(one) for one in keep]
     rows = np.asarray(cases, dtype=float)

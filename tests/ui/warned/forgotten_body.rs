@@ -1,6 +1,6 @@
 use kin::prelude::*;
 
-#[constraint(lanes)]
+#[constraint]
 fn offset(i: Planar, j: Planar, k: f64) -> f64 {
     i.r.x - k
 }

@@ -22,7 +22,7 @@ fn table(x: f64) -> f64 {
     x * x
 }
 
-#[constraint(lanes)]
+#[constraint]
 #[require(reach > 0.0)]
 #[require(least < MOST)]
 #[measure(along = j.local(i.point(u_i)).x, "m", ends = (-reach, reach))]

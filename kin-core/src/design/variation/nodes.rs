@@ -60,7 +60,7 @@ impl Gathered {
         let done = block.constraint.formula(|_, parameters, outside| {
             columns.extend(parameters.iter().map(|value| Column::Fixed(*value)));
             columns.extend(equation.calls.iter().map(|_| Column::Fixed(0.0)));
-            let leaves = Leaves { columns: &columns, parameters, outside, timed: &[] };
+            let leaves = Leaves { columns: &columns, parameters, outside, timed: &[], of_parameters: &[] };
             let nodes = equation.graph.reachable(&needed(equation, asked));
             let places = whole.copy(&equation.graph, &nodes, &leaves)?;
             let of = |node: Node| places[node.index()];

@@ -10,7 +10,7 @@ use kin_macros::constraint;
 /// simple driver.
 ///
 /// Signs: those of the coordinate; a body's R_x, R_y are global, its θ is counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 pub fn drive(q: Coord, law: Law, t: Time) -> f64 {
     q - law.at(t)
 }
@@ -20,7 +20,7 @@ pub fn drive(q: Coord, law: Law, t: Time) -> f64 {
 /// Angles are not wrapped, so the law may go on for any number of turns. Lecture, "Driving Constraints".
 ///
 /// Signs: counter-clockwise positive, from the global x-axis to the body's.
-#[constraint(lanes)]
+#[constraint]
 pub fn drive_angle(body: Planar, law: Law, t: Time) -> f64 {
     body.theta - law.at(t)
 }
@@ -30,7 +30,7 @@ pub fn drive_angle(body: Planar, law: Law, t: Time) -> f64 {
 /// Any number of turns. A motor on body j that turns body i. Haug, section 3.5.
 ///
 /// Signs: the turn of i in j, counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 pub fn drive_relative_angle(i: Planar, j: Planar, law: Law, t: Time) -> f64 {
     i.theta - j.theta - law.at(t)
 }
@@ -41,7 +41,7 @@ pub fn drive_relative_angle(i: Planar, j: Planar, law: Law, t: Time) -> f64 {
 /// linear motor. Haug, section 3.5.
 ///
 /// Signs: the slide grows as P_i moves along h_j in j.
-#[constraint(lanes)]
+#[constraint]
 #[require(h_j.norm() > 0.0, "the slide needs a direction with a length above zero")]
 pub fn drive_slide(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, law: Law, t: Time) -> f64 {
     let s = j.local(i.point(u_i)) - u_j;
@@ -54,7 +54,7 @@ pub fn drive_slide(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, law: L
 /// hydraulic cylinder. Haug, section 3.5.
 ///
 /// Signs: none; a distance is above zero.
-#[constraint(lanes)]
+#[constraint]
 pub fn drive_distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, law: Law, t: Time) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm() - law.at(t)
 }
@@ -64,7 +64,7 @@ pub fn drive_distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, law: Law, t: T
 /// `u`: local position of P. Lecture, "Driving Constraints": complex driver.
 ///
 /// Signs: the laws are global coordinates.
-#[constraint(lanes)]
+#[constraint]
 pub fn drive_point(body: Planar, u: Vec2, path_x: Law, path_y: Law, t: Time) -> Vec2 {
     let path = Vec2::new(path_x.at(t), path_y.at(t));
     body.point(u) - path
@@ -76,7 +76,7 @@ pub fn drive_point(body: Planar, u: Vec2, path_x: Law, path_y: Law, t: Time) -> 
 /// section 3.5.
 ///
 /// Signs: the coordinate grows along `n`, from the global origin.
-#[constraint(lanes)]
+#[constraint]
 #[require(n.norm() > 0.0, "the direction needs a length above zero")]
 pub fn drive_point_along(body: Planar, u: Vec2, n: Vec2, law: Law, t: Time) -> f64 {
     n.normalize().dot(body.point(u)) - law.at(t)

@@ -13,7 +13,7 @@ use kin_macros::constraint;
 /// Norton, *Design of Machinery*, ch. 9.
 ///
 /// Signs: seen from the arm the wheels turn against each other; all angles are counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(r_i > 0.0 && r_j > 0.0, "pitch radii are above zero")]
 pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) + r_j * (j.theta - arm.theta)
@@ -25,7 +25,7 @@ pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -
 /// `r_j`; `arm`, `phase`: as for [`gear`](fn@gear). Norton, ch. 9.
 ///
 /// Signs: seen from the arm wheel and ring turn the same way; all angles are counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(r_i > 0.0 && r_j > r_i, "the ring's pitch radius is above the wheel's, and both are above zero")]
 pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) - r_j * (j.theta - arm.theta)
@@ -39,7 +39,7 @@ pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phas
 ///
 /// Signs: seen from the frame an open belt turns both pulleys the same way, a crossed one against each other;
 /// all angles are counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(r_i != 0.0 && r_j != 0.0, "a pulley needs a radius")]
 pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - frame.theta - phase) - r_j * (j.theta - frame.theta)
@@ -56,7 +56,7 @@ pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64)
 /// Signs: the pinion is to the left of h_j (a negative radius: to its right). As it goes along h_j in the
 /// rack it turns clockwise; a pinion that turns counter-clockwise in place sends the rack along h_j. The
 /// angle is counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[require(h_j.norm() > 0.0, "the rack needs a direction with a length above zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
@@ -84,7 +84,7 @@ pub fn rack_and_pinion(
 ///
 /// Signs: the wheel is to the left of h_j; along h_j it turns clockwise. The angle is counter-clockwise
 /// positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(radius > 0.0, "a wheel needs a radius above zero")]
 #[require(h_j.norm() > 0.0, "the track needs a direction with a length above zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
@@ -102,7 +102,7 @@ pub fn rolling(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2, radius: f6
 /// than two: [`linear_coupling`](fn@linear_coupling). Norton, ch. 9.
 ///
 /// Signs: those of the coordinates; with k_a = k_b they go against each other.
-#[constraint(lanes)]
+#[constraint]
 #[require(k_a != 0.0 && k_b != 0.0, "a factor of zero couples nothing")]
 pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
     k_a * a + k_b * b - c

@@ -13,7 +13,7 @@ use kin_macros::constraint;
 ///
 /// Signs: the slide grows along x of body j, the row along its y; the angle is the turn of i in j,
 /// counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[measure(slide = j.local(i.point(u_i)).x, "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
@@ -29,7 +29,7 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 ///
 /// Signs: φ is counter-clockwise positive from the cam's own x-axis: as the cam turns counter-clockwise under
 /// a tip that stands still, φ falls. The row is positive outside of the cam.
-#[constraint(lanes)]
+#[constraint]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
 pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
@@ -48,7 +48,7 @@ pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) ->
 ///
 /// Signs: ψ is counter-clockwise positive from the cam's own x-axis; the row is positive where the face is
 /// off the cam.
-#[constraint(lanes)]
+#[constraint]
 #[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[require(n.norm() > 0.0, "the normal of the face needs a length above zero")]
 pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: Law) -> f64 {
@@ -67,7 +67,7 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 ///
 /// Signs: φ is counter-clockwise positive from the cam's own x-axis; n points out of the cam, to the roller's
 /// side.
-#[constraint(lanes)]
+#[constraint]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
 #[require(radius >= 0.0, "the radius of a roller cannot be below zero")]
 pub fn cam_roller(

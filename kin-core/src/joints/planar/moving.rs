@@ -11,7 +11,7 @@ use kin_macros::constraint;
 /// Coriolis term 2 θ̇ A_θ ū̇ come from the equation. Lecture, "Moving Point on Rigid Body".
 ///
 /// Signs: the laws are coordinates in the frame of body i.
-#[constraint(lanes)]
+#[constraint]
 pub fn moving_point(i: Planar, j: Planar, x_i: Law, y_i: Law, u_j: Vec2, t: Time) -> Vec2 {
     i.point(vec2(x_i.at(t), y_i.at(t))) - j.point(u_j)
 }
@@ -23,7 +23,7 @@ pub fn moving_point(i: Planar, j: Planar, x_i: Law, y_i: Law, u_j: Vec2, t: Time
 /// slot. `x_i`, `y_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body".
 ///
 /// Signs: the laws are coordinates in the frame of body i; `s` grows the way they run.
-#[constraint(lanes)]
+#[constraint]
 pub fn point_on_path(i: Planar, j: Planar, s: Coord, x_i: Law, y_i: Law, u_j: Vec2) -> Vec2 {
     i.point(vec2(x_i.at(s), y_i.at(s))) - j.point(u_j)
 }

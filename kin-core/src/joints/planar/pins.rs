@@ -9,7 +9,7 @@ use kin_macros::constraint;
 /// ("Constraint Equations").
 ///
 /// Signs: `theta` counter-clockwise from the global x-axis.
-#[constraint(lanes)]
+#[constraint]
 pub fn fixed(j: Planar, r: Vec2, theta: f64) -> (f64, f64, f64) {
     let x = j.r.x - r.x;
     let y = j.r.y - r.y;
@@ -24,7 +24,7 @@ pub fn fixed(j: Planar, r: Vec2, theta: f64) -> (f64, f64, f64) {
 ///
 /// Signs: the angle is the turn of i in j, counter-clockwise positive, zero where their x-axes are parallel,
 /// and never wrapped.
-#[constraint(lanes)]
+#[constraint]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
     i.point(u_i) - j.point(u_j)
@@ -35,7 +35,7 @@ pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
 /// Removes 3 freedoms. `u_i`, `u_j`: local position of P in either body; `theta0`: θ0. Shabana, section 3.4.
 ///
 /// Signs: `theta0` is the turn of i in j, counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 pub fn weld(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, theta0: f64) -> (Vec2, f64) {
     let point = i.point(u_i) - j.point(u_j);
     let turn = i.theta - j.theta - theta0;
@@ -48,7 +48,7 @@ pub fn weld(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, theta0: f64) -> (Vec2, f
 /// it has no singular slope where the pins meet. Haug, *Computer Aided Kinematics and Dynamics*, section 3.3.
 ///
 /// Signs: none; `length` is above zero, and the rod may point anywhere.
-#[constraint(lanes)]
+#[constraint]
 #[require(length > 0.0, "a rod needs a length above zero; pins that coincide are `revolute`")]
 pub fn distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: f64) -> f64 {
     let d = i.point(u_i) - j.point(u_j);
@@ -61,7 +61,7 @@ pub fn distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: f64) -> f64 
 /// Library: Prismatic", its first row.
 ///
 /// Signs: `theta0` is the turn of i in j, counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 pub fn angle(i: Planar, j: Planar, theta0: f64) -> f64 {
     i.theta - j.theta - theta0
 }
@@ -72,7 +72,7 @@ pub fn angle(i: Planar, j: Planar, theta0: f64) -> f64 {
 /// opposite directions too; a position found with h_i · h_j < 0 is told as an error. Shabana, section 3.4.
 ///
 /// Signs: h_i and h_j point the same way; the row is positive where h_j is counter-clockwise of h_i.
-#[constraint(lanes)]
+#[constraint]
 #[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "a direction needs a length above zero")]
 #[branch(i.direction(h_i).dot(j.direction(h_j)) > 0.0, "its directions are opposite: h_i · h_j < 0")]
 pub fn parallel(i: Planar, j: Planar, h_i: Vec2, h_j: Vec2) -> f64 {

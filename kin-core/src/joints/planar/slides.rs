@@ -13,7 +13,7 @@ use kin_macros::constraint;
 ///
 /// Signs: the slide grows as i moves in j with h_i to the left of its way (h_i along y: to the right, along x
 /// of body i). `theta0` is the turn of i in j, counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(h_i.norm() > 0.0, "the direction across the slide needs a length above zero")]
 #[measure(slide = -(i.direction(h_i).perp().dot(i.point(u_i) - j.point(u_j))) / h_i.norm(), "m")]
 pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: f64) -> (f64, f64) {
@@ -30,7 +30,7 @@ pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: 
 ///
 /// Signs: the slide grows along h_j, the row to the left of it; the angle is the turn of i in j,
 /// counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require(h_j.norm() > 0.0, "the line needs a direction with a length above zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
@@ -48,7 +48,7 @@ pub fn point_on_line(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f
 ///
 /// Signs: the slide grows from A towards B, the row to the left of that; the angle is the turn of i in j,
 /// counter-clockwise positive.
-#[constraint(lanes)]
+#[constraint]
 #[require((b_j - a_j).norm() > 0.0, "the ends of the slot coincide")]
 #[measure(slide = (b_j - a_j).dot(j.local(i.point(u_i)) - a_j) / (b_j - a_j).norm(), "m", ends = (0.0, (b_j - a_j).norm()))]
 #[measure(angle = i.theta - j.theta, "rad")]
@@ -65,7 +65,7 @@ pub fn pin_in_slot(i: Planar, j: Planar, u_i: Vec2, a_j: Vec2, b_j: Vec2) -> f64
 ///
 /// Signs: the angle is counter-clockwise positive from the x-axis of body j; the row is positive outside of
 /// the circle.
-#[constraint(lanes)]
+#[constraint]
 #[require(radius > 0.0, "a circle needs a radius above zero")]
 #[measure(angle = (j.local(i.point(u_i)) - c_j).y.atan2((j.local(i.point(u_i)) - c_j).x), "rad", turns)]
 pub fn point_on_circle(i: Planar, j: Planar, u_i: Vec2, c_j: Vec2, radius: f64) -> f64 {

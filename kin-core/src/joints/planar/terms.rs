@@ -13,7 +13,7 @@ pub(super) const TERMS: usize = 6;
 /// of Machinery*, ch. 9.
 ///
 /// Signs: those of the coordinates.
-#[constraint(lanes)]
+#[constraint]
 #[require(k.iter().any(|k| *k != 0.0), "factors of zero couple nothing")]
 pub fn linear_coupling(q: [Coord; 6], k: [f64; 6], c: f64) -> f64 {
     let mut sum = -c;

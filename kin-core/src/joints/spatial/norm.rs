@@ -10,7 +10,7 @@ use crate::numbers::algebra::{EulerParameters, Vec3};
 /// Lecture, "Euler Parameters".
 ///
 /// Signs: p and −p are one pose.
-#[constraint(lanes)]
+#[constraint]
 pub fn euler_norm(b: Spatial) -> f64 {
     b.p.norm_squared() - 1.0
 }

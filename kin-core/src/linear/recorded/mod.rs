@@ -8,5 +8,4 @@ mod order;
 pub(crate) mod orientation;
 pub(crate) mod program;
 pub(crate) mod record;
-pub(crate) mod replay;
 mod solving;

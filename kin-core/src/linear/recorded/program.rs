@@ -84,18 +84,6 @@ impl Program {
         (self.code, self.order) = (code, order);
     }
 
-    /// Shows each step with its operands, in the order of the code.
-    pub(crate) fn each(&self, mut show: impl FnMut(&Step, Operands<'_>)) {
-        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
-        let mut own = |step: &Step| Operands {
-            products: take(&mut products, step.products),
-            plus: take(&mut terms, step.plus),
-            minus: take(&mut terms, step.minus),
-        };
-        let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
-        self.order.iter().for_each(|&k| show(&self.steps[k as usize], operands[k as usize]));
-    }
-
     /// The operation and the output of each step, in the order in which they were appended.
     pub(crate) fn written(&self) -> impl Iterator<Item = (Kind, u32)> {
         self.steps.iter().map(|step| (step.kind, step.out))

@@ -9,7 +9,6 @@ mod written;
 
 use crate::model::coordinates::Argument;
 use crate::model::state::{At, Rates};
-use crate::numbers::lanes::InLanes;
 
 pub use facts::{Dependence, Entry, Facts};
 pub use parameters::Parameters;
@@ -125,6 +124,4 @@ pub struct Parts<'a> {
     pub parameters: Option<&'a dyn Parameters>,
     /// Its equation as it was written.
     pub written: Option<&'a dyn Written>,
-    /// Its kernels over lanes (`#[constraint(lanes)]`): several mechanisms of a sweep advance together.
-    pub in_lanes: Option<&'a dyn InLanes>,
 }

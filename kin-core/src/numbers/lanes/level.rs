@@ -1,16 +1,11 @@
-//! The kinds of machine that kernels are compiled for.
+//! The kinds of machine that numbers over lanes are compiled for.
 
 use pulp::Simd;
-
-use super::kernel::{LaneKernels, Table};
 
 /// A kind of machine; a value of the type exists only where the machine is of that kind.
 pub trait Level: Simd {
     /// Has the alignment of a register: numbers over lanes that lie across two cache lines cost twice.
     type Align: Copy + Send + Sync + 'static;
-
-    /// The kernels compiled for it.
-    fn table(kernels: &LaneKernels) -> Table<Self>;
 
     /// The transpose of a square of numbers, without leaving registers where the machine can.
     #[inline(always)]
@@ -33,7 +28,7 @@ fn shuffle(simd: pulp::x86::V3, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
 }
 
 macro_rules! levels {
-    ($($(#[$when:meta])* $token:ty, $field:ident, $align:ident, $bytes:literal $(, $avx:expr)?;)*) => {$(
+    ($($(#[$when:meta])* $token:ty, $align:ident, $bytes:literal $(, $avx:expr)?;)*) => {$(
         /// As long as a register.
         $(#[$when])*
         #[derive(Clone, Copy)]
@@ -43,11 +38,6 @@ macro_rules! levels {
         $(#[$when])*
         impl Level for $token {
             type Align = $align;
-
-            fn table(kernels: &LaneKernels) -> Table<Self> {
-                kernels.$field
-            }
-
             $(
                 #[inline(always)]
                 fn turn(self, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
@@ -60,7 +50,7 @@ macro_rules! levels {
 }
 
 levels! {
-    #[cfg(target_arch = "x86_64")] pulp::x86::V4, v4, Align64, 64, |v4| *v4;
-    #[cfg(target_arch = "x86_64")] pulp::x86::V3, v3, Align32, 32, |v3| v3;
-    #[cfg(target_arch = "aarch64")] pulp::aarch64::Neon, neon, Align16, 16;
+    #[cfg(target_arch = "x86_64")] pulp::x86::V4, Align64, 64, |v4| *v4;
+    #[cfg(target_arch = "x86_64")] pulp::x86::V3, Align32, 32, |v3| v3;
+    #[cfg(target_arch = "aarch64")] pulp::aarch64::Neon, Align16, 16;
 }

@@ -189,12 +189,6 @@ impl<S: Level> Wide<S> {
         Wide::new(self.0, both!(self.0, max_f64s, self.1, other.1))
     }
 
-    /// The smaller one; of a NaN and a number one of the two.
-    #[inline(always)]
-    pub(crate) fn or_smaller(self, other: Self) -> Self {
-        Wide::new(self.0, both!(self.0, min_f64s, self.1, other.1))
-    }
-
     /// The larger one; the other one of a NaN.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {

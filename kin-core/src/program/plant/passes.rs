@@ -2,6 +2,7 @@
 
 use kin_graph::{Graph, Node};
 
+use crate::program::Differences;
 use crate::program::cofactors::Cofactors;
 use crate::program::eliminate::{Elimination, Pivot};
 use crate::program::gather::{Refusal, Whole, gather};
@@ -57,7 +58,7 @@ pub(crate) fn with_fault(
     (pass, wrong): (Pass, Wrong),
     k: usize,
 ) -> Option<Result<Program, Refusal>> {
-    let mut whole = gather(system, true).expect("gathers");
+    let mut whole = gather(system, true, Differences::default()).expect("gathers");
     if pass == Pass::Gather {
         miscopy(&mut whole, wrong, k)?;
     }

@@ -8,6 +8,7 @@ use super::Tape;
 use super::newton::{Checked, Solver};
 use super::times::Limits;
 use crate::numbers::lanes::Level;
+use crate::program::gather::Case;
 
 /// The second step is at most this share of the first one: the position is near then, and no other one is as
 /// near.   \[-\]
@@ -44,8 +45,8 @@ impl<S: Level> NullaryFnOnce for Solving<'_, S> {
 }
 
 impl Alone {
-    pub(crate) fn new(tape: Arc<Tape>) -> Self {
-        Alone(Solver::new(0.0, tape))
+    pub(crate) fn new<S: Level>(simd: S, tape: Arc<Tape>, case: Case) -> Self {
+        Alone(Solver::new(simd, 0.0, tape, case))
     }
 
     /// Solves at one time, torn coordinates from where they are in `q`; nothing where Newton's steps do not

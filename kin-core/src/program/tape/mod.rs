@@ -22,6 +22,8 @@ pub(crate) const NO_LANES: &str =
     "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
 
 use crate::model::law::Law;
+use crate::program::gather::{Case, Free};
+use crate::system::System;
 
 /// The operation of a step.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -97,13 +99,18 @@ pub(in crate::program) const SHORT: usize = 1 << u8::BITS;
 /// A program on a memory of `places` numbers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tape {
-    /// The values of time alone; those that lead to the correction; all others.
+    /// The values of parameters alone, once a case; those of time alone; those that lead to the correction;
+    /// all others.
+    pub(in crate::program) setup: Stage,
     pub(in crate::program) time: Stage,
     pub(in crate::program) correct: Stage,
     pub(in crate::program) rest: Stage,
     pub(in crate::program) places: usize,
     pub(in crate::program) constants: Vec<(u32, f64)>,
     pub(in crate::program) laws: Vec<Law>,
+    /// The numbers and laws that differ from case to case, and where the numbers stand.
+    pub(in crate::program) free: Free,
+    pub(in crate::program) parameters: Vec<u32>,
     /// Where the time stands, and the torn coordinates.
     pub(in crate::program) t: u32,
     pub(in crate::program) torn: Vec<u32>,
@@ -157,6 +164,11 @@ impl Tape {
         &self.columns
     }
 
+    /// The numbers and laws of a case; `None` where something is another that was folded.
+    pub(crate) fn case(&self, system: &System) -> Option<Case> {
+        self.free.case(system, &self.laws)
+    }
+
     /// True if anything may jump where coordinates move.
     pub(crate) fn jumps(&self) -> bool {
         !self.sides.is_empty()
@@ -169,7 +181,7 @@ impl Tape {
 
     /// How many steps and runs it has.
     pub(crate) fn size(&self) -> [usize; 2] {
-        let stages = [&self.time, &self.correct, &self.rest];
+        let stages = [&self.setup, &self.time, &self.correct, &self.rest];
         [
             stages.iter().map(|stage| stage.steps.len()).sum(),
             stages.iter().map(|stage| stage.runs.len()).sum(),

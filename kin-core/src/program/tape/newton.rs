@@ -6,14 +6,17 @@ use std::sync::Arc;
 use super::replay::Replay;
 use super::times::Limits;
 use super::{SHORT, Stage, Tape};
+use crate::model::law::Law;
 use crate::numbers::lanes::Level;
 use crate::numbers::lanes::lanewise::{Answer, Computed};
+use crate::program::gather::Case;
 use crate::system::stop;
 
 /// A tape with its memory.
 pub(super) struct Solver<N> {
     pub tape: Arc<Tape>,
     pub memory: Vec<N>,
+    laws: Vec<Law>,
     /// Pivots and determinants where the signs and sizes were those of a position that is known.
     marks: Vec<Vec<f64>>,
     /// How many Newton steps were taken.
@@ -34,12 +37,18 @@ pub(super) struct Checked<N: Computed> {
 }
 
 impl<N: Computed> Solver<N> {
-    /// `zero` is any number.
-    pub(super) fn new(zero: N, tape: Arc<Tape>) -> Self {
+    /// For a case; `zero` is any number.
+    pub(super) fn new<S: Level>(simd: S, zero: N, tape: Arc<Tape>, case: Case) -> Self {
         let mut memory = vec![zero.all(0.0); tape.places.max(SHORT)];
-        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = zero.all(*x));
+        let given = tape.parameters.iter().zip(&case.parameters);
+        for (place, x) in given.chain(tape.constants.iter().map(|(place, x)| (place, x))) {
+            memory[*place as usize] = zero.all(*x);
+        }
         let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
-        Solver { tape, memory, marks, steps: zero.all(0.0), corrections: [zero.all(0.0); 2] }
+        let (steps, corrections) = (zero.all(0.0), [zero.all(0.0); 2]);
+        let mut solver = Solver { tape, memory, laws: case.laws, marks, steps, corrections };
+        solver.replay(simd, |tape| &tape.setup);
+        solver
     }
 
     /// The number in a place.
@@ -80,8 +89,8 @@ impl<N: Computed> Solver<N> {
     #[inline(always)]
     fn replay<S: Level>(&mut self, simd: S, stage: impl Fn(&Tape) -> &Stage) {
         // One function for all stages.
-        let Solver { tape, memory, .. } = self;
-        simd.vectorize(Replay { stage: stage(tape), laws: &tape.laws, memory });
+        let Solver { tape, memory, laws, .. } = self;
+        simd.vectorize(Replay { stage: stage(tape), laws, memory });
     }
 
     /// Newton's method; where it has converged.

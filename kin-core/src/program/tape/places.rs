@@ -43,7 +43,7 @@ pub(super) struct Places<'a> {
     /// How often each number is still read before its place is free.
     readers: ByNode,
     /// The steps of each stage, and the numbers that stand in the memory from the beginning.
-    pub stages: [Stage; 3],
+    pub stages: [Stage; 4],
     pub constants: Vec<(u32, f64)>,
 }
 

@@ -36,11 +36,12 @@ impl<S: Level> NullaryFnOnce for Turning<'_, S> {
     #[inline(always)]
     fn call(self) {
         let Turning { times, lanes, lists: [q, qd, qdd, qddd] } = self;
+        let all = &times.lines[..];
         for (order, list) in [q, qd, qdd].into_iter().enumerate() {
-            times.turn_all(|column| Times::<S>::line(column, order), &lanes, list);
+            times.turn_all(&all[Times::<S>::line(0, order)..], ORDERS * Times::<S>::STRIDE, &lanes, list);
         }
         if !times.tape().third_rates.is_empty() {
-            times.turn_all(|column| times.line_of(column, ORDERS), &lanes, qddd);
+            times.turn_all(&all[times.line_of(0, ORDERS)..], Times::<S>::STRIDE, &lanes, qddd);
         }
     }
 }
@@ -48,54 +49,68 @@ impl<S: Level> NullaryFnOnce for Turning<'_, S> {
 /// Room for so many numbers more, none of them a number yet.
 #[inline(never)]
 fn lengthen(list: &mut Vec<f64>, count: usize) {
-    list.extend(std::iter::repeat_n(f64::NAN, count));
+    list.resize(list.len() + count, f64::NAN);
+}
+
+/// Four numbers from a place on.
+#[inline(always)]
+fn four(line: &[f64], place: usize) -> [f64; SIDE] {
+    let mut own = [0.0; SIDE];
+    own.copy_from_slice(&line[place..place + SIDE]);
+    own
 }
 
 impl<S: Level> Times<S> {
-    /// The lines of all coordinates, which are at these places, appended to a list as rows of these lanes.
+    /// The lines of all coordinates, so many places apart, appended to a list as rows of these lanes.
     #[inline(always)]
-    fn turn_all(&self, line: impl Fn(usize) -> usize, lanes: &Range<usize>, list: &mut Vec<f64>) {
+    fn turn_all(&self, lines: &[f64], apart: usize, lanes: &Range<usize>, list: &mut Vec<f64>) {
         let (n, begun) = (self.tape().values.len(), list.len());
         lengthen(list, lanes.len() * n);
         let rows = &mut list[begun..];
-        for column in (0..n / SIDE * SIDE).step_by(SIDE) {
-            self.turn::<SIDE>(&line, column, lanes, rows);
-        }
-        match n % SIDE {
-            1 => self.turn::<1>(&line, n - 1, lanes, rows),
-            2 => self.turn::<2>(&line, n - 2, lanes, rows),
-            3 => self.turn::<3>(&line, n - 3, lanes, rows),
-            _ => {}
+        for first in (0..Self::LANES).step_by(SIDE) {
+            let (from, to) = (first.max(lanes.start), (first + SIDE).min(lanes.end));
+            if from < to {
+                let own = &mut rows[(from - lanes.start) * n..(to - lanes.start) * n];
+                if to - from == SIDE {
+                    self.turn(lines, apart, first + 1, own);
+                } else {
+                    one_by_one(lines, apart, from + 1, own, n);
+                }
+            }
         }
     }
 
-    /// Some coordinates from `column` on into the rows of these lanes, by squares that are turned in
-    /// registers.
+    /// Four rows, by squares that are turned in registers.
     #[inline(always)]
-    fn turn<const WIDTH: usize>(
-        &self,
-        line: &impl Fn(usize) -> usize,
-        column: usize,
-        lanes: &Range<usize>,
-        rows: &mut [f64],
-    ) {
-        let n = self.tape().values.len();
-        for first in (0..Self::LANES).step_by(SIDE) {
-            let mut square = [[0.0; SIDE]; SIDE];
-            for (k, own) in square.iter_mut().enumerate().take(WIDTH) {
-                own.copy_from_slice(&self.lines[line(column + k) + 1 + first..][..SIDE]);
-            }
-            let turned = self.simd.turn(square);
-            if lanes.start <= first && first + SIDE <= lanes.end {
-                for (k, own) in turned.iter().enumerate() {
-                    rows[(first + k - lanes.start) * n + column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
-                }
-                continue;
-            }
-            for lane in first.max(lanes.start)..(first + SIDE).min(lanes.end) {
-                let own = &turned[lane - first];
-                rows[(lane - lanes.start) * n + column..][..WIDTH].copy_from_slice(&own[..WIDTH]);
-            }
+    fn turn(&self, lines: &[f64], apart: usize, place: usize, rows: &mut [f64]) {
+        let n = rows.len() / SIDE;
+        let (a, rest) = rows.split_at_mut(n);
+        let (b, rest) = rest.split_at_mut(n);
+        let (c, d) = rest.split_at_mut(n);
+        let [a, b, c, d] = [a.as_chunks_mut(), b.as_chunks_mut(), c.as_chunks_mut(), d.as_chunks_mut()];
+        let squares = a.0.iter_mut().zip(b.0).zip(c.0).zip(d.0);
+        for (own, (((a, b), c), d)) in lines.chunks(SIDE * apart).zip(squares) {
+            let square = [
+                four(own, place),
+                four(own, apart + place),
+                four(own, 2 * apart + place),
+                four(own, 3 * apart + place),
+            ];
+            [*a, *b, *c, *d] = self.simd.turn(square);
+        }
+        let left = a.1.iter_mut().zip(b.1).zip(c.1).zip(d.1);
+        for (own, (((a, b), c), d)) in lines.chunks(apart).skip(n / SIDE * SIDE).zip(left) {
+            [*a, *b, *c, *d] = four(own, place);
+        }
+    }
+}
+
+/// Fewer rows than four, of so many numbers.
+#[inline(always)]
+fn one_by_one(lines: &[f64], apart: usize, place: usize, rows: &mut [f64], n: usize) {
+    for (k, row) in rows.chunks_exact_mut(n.max(1)).enumerate() {
+        for (x, line) in row.iter_mut().zip(lines.chunks(apart)) {
+            *x = line[place + k];
         }
     }
 }

@@ -11,6 +11,12 @@ use crate::model::law::Law;
 use crate::program::kind::SELF;
 use crate::program::stages::Program;
 
+/// The stages, by their numbers.
+const SETUP: usize = 0;
+const TIME: usize = 1;
+const CORRECT: usize = 2;
+const REST: usize = 3;
+
 /// A step with nodes instead of places: what it reads, and what it makes.
 pub(super) struct Task {
     pub kind: Kind,
@@ -26,19 +32,22 @@ pub(crate) fn schedule(program: Program) -> Tape {
     let all = fused(&mut graph, &outputs.all);
     let own = |k: usize| outputs.part(k, &all);
     let mut planner = Planner::new(&graph, own(2));
-    [0, 1].into_iter().for_each(|k| planner.require(own(k), 1));
-    (2..outputs.parts.len()).for_each(|k| planner.require(own(k), 2));
+    [0, 1].into_iter().for_each(|k| planner.require(own(k), CORRECT));
+    (2..outputs.parts.len()).for_each(|k| planner.require(own(k), REST));
     let order = planner.order();
     let mut places = Places::new(&planner, planner.readers(&order, &all));
     let torn = program.torn.iter().map(|column| Input::State(*column, SELF));
-    let inputs: Vec<Input> = [Input::Time].into_iter().chain(torn).collect();
+    let free = (0..program.free.values.len()).map(Input::Parameter);
+    let inputs: Vec<Input> = [Input::Time].into_iter().chain(torn).chain(free).collect();
     let inputs = places.begin(&inputs, &all);
     places.write(&order);
     let lists = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|k| places.of(own(k)));
     let guards = (lists.len()..outputs.parts.len()).map(|k| places.of(own(k))).collect();
-    let mut tape = Tape { guards, t: inputs[0], torn: inputs[1..].to_vec(), ..Tape::default() };
+    let (torn, parameters) = inputs[1..].split_at(program.torn.len());
+    let (torn, parameters) = (torn.to_vec(), parameters.to_vec());
+    let mut tape = Tape { guards, t: inputs[0], torn, parameters, ..Tape::default() };
     tape.places = places.count();
-    [tape.time, tape.correct, tape.rest] = places.stages;
+    [tape.setup, tape.time, tape.correct, tape.rest] = places.stages;
     tape.constants = places.constants;
     [
         tape.correction,
@@ -52,8 +61,8 @@ pub(crate) fn schedule(program: Program) -> Tape {
         tape.verify,
     ] = lists;
     (tape.columns, tape.rows) = (program.torn, program.rows);
-    (tape.laws, tape.blocks) = (program.laws, program.blocks);
-    [&mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
+    (tape.laws, tape.blocks, tape.free) = (program.laws, program.blocks, program.free);
+    [&mut tape.setup, &mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
     tape
 }
 
@@ -61,7 +70,7 @@ pub(crate) fn schedule(program: Program) -> Tape {
 pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Straight {
     let outputs = fused(&mut graph, outputs);
     let mut planner = Planner::new(&graph, &[]);
-    planner.require(&outputs, 2);
+    planner.require(&outputs, REST);
     let order = planner.order();
     let mut places = Places::new(&planner, planner.readers(&order, &outputs));
     let read = planner.tasks.iter().flat_map(|task| task.reads).flatten().chain(outputs.iter().copied());
@@ -75,8 +84,8 @@ pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> St
     let at = places.begin(&inputs, &outputs);
     places.write(&order);
     let (outputs, places_count) = (places.of(&outputs), places.count());
-    let [mut stage, _, rest] = places.stages;
-    stage.append(rest);
+    let [mut stage, time, _, rest] = places.stages;
+    [time, rest].into_iter().for_each(|more| stage.append(more));
     stage.shorten();
     let inputs = inputs.into_iter().zip(at).collect();
     Straight { stage, laws, places: places_count, constants: places.constants, inputs, outputs }
@@ -150,7 +159,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Plans what nodes need, as far as it is not planned; what depends on time alone goes to stage 0.
+    /// Plans what nodes need, as far as it is not planned; what no coordinate is in goes to earlier stages.
     fn require(&mut self, nodes: &[Node], stage: usize) {
         let mut open: Vec<Node> = nodes.iter().rev().map(|node| self.behind(*node)).collect();
         while let Some(&node) = open.last() {
@@ -164,7 +173,12 @@ impl<'a> Planner<'a> {
             open.extend(reads.iter().flatten().copied().filter(missing));
             if open.len() == before {
                 open.pop();
-                let stage = if self.graph.depends(node).on_q { stage } else { 0 };
+                let depends = self.graph.depends(node);
+                let stage = match (depends.on_q, depends.on_t) {
+                    (true, _) => stage,
+                    (false, true) => TIME,
+                    (false, false) => SETUP,
+                };
                 self.plan(node, Task { kind, reads, makes: [None; 3], stage });
             }
         }
@@ -263,7 +277,7 @@ impl<'a> Planner<'a> {
             }
         }
         let mut order = Vec::with_capacity(self.tasks.len());
-        for stage in 0..3 {
+        for stage in SETUP..=REST {
             let mut ready: Vec<(Kind, Vec<usize>)> = Vec::new();
             let add = |ready: &mut Vec<(Kind, Vec<usize>)>, k: usize| {
                 let kind = self.tasks[k].kind;

@@ -12,6 +12,7 @@ use super::Tape;
 use super::newton::{Checked, Solver};
 use crate::numbers::lanes::lanewise::misses;
 use crate::numbers::lanes::{Level, Mask, Wide};
+use crate::program::gather::Case;
 
 /// A coordinate as a polynomial of time.
 pub(crate) type Curve = [f64; 9];
@@ -69,12 +70,13 @@ impl<S: Level> Times<S> {
     pub(crate) const LANES: usize = Wide::<S>::LANES;
     pub(super) const STRIDE: usize = Self::LANES + 1;
 
-    pub(crate) fn new(simd: S, tape: Arc<Tape>) -> Self {
+    /// For a case.
+    pub(crate) fn new(simd: S, tape: Arc<Tape>, case: Case) -> Self {
         let numbers = ORDERS * tape.values.len() + tape.third_rates.len();
         let (lines, none) = (vec![0.0; Self::STRIDE * numbers], Wide::splat(simd, f64::NAN));
         let sides = vec![f64::NAN; tape.sides.len()];
         let judged = Judged { miss: none, pivot: none, residual: none };
-        Times { simd, solver: Solver::new(none, tape), lines, sides, judged }
+        Times { simd, solver: Solver::new(simd, none, tape, case), lines, sides, judged }
     }
 
     /// True if anything may jump where coordinates move.
@@ -215,16 +217,19 @@ impl<S: Level> Times<S> {
     /// left out.
     #[inline(always)]
     fn write(&mut self, begins: bool) -> Mask<S> {
-        let (solver, zero) = (&self.solver, Wide::splat(self.simd, 0.0));
-        let tape = &*solver.tape;
-        for column in 0..tape.values.len() {
-            let mut q = solver.at(tape.values[column]);
+        let Times { simd, solver, lines, .. } = self;
+        let (tape, zero) = (&*solver.tape, Wide::splat(*simd, 0.0));
+        let rates = tape.rates.iter().zip(&tape.second_rates);
+        let places = tape.values.iter().zip(&tape.corrections).zip(rates);
+        for (own, ((value, correction), (rate, second_rate))) in
+            lines.chunks_exact_mut(ORDERS * Self::STRIDE).zip(places)
+        {
+            let mut q = solver.at(*value);
             if !tape.jumps() {
-                q = q + solver.at(tape.corrections[column]);
+                q = q + solver.at(*correction);
             }
-            let (rate, second_rate) = (solver.at(tape.rates[column]), solver.at(tape.second_rates[column]));
-            for (order, numbers) in [q, rate, second_rate].into_iter().enumerate() {
-                let line = &mut self.lines[Self::line(column, order)..][..Self::STRIDE];
+            let all = [q, solver.at(*rate), solver.at(*second_rate)];
+            for (line, numbers) in own.chunks_exact_mut(Self::STRIDE).zip(&all) {
                 if !begins {
                     line[0] = line[Self::LANES];
                 }
@@ -232,9 +237,10 @@ impl<S: Level> Times<S> {
             }
         }
         let mut none = zero;
-        for (column, place) in tape.third_rates.iter().enumerate() {
-            let (first, x) = (self.line_of(column, ORDERS) + 1, solver.at(*place));
-            self.lines[first..first + Self::LANES].copy_from_slice(x.as_slice());
+        let behind = &mut lines[ORDERS * Self::STRIDE * tape.values.len()..];
+        for (line, place) in behind.chunks_exact_mut(Self::STRIDE).zip(&tape.third_rates) {
+            let x = solver.at(*place);
+            line[1..].copy_from_slice(x.as_slice());
             // 0 · x is 0 of a number, and not a number of anything else.
             none = none + x * zero;
         }
@@ -248,21 +254,29 @@ impl<S: Level> Times<S> {
         let simd = self.simd;
         let zero = Wide::splat(simd, 0.0);
         let (mut miss, mut reach, mut all) = (zero, zero, zero);
-        for column in 0..self.tape().values.len() {
-            let at = |order: usize, place: usize| {
-                let (first, mut wide) = (Self::line(column, order) + place, zero);
-                wide.as_mut_slice().copy_from_slice(&self.lines[first..first + Self::LANES]);
-                wide
-            };
-            let [q, qd, qdd] = [at(0, 0), at(1, 0), at(2, 0)];
-            let [r, rd, rdd] = [at(0, 1), at(1, 1), at(2, 1)];
-            let [forward, back, d] = misses(h, [q, qd, qdd], [r, rd, rdd]);
-            let share = Wide::splat(simd, limits.shares[column]);
-            miss = miss.or_larger(forward.abs().or_larger(back.abs()) * share);
-            reach = reach.or_larger(d.abs() * Wide::splat(simd, limits.turns[column]));
+        let own = self.lines.chunks_exact(ORDERS * Self::STRIDE).zip(limits.shares.iter().zip(&limits.turns));
+        for (lines, (share, turn)) in own {
+            let before =
+                [self.wide(lines, 0), self.wide(lines, Self::STRIDE), self.wide(lines, 2 * Self::STRIDE)];
+            let now = [
+                self.wide(lines, 1),
+                self.wide(lines, Self::STRIDE + 1),
+                self.wide(lines, 2 * Self::STRIDE + 1),
+            ];
+            let [forward, back, d] = misses(h, before, now);
+            miss = miss.or_larger(forward.abs().or_larger(back.abs()) * Wide::splat(simd, *share));
+            reach = reach.or_larger(d.abs() * Wide::splat(simd, *turn));
             all = all + (forward + back);
         }
         let none = !all.equal(all);
         [none.select(Wide::splat(simd, f64::NAN), miss), reach]
+    }
+
+    /// As many numbers as there are lanes, from a place on.
+    #[inline(always)]
+    fn wide(&self, lines: &[f64], place: usize) -> Wide<S> {
+        let mut wide = Wide::splat(self.simd, 0.0);
+        wide.as_mut_slice().copy_from_slice(&lines[place..place + Self::LANES]);
+        wide
     }
 }

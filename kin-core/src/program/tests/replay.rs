@@ -39,7 +39,7 @@ impl WithLevel for Replayed<'_> {
         let mut replay =
             |stage: &Stage| simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory }));
         // The steps that lead to the correction can be replayed any number of times.
-        [&tape.time, &tape.correct, &tape.correct, &tape.rest].into_iter().for_each(&mut replay);
+        [&tape.setup, &tape.time, &tape.correct, &tape.correct, &tape.rest].into_iter().for_each(&mut replay);
         let lists = [
             &tape.correction,
             &tape.left,

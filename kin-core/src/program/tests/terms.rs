@@ -5,6 +5,7 @@ use kin_graph::{Input, LeafUse, Node, Source};
 use super::models::systems;
 use crate::System;
 use crate::numbers::random::Random;
+use crate::program::Differences;
 use crate::program::gather::{Whole, gather};
 use crate::program::kind::SECOND;
 use crate::program::stages::{law_at, numbers};
@@ -84,7 +85,7 @@ fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
 fn gathered_terms_are_those_of_the_system() {
     let mut gathered = 0;
     for (name, system) in systems() {
-        match gather(&system, true) {
+        match gather(&system, true, Differences::default()) {
             Ok(whole) => {
                 gathered += 1;
                 assert_eq!(whole.rows.len(), system.n_equations(), "{name}");

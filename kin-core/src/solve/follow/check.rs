@@ -8,9 +8,10 @@
 //! Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see
 //! equations that are linear along it, as those of a chain are in its lengths.
 
+use std::cmp::Ordering;
+
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
-use crate::numbers::lanes::lanewise::Judged;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::newton::Newton;
 use crate::system::System;
@@ -32,15 +33,15 @@ pub(crate) const REACH: f64 = 1.0;
 
 /// True if a body turns further in a step than can be judged.
 #[inline(always)]
-pub(crate) fn turns_too_far<N: Judged>(reach: N) -> N::Answer {
-    reach.above(reach.all(REACH))
+pub(crate) fn turns_too_far(reach: f64) -> bool {
+    reach > REACH
 }
 
 /// True if the prediction from one end of a step misses the other by more than is sure to be one branch, of
 /// matrices whose smaller pivot is this; a miss that is not a number counts as one.
 #[inline(always)]
-pub(crate) fn misses_too_far<N: Judged>(miss: N, pivot: N) -> N::Answer {
-    !miss.at_most(miss.all(EASY) * pivot)
+pub(crate) fn misses_too_far(miss: f64, pivot: f64) -> bool {
+    miss.partial_cmp(&(EASY * pivot)).is_none_or(Ordering::is_gt)
 }
 
 /// The reasons to reject a step.
@@ -189,22 +190,6 @@ impl Check {
         let fades = newton.linear.smallest_pivot().min(self.pivot) < FADED * self.most;
         straight && !(fades && is_singular_near(newton, &self.miss, miss / own, &self.now))
     }
-}
-
-/// The outlook of the drive ([`Drive::outlook`]) at the present position, at which a run between these times
-/// begins.
-pub(crate) fn outlook(mut drive: Drive, newton: &mut Newton<'_>, ends: [f64; 2]) -> Option<[f64; 4]> {
-    let (equations, pivot, mut v) =
-        (newton.system.equations(), newton.linear.smallest_pivot(), newton.q.clone());
-    if equations.is_explicit() {
-        return Some([0.0; 4]);
-    }
-    drive.outlook(
-        equations,
-        ends,
-        pivot,
-        &mut Factored { newton, v: &mut v, turns: &Padded::default(), negative: &[] },
-    )
 }
 
 /// True if C_q may be singular within factor · v of the present position: at either end of that a block has

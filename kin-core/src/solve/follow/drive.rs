@@ -239,24 +239,6 @@ impl Drive {
         !self.is_straight(equations, h, lever)
     }
 
-    /// For steps between two times that are looked at no more: e_k of Σ_k e_k hᵏ ≤ p², where p is the smaller
-    /// of the smallest pivots at both ends of a step h, is what [`Drive::ends_suffice`] asks, with room for
-    /// what changes meanwhile. The pivot is that of the position in hand. `None` where that does not do.
-    pub(crate) fn outlook(
-        &mut self,
-        equations: &Equations,
-        ends: [f64; 2],
-        pivot: f64,
-        lever: &mut dyn Lever,
-    ) -> Option<[f64; COEFFICIENTS]> {
-        let lasting = self.sources.iter().all(|source| source.apart && source.signals.is_some());
-        if !(lasting && self.bound(equations, lever.instant(), ends, false)) {
-            return None;
-        }
-        self.weigh(equations, lever);
-        Some(self.off.0.map(|e| DRIFT * DRIFT * e * pivot / EASY))
-    }
-
     /// Keeps the present bounds for some steps.
     fn rely(&mut self, pivot: f64, reach: Option<f64>) {
         let sampled = self.sources.iter().any(|source| source.is_sampled);

@@ -17,6 +17,6 @@ mod singular;
 mod turning;
 
 pub use crate::model::motion::{Branch, SingularKind, SingularPosition};
-pub(crate) use check::{Check, Objection, REACH, misses_too_far, outlook, turns_too_far};
+pub(crate) use check::{Check, Objection, REACH, misses_too_far, turns_too_far};
 pub(crate) use drive::{Drive, Lever, Span};
 pub(crate) use passage::{Landed, Lost, pass};

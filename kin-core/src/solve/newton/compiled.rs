@@ -6,6 +6,7 @@
 //! one implementation.
 
 mod block;
+mod cases;
 mod curve;
 mod holds;
 mod position;
@@ -19,10 +20,11 @@ use super::{Engine, Options, Stop};
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
-use crate::program::{NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
+use crate::program::{Case, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
+pub(crate) use cases::{Cases, Varied};
 pub(crate) use position::position;
 
 /// After blocks that came to nothing so many times more are left to plain steps, up to this many.
@@ -59,7 +61,7 @@ pub(crate) struct Computing {
     wanted: Wanted,
     lanes: Lanes,
     begun: bool,
-    tape: Option<Arc<Tape>>,
+    tape: Option<(Arc<Tape>, Case)>,
     /// Why there is no program, where one was looked for.
     plain: Option<Arc<str>>,
 }
@@ -70,6 +72,11 @@ impl Computing {
     pub(crate) fn new(system: &System, times: usize, options: &Options) -> Result<Self> {
         let (wanted, plain) = wanted(system, times, options)?;
         Ok(Computing { wanted, lanes: Lanes::Best, begun: false, tape: None, plain: plain.map(Into::into) })
+    }
+
+    /// By this tape, or plain for that reason.
+    fn by(tape: Option<(Arc<Tape>, Case)>, plain: Option<Arc<str>>, lanes: Lanes) -> Self {
+        Computing { wanted: Wanted::Plain, lanes, begun: false, tape, plain }
     }
 
     /// The same of a run in parts: numbers must not hang on where parts end, so that a program computes them
@@ -87,7 +94,7 @@ impl Computing {
         }
         motion.plain.clone_from(&self.plain);
         match &self.tape {
-            Some(tape) => replay(run, times, motion, tape, self.lanes),
+            Some((tape, case)) => replay(run, times, motion, (tape, case), self.lanes),
             None => run.reach_all(&times[motion.len()..], motion),
         }
     }
@@ -108,7 +115,7 @@ impl Computing {
             Err(refusal) => Err(refusal),
         };
         match made {
-            Ok(tape) => self.tape = Some(tape),
+            Ok(tape) => self.tape = tape.case(run.system()).map(|case| (tape, case)),
             Err(refusal) if self.wanted == Wanted::Compiled => return Err(refused(&refusal)),
             Err(refusal) => self.plain = Some(refusal.to_string().into()),
         }
@@ -121,10 +128,10 @@ fn replay(
     run: &mut Run<'_>,
     times: &[f64],
     motion: &mut Motion,
-    tape: &Arc<Tape>,
+    (tape, case): (&Arc<Tape>, &Case),
     lanes: Lanes,
 ) -> Result<()> {
-    match lanes.dispatch(Work { run, times, motion, tape }) {
+    match lanes.dispatch(Work { run, times, motion, tape, case }) {
         Ok(done) => done,
         Err(Work { run, motion, .. }) => run.reach_all(&times[motion.len()..], motion),
     }
@@ -136,14 +143,15 @@ struct Work<'x, 'a> {
     times: &'x [f64],
     motion: &'x mut Motion,
     tape: &'x Arc<Tape>,
+    case: &'x Case,
 }
 
 impl WithLevel for Work<'_, '_> {
     type Output = Result<()>;
 
     fn run<S: Level>(self, simd: S) -> Result<()> {
-        let Work { run, times, motion, tape } = self;
-        let mut block = Block::new(simd, Arc::clone(tape), run);
+        let Work { run, times, motion, tape, case } = self;
+        let mut block = Block::new(simd, Arc::clone(tape), case.clone(), run);
         let (mut pause, mut patience) = (0_usize, 1);
         while let Some(&t) = times.get(motion.len()) {
             run.reach(t, motion)?;

@@ -50,7 +50,7 @@ pub struct Options {
     /// How the first position is looked for, where that is rescued, and what is wrong where there is none.
     pub search: SearchOptions,
     /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix
-    /// of q̇ and q̈; default false. Cases of a sweep are run one by one then.
+    /// of q̇ and q̈; default false.
     pub jerk: bool,
     /// How far redundant equations may contradict one another, of the norm of each: of the mechanism's size
     /// where a row is a length. 0, the default, allows what rounding makes (1e-10) and no more; parts of
@@ -60,9 +60,9 @@ pub struct Options {
     /// The check that each step stays on its branch, and the branch that is taken where branches cross;
     /// default [`Follow::Smooth`].
     pub follow: Follow,
-    /// The engine that computes the times of [`crate::System::run`]; default [`Engine::Auto`]. Sweeps are
-    /// always plain, runs in parts unless [`Engine::Compiled`] is asked for, and single positions unless
-    /// [`crate::System::compile`] was called.
+    /// The engine that computes the times of [`crate::System::run`], and of the cases of a sweep; default
+    /// [`Engine::Auto`]. Runs in parts are plain unless [`Engine::Compiled`] is asked for, and single
+    /// positions unless [`crate::System::compile`] was called.
     pub engine: Engine,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time; default 2³⁰ (1
     /// GiB). A run that needs more is refused before it begins; [`crate::System::run_in_parts`] needs the
@@ -77,8 +77,9 @@ pub enum Engine {
     /// A program where one can be made and pays, for which there have to be a thousand times at least, or
     /// 32 after a call of [`crate::System::compile`], which makes one without the jerk; else plain steps.
     /// Plain too are runs without prediction, and with [`Stop::ResidualOnly`], and all runs on a machine
-    /// without AVX2 and FMA, AVX-512 or Neon. [`crate::Motion::engine`] tells how many times a program has
-    /// computed, [`crate::Motion::why_plain`] what stood in the way of one.
+    /// without AVX2 and FMA, AVX-512 or Neon. The times of all cases of a sweep count together, where each
+    /// has 24 at least. [`crate::Motion::engine`] tells how many times a program has computed,
+    /// [`crate::Motion::why_plain`] what stood in the way of one.
     ///
     /// A program is kept for the next run that begins at the same time and position, until anything is set in
     /// the system.

@@ -8,7 +8,7 @@
 use wide::f64x4;
 
 use super::largest;
-use crate::numbers::lanes::lanewise::{Lanewise, gone};
+use crate::numbers::lanes::lanewise::gone;
 use crate::numbers::padded::Padded;
 
 /// Weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
@@ -20,23 +20,23 @@ const EQUAL: f64 = 1e-9;
 
 /// The steps of time that have come to an end: the last one, and how many equal ones there were.
 #[derive(Clone)]
-pub(super) struct Pace {
+struct Pace {
     h: f64,
     equal: usize,
 }
 
 impl Pace {
     /// The pace of a run that has not begun.
-    pub(super) const NONE: Pace = Pace { h: f64::NAN, equal: 0 };
+    const NONE: Pace = Pace { h: f64::NAN, equal: 0 };
 
     /// A step h has ended.
-    pub(super) fn advance(&mut self, h: f64) {
+    fn advance(&mut self, h: f64) {
         self.equal = if is_same(h, self.h) { self.equal + 1 } else { 1 };
         self.h = h;
     }
 
     /// True if the last three times lie a step h apart.
-    pub(super) fn knows(&self, h: f64) -> bool {
+    fn knows(&self, h: f64) -> bool {
         self.equal >= 2 && is_same(h, self.h)
     }
 }
@@ -47,22 +47,19 @@ pub(super) fn is_same(h: f64, other: f64) -> bool {
 
 /// The position a step after the last solution, by the rates of three times that lie such a step apart.
 #[derive(Clone, Copy)]
-pub(super) struct Long<N>([N; 3], [N; 3]);
+struct Long([f64x4; 3], [f64x4; 3]);
 
-impl<N: Lanewise> Long<N> {
-    /// For a step h; `one` is any number.
+impl Long {
+    /// For a step h.
     #[inline(always)]
-    pub(super) fn new(one: N, h: f64) -> Self {
-        let ([a, b, c], [d, e, f], hh) = (RATES, SECOND_RATES, h * h);
-        Long(
-            [one.all(a * h), one.all(b * h), one.all(c * h)],
-            [one.all(d * hh), one.all(e * hh), one.all(f * hh)],
-        )
+    fn new(h: f64) -> Self {
+        let all = |weights: [f64; 3], share: f64| weights.map(|weight| f64x4::splat(weight * share));
+        Long(all(RATES, h), all(SECOND_RATES, h * h))
     }
 
     /// From q and the rates, latest first.
     #[inline(always)]
-    pub(super) fn position(&self, q: N, [x, y, z]: [N; 3], [u, v, w]: [N; 3]) -> N {
+    fn position(&self, q: f64x4, [x, y, z]: [f64x4; 3], [u, v, w]: [f64x4; 3]) -> f64x4 {
         let Long([a, b, c], [d, e, f]) = *self;
         q + ((a * x + b * y + c * z) + (d * u + e * v + f * w))
     }
@@ -139,7 +136,7 @@ impl Predictor {
     }
 
     fn long(&self, h: f64, last: Last<'_>) -> impl Iterator<Item = f64x4> {
-        let (long, [one, two]) = (Long::new(f64x4::ZERO, h), &self.past);
+        let (long, [one, two]) = (Long::new(h), &self.past);
         let rates = quads(last.qd).zip(quads(&one.qd)).zip(quads(&two.qd));
         let second_rates = quads(last.qdd).zip(quads(&one.qdd)).zip(quads(&two.qdd));
         quads(last.q)

@@ -159,7 +159,7 @@ impl Position<'_> {
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let options = self.options;
         let mut rows = Rows { position: self, t, iterations: 0 };
-        let found = iterate::newton(&mut rows, options, true, (true, 0.0));
+        let found = iterate::newton(&mut rows, options, true);
         let iterations = rows.iterations;
         found.then(|| self.outcome(iterations))
     }
@@ -261,11 +261,9 @@ struct Rows<'d, 'a> {
 }
 
 impl Iterating for Rows<'_, '_> {
-    type Number = f64;
-
-    fn look(&mut self, _: bool, done: bool) -> [bool; 2] {
+    fn look(&mut self) -> bool {
         self.position.steps += 1;
-        [self.position.factor(self.t).is_some(), done]
+        self.position.factor(self.t).is_some()
     }
 
     fn residual(&self) -> f64 {
@@ -287,11 +285,11 @@ impl Iterating for Rows<'_, '_> {
     }
 
     /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
-    fn is_met(&mut self, _: f64, _: bool) -> bool {
+    fn is_met(&mut self, _: f64) -> bool {
         true
     }
 
-    fn end(&mut self, _: bool) -> bool {
+    fn end(&mut self) -> bool {
         let position = &mut *self.position;
         let met = position.model.met(&position.point, &position.q, &position.measures, &|_| true);
         padded::add(position.q.whole_mut(), position.x.whole());
@@ -301,10 +299,10 @@ impl Iterating for Rows<'_, '_> {
         met
     }
 
-    fn step(&mut self, open: bool, _: f64) -> bool {
+    fn step(&mut self, _: f64) -> bool {
         padded::add(self.position.q.whole_mut(), self.position.x.whole());
         self.iterations += 1;
-        open
+        true
     }
 }
 

@@ -22,9 +22,20 @@ pub(crate) fn run<'a>(
 ) -> Result<Motion> {
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
+    let computing = compiled::Computing::new(system, times.len(), options)?;
+    run_by(system, times, (options, explain), progress, computing)
+}
+
+/// The same by given means, of times that were looked at.
+pub(crate) fn run_by<'a>(
+    system: &'a System,
+    times: &[f64],
+    (options, explain): (&'a Options, Option<Explain>),
+    progress: Option<Progress<'a>>,
+    mut computing: compiled::Computing,
+) -> Result<Motion> {
     let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
     run.progress = progress.map(|progress| (progress, times.len()));
-    let mut computing = compiled::Computing::new(system, times.len(), options)?;
     if let Err(error) = computing.run(&mut run, times, &mut motion) {
         return Err(run.failed(error, motion));
     }

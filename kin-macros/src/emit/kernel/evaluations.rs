@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::{Kernel, is_condition, number};
+use super::{Kernel, number};
 use crate::emit::template;
 use kin_graph::{Direction, Leaf, LeafNumber, LeafUse, Node, Op};
 use kin_language::lower::OpaqueKind;
@@ -11,9 +11,6 @@ use kin_language::lower::OpaqueKind;
 impl Kernel<'_> {
     /// Nodes that come out of an evaluation with several results: laws, opaque values, leaves.
     pub(super) fn evaluation(&mut self, node: Node) -> Option<TokenStream> {
-        if let Some(&(number, slot, count)) = self.lane_by_lane.get(&node) {
-            return Some(self.evaluated_lane_by_lane(node, number, slot, count));
-        }
         if self.numbers == super::Numbers::Dual {
             return self.dual_evaluation(node);
         }
@@ -45,38 +42,6 @@ impl Kernel<'_> {
             Op::Leaf(of) => Some(self.leaf(of)),
             _ => None,
         }
-    }
-
-    /// One number of an evaluation that each lane makes by itself.
-    fn evaluated_lane_by_lane(
-        &mut self,
-        node: Node,
-        number: usize,
-        slot: usize,
-        count: usize,
-    ) -> TokenStream {
-        let inputs: Vec<TokenStream> = self
-            .graph()
-            .operands(node)
-            .into_iter()
-            .map(|input| {
-                let value = self.expression(input);
-                if is_condition(self.lowered, input) {
-                    quote!(::kin::emitted::Mask::as_numbers(#value))
-                } else {
-                    value
-                }
-            })
-            .collect();
-        let [n, m, k, slot] = [inputs.len(), count, number, slot].map(Literal::usize_unsuffixed);
-        let ty = quote!([::kin::emitted::Wide<__S>; #m]);
-        let name = self.evaluated(
-            format!("evaluation {number}"),
-            "call",
-            &ty,
-            |_| quote!(at.evaluate::<#n, #m>(#k, [#(#inputs),*])),
-        );
-        if is_condition(self.lowered, node) { quote!(#name[#slot].is_true()) } else { quote!(#name[#slot]) }
     }
 
     /// The name of an evaluation of a type, the same one each time.

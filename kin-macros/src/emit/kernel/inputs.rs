@@ -13,14 +13,9 @@ impl Kernel<'_> {
         }
         match input {
             Input::Time => quote!(at.t),
-            Input::TimeRate if self.numbers == Numbers::Wide => quote!(at.splat(1.0)),
             Input::TimeRate => quote!(t_dot),
             Input::Column(_) => quote!(x),
             Input::Parameter(k) => self.lowered.parameters[k].clone(),
-            Input::Timed(k) if self.numbers == Numbers::Wide => {
-                let (known, k) = (crate::emit::own("known"), Literal::usize_unsuffixed(k));
-                quote!(#known[#k])
-            }
             Input::Timed(k) => {
                 self.reads_timed = true;
                 let k = Literal::usize_unsuffixed(k);

@@ -8,31 +8,20 @@ impl Kernel<'_> {
             Op::Input(input) => self.input(input),
             Op::Constant(bits) => self.constant(f64::from_bits(bits)),
             Op::Decimal(k) => self.constant(self.graph().decimals[k].nearest),
-            Op::Truth(value) if self.numbers == Numbers::Wide => {
-                quote!(::kin::emitted::Mask::splat(at.simd, #value))
-            }
             Op::Truth(value) => quote!(#value),
             Op::Add(a, b) => self.infix(a, quote!(+), b),
             Op::Sub(a, b) => self.infix(a, quote!(-), b),
             Op::Mul(a, b) => self.infix(a, quote!(*), b),
             Op::Div(a, b) => self.infix(a, quote!(/), b),
-            Op::Fma(a, b, c) if self.numbers == Numbers::Wide => self.function("mul_add", &[a, b, c]),
             Op::Fma(a, b, c) => {
                 self.fused = true;
                 let (fma, a, b, c) =
                     (super::super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
                 quote!(#fma(#a, #b, #c))
             }
-            Op::And(a, b) => {
-                self.infix(a, if self.numbers != Numbers::Wide { quote!(&&) } else { quote!(&) }, b)
-            }
-            Op::Or(a, b) => {
-                self.infix(a, if self.numbers != Numbers::Wide { quote!(||) } else { quote!(|) }, b)
-            }
-            Op::Compare(comparison, a, b) if self.numbers != Numbers::Wide => {
-                self.infix(a, sign(comparison), b)
-            }
-            Op::Compare(comparison, a, b) => self.function(comparison_method(comparison), &[a, b]),
+            Op::And(a, b) => self.infix(a, quote!(&&), b),
+            Op::Or(a, b) => self.infix(a, quote!(||), b),
+            Op::Compare(comparison, a, b) => self.infix(a, sign(comparison), b),
             Op::Neg(a) => {
                 let a = self.operand(a);
                 quote!(-#a)
@@ -50,10 +39,7 @@ impl Kernel<'_> {
             }
             Op::Select(c, a, b) => {
                 let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
-                match self.numbers {
-                    Numbers::Plain | Numbers::Dual => quote!(if #c { #a } else { #b }),
-                    Numbers::Wide => quote!(::kin::emitted::Mask::select(#c, #a, #b)),
-                }
+                quote!(if #c { #a } else { #b })
             }
             // These have names before they are written.
             Op::Law(..) | Op::Opaque(..) | Op::Leaf(_) => quote!(f64::NAN),
@@ -64,7 +50,6 @@ impl Kernel<'_> {
         let value = number(value);
         match self.numbers {
             Numbers::Plain => value,
-            Numbers::Wide => quote!(at.splat(#value)),
             Numbers::Dual => quote!(::kin::emitted::Real::<__D>::from(#value)),
         }
     }
@@ -73,7 +58,6 @@ impl Kernel<'_> {
     pub(super) fn functions_of(&self) -> TokenStream {
         match self.numbers {
             Numbers::Plain => quote!(::kin::emitted::math),
-            Numbers::Wide => quote!(::kin::emitted::Wide),
             Numbers::Dual => quote!(<::kin::emitted::Real<__D>>),
         }
     }

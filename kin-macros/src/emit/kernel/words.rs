@@ -17,18 +17,6 @@ pub fn number(value: f64) -> TokenStream {
     if value < 0.0 { quote!(-#size) } else { quote!(#size) }
 }
 
-/// The same of numbers in lanes.
-pub fn comparison_method(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Less => "lt",
-        Comparison::LessEqual => "le",
-        Comparison::Greater => "gt",
-        Comparison::GreaterEqual => "ge",
-        Comparison::Equal => "equal",
-        Comparison::NotEqual => "differ",
-    }
-}
-
 /// A comparison of plain numbers.
 pub fn sign(comparison: Comparison) -> TokenStream {
     match comparison {

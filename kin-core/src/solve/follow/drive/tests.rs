@@ -244,33 +244,6 @@ fn time_in_c_q() {
     assert!(!hides(&mut drive, &even, [0.0, 0.1], &mut Known::new(&even)) && !drive.ends_suffice);
 }
 
-/// For runs without further looks: only what holds for every position, and all that it may lead off.
-#[test]
-fn the_outlook_of_a_run() {
-    let outlook = |system: &System, ends: [f64; 2]| {
-        let mut lever = Known::new(system);
-        lever.lever = 3.0;
-        Drive::new(system.equations()).outlook(system.equations(), ends, 0.5, &mut lever)
-    };
-    near(
-        outlook(&driven(Law::sine(1.0, 1.0, 0.0)), [0.0, 1.0]).expect("is known"),
-        [0.0, 0.0, 0.0, 4.0 * 0.5 * 0.5 / 0.05],
-    );
-    near(outlook(&driven(Law::linear(1.0, 1.0)), [0.0, 1.0]).expect("is known"), [0.0; 4]);
-    assert!(outlook(&stretching(Law::sine(0.1, 1.0, 0.0)), [0.0, 1.0]).is_none());
-    assert!(outlook(&driven(Law::new(Silent(|_| [0.0; 4]))), [0.0, 1.0]).is_none());
-    // Without a formula there is nothing that holds for long.
-    let system = driven(Law::sine(1.0, 1.0, 0.0));
-    let (mut unknown, mut lever) = (Drive::new(system.equations()), Known::new(&system));
-    unknown.sources[0].signals = None;
-    assert!(unknown.outlook(system.equations(), [0.0, 1.0], 0.5, &mut lever).is_none());
-    let mut m = Mechanism::new("both");
-    let [x, y] = ["x", "y"].map(|name| m.length(name, 0.5).expect("a new name"));
-    m.add("motor", drive(x, Law::sine(1.0, 1.0, 0.0))).expect("adds");
-    m.add("rod", stretched(y, Law::sine(0.1, 1.0, 0.0))).expect("adds");
-    assert!(outlook(&m.build().expect("builds"), [0.0, 1.0]).is_none());
-}
-
 /// Where equations are straight along each signal as far as all may have led it does not matter where it was.
 #[test]
 fn straight_along_all_signals() {

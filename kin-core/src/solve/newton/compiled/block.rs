@@ -8,8 +8,8 @@ use super::holds::Sums;
 use crate::model::error::Result;
 use crate::model::units::Unit;
 use crate::numbers::lanes::{Level, whole};
-use crate::program::Tape;
 use crate::program::times::{Curve, Limits, ORDERS, Times};
+use crate::program::{Case, Tape};
 use crate::solve::follow::{REACH, misses_too_far};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
@@ -65,8 +65,8 @@ enum End {
 }
 
 impl<S: Level> Block<S> {
-    pub(super) fn new(simd: S, tape: Arc<Tape>, run: &Run<'_>) -> Self {
-        let (times, system) = (Times::new(simd, tape), run.system());
+    pub(super) fn new(simd: S, tape: Arc<Tape>, case: Case, run: &Run<'_>) -> Self {
+        let (times, system) = (Times::new(simd, tape, case), run.system());
         let curves = vec![[0.0; 9]; times.torn().len()];
         let spread = (3 * Times::<S>::LANES).div_ceil(8);
         Block {

@@ -147,8 +147,9 @@ impl Positions {
 
     fn new_room<S: Level>(&self, simd: S, system: &System) -> Room {
         let (n, equations) = (self.q.len(), system.equations());
+        let case = self.tape.case(system).unwrap_or_default();
         let mut room = Room {
-            alone: Alone::new(Arc::clone(&self.tape)),
+            alone: Alone::new(simd, Arc::clone(&self.tape), case),
             tolerance: f64::NAN,
             limits: Limits::default(),
             instant: equations.instant(),

@@ -28,20 +28,17 @@ impl Single<'_, '_> {
 }
 
 impl Iterating for Single<'_, '_> {
-    type Number = f64;
-
     #[inline(always)]
-    fn look(&mut self, _: bool, done: bool) -> [bool; 2] {
+    fn look(&mut self) -> bool {
         let looked = if std::mem::take(&mut self.still) {
             self.newton.relinearize(self.t)
         } else {
             self.newton.linearize(self.t).map(|()| true)
         };
-        let sound = match looked {
+        match looked {
             Err(why) => self.fail(why),
             Ok(changed) => !changed || self.newton.linear.factor() || self.fail(Failure::Singular),
-        };
-        [sound, done]
+        }
     }
 
     #[inline(always)]
@@ -67,21 +64,21 @@ impl Iterating for Single<'_, '_> {
     }
 
     #[inline(always)]
-    fn is_met(&mut self, tolerance: f64, _: bool) -> bool {
+    fn is_met(&mut self, tolerance: f64) -> bool {
         self.newton.is_within(tolerance)
     }
 
     /// The last correction keeps errors of predictions from adding up.
     #[inline(always)]
-    fn end(&mut self, converged: bool) -> bool {
+    fn end(&mut self) -> bool {
         if self.newton.options.predict {
             self.newton.correct_last();
         }
-        converged
+        true
     }
 
     #[inline(always)]
-    fn step(&mut self, _: bool, correction: f64) -> bool {
+    fn step(&mut self, correction: f64) -> bool {
         let newton = &mut *self.newton;
         if self.steps == Steps::Damped && correction > stop::STALL && !newton.met() {
             if let Err(why) = newton.damped() {

@@ -1,11 +1,11 @@
 //! Questions at the present position: is C_q singular near it, which drives move it, what is the outlook of a
 //! sweep?
 
-use super::super::{Drive, EASY, Factored, Lever, is_singular_near};
+use super::super::{Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
 use crate::numbers::padded::Padded;
-use crate::solve::newton::{Newton, Options, Steps};
-use crate::{Law, Mechanism, constraint};
+use crate::solve::newton::Options;
+use crate::{Mechanism, constraint};
 
 /// √x + y = 1 + t, y = 0: nothing below x = 0.
 #[constraint]
@@ -61,33 +61,4 @@ fn a_lever_moves_its_own_rows_alone() {
             [lever.v[0], lever.v[1]]
         );
     }
-}
-
-/// The outlook of a sweep is four times the third-order term of the drives, by the coordinates they move and
-/// by the pivot.
-#[test]
-fn the_outlook_at_a_position() {
-    let options = Options::default();
-    let outlook = |law: Law| {
-        let mut m = Mechanism::new("driven");
-        let x = m.length("x", law.at(0.0)).expect("a new name");
-        m.add("motor", crate::joints::drivers::drive(x, law)).expect("adds");
-        let system = m.build().expect("builds");
-        let mut newton = Newton::new(&system, &options);
-        newton.solve(0.0, Steps::Full).expect("solves");
-        let share = newton.shares()[0];
-        let pivot = newton.linear.smallest_pivot();
-        let told = super::super::outlook(Drive::new(system.equations()), &mut newton, [0.0, 1.0]);
-        // One coordinate that is driven is given by its row: there is no other branch to look for.
-        assert_eq!(told, Some([0.0; 4]));
-        let mut v = newton.q.clone();
-        let mut lever = Factored { newton: &mut newton, v: &mut v, turns: &Padded::default(), negative: &[] };
-        Drive::new(system.equations())
-            .outlook(system.equations(), [0.0, 1.0], pivot, &mut lever)
-            .map(|e| (e, share, pivot))
-    };
-    let (e, share, pivot) = outlook(Law::sine(1.0, 0.5, 0.1)).expect("is known");
-    let exact = 4.0 * share * (0.125 * 0.1_f64.cos() / 6.0) * pivot / EASY;
-    assert!((e[3] / exact - 1.0).abs() < 1e-9 && e[..3] == [0.0; 3], "{e:?} {exact}");
-    assert_eq!(outlook(Law::ramp(2.0)).map(|found| found.0), Some([0.0; 4]));
 }

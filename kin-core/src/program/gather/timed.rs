@@ -26,8 +26,8 @@ impl LawFunction for Timed {
     }
 }
 
-/// The laws of these nodes of a constraint's formula, with its parameters as they are now.
-pub(super) fn timed(constraint: &dyn Constraint, nodes: &[Node]) -> Vec<Law> {
-    let law = |node: &Node| Law::new(Timed { constraint: constraint.clone_boxed(), node: *node });
+/// These nodes of a constraint's formula with the laws that they are, its parameters being as they are now.
+pub(super) fn timed(constraint: &dyn Constraint, nodes: &[Node]) -> Vec<(Node, Law)> {
+    let law = |node: &Node| (*node, Law::new(Timed { constraint: constraint.clone_boxed(), node: *node }));
     nodes.iter().map(law).collect()
 }

@@ -1,6 +1,6 @@
 use kin::prelude::*;
 
-#[constraint(dual, lanes)]
+#[constraint(lanes)]
 fn level(i: Planar, h: f64) -> f64 {
     i.theta - h
 }
