@@ -5,7 +5,7 @@ use kin_graph::{Graph, Input, Node, Op};
 
 use super::timed::timed;
 use crate::model::constraint::Constraint;
-use crate::model::formula::Given;
+use crate::model::formula::{Given, Outside};
 use crate::model::law::Law;
 use crate::system::System;
 
@@ -85,37 +85,43 @@ impl OfBlock {
         OfBlock { block, parameters, differs, laws, laws_differ }
     }
 
-    /// Shows which parameters (false) and laws (true) a constraint has others of, by their places here.
-    fn compare(&self, constraint: &dyn Constraint, mut show: impl FnMut(bool, usize)) {
-        constraint.formula(|_, parameters, outside| {
-            for (k, own) in self.parameters.iter().enumerate() {
-                if parameters.get(k).is_none_or(|other| other.to_bits() != own.to_bits()) {
-                    show(false, k);
-                }
+    /// Shows which of these parameters (false) and laws (true) are others, by their places here.
+    fn compare(&self, parameters: &[f64], outside: Outside<'_>, mut show: impl FnMut(bool, usize)) {
+        for (k, own) in self.parameters.iter().enumerate() {
+            if parameters.get(k).is_none_or(|other| other.to_bits() != own.to_bits()) {
+                show(false, k);
             }
-            for (k, (number, own)) in self.laws.iter().enumerate() {
-                let same = match (own, Given::by(outside, *number, &[]).law()) {
-                    (Some(own), Some(other)) => own.is(other),
-                    (own, other) => own.is_none() && other.is_none(),
-                };
-                if !same {
-                    show(true, k);
-                }
+        }
+        for (k, (number, own)) in self.laws.iter().enumerate() {
+            let same = match (own, Given::by(outside, *number, &[]).law()) {
+                (Some(own), Some(other)) => own.is(other),
+                (own, other) => own.is_none() && other.is_none(),
+            };
+            if !same {
+                show(true, k);
             }
-        });
+        }
     }
 
     fn note(&mut self, constraint: &dyn Constraint) {
         let (mut differs, mut laws_differ) =
             (std::mem::take(&mut self.differs), std::mem::take(&mut self.laws_differ));
-        self.compare(constraint, |is_law, k| if is_law { laws_differ[k] = true } else { differs[k] = true });
+        constraint.formula(|_, parameters, outside| {
+            self.compare(
+                parameters,
+                outside,
+                |is_law, k| {
+                    if is_law { laws_differ[k] = true } else { differs[k] = true }
+                },
+            );
+        });
         (self.differs, self.laws_differ) = (differs, laws_differ);
     }
 
     /// True if all that is not free is what it was.
-    fn fits(&self, constraint: &dyn Constraint) -> bool {
+    fn fits(&self, parameters: &[f64], outside: Outside<'_>) -> bool {
         let mut fits = true;
-        self.compare(constraint, |is_law, k| {
+        self.compare(parameters, outside, |is_law, k| {
             fits &= if is_law { self.laws_differ[k] } else { self.differs[k] }
         });
         fits
@@ -189,9 +195,6 @@ impl Free {
         let mut case = Case { parameters: vec![f64::NAN; self.slots.len()], laws: laws.to_vec() };
         for own in &self.differences.0 {
             let constraint = system.equations().blocks.get(own.block)?.constraint.as_ref();
-            if !own.fits(constraint) {
-                return None;
-            }
             constraint.formula(|_, parameters, outside| {
                 let slots = self.slots.iter().zip(&mut case.parameters);
                 for ((_, index), value) in slots.filter(|((block, _), _)| *block == own.block) {
@@ -206,7 +209,8 @@ impl Free {
                         *place = law;
                     }
                 }
-            });
+                own.fits(parameters, outside).then_some(())
+            })??;
         }
         Some(case)
     }

@@ -4,6 +4,7 @@
 pub(crate) mod alone;
 mod masks;
 mod newton;
+mod order;
 mod places;
 pub(in crate::program) mod replay;
 mod rows;

@@ -46,20 +46,22 @@ impl<S: Level> NullaryFnOnce for Turning<'_, S> {
     }
 }
 
+/// Numbers that are none: copied in one piece, where a loop that writes them takes four instructions each.
+const NONE: [f64; 256] = [f64::NAN; 256];
+
 /// Room for so many numbers more, none of them a number yet.
 #[inline(never)]
 fn lengthen(list: &mut Vec<f64>, count: usize) {
-    list.resize(list.len() + count, f64::NAN);
+    let mut left = count;
+    while left > 0 {
+        let part = left.min(NONE.len());
+        list.extend_from_slice(&NONE[..part]);
+        left -= part;
+    }
 }
 
-/// Four numbers from a place on.
-#[inline(always)]
-fn four(line: &[f64], place: usize) -> [f64; SIDE] {
-    let mut own = [0.0; SIDE];
-    own.copy_from_slice(&line[place..place + SIDE]);
-    own
-}
-
+// Places are counted by hand here: chunks and zips divide for their lengths, which takes more than what is
+// copied.
 impl<S: Level> Times<S> {
     /// The lines of all coordinates, so many places apart, appended to a list as rows of these lanes.
     #[inline(always)]
@@ -67,50 +69,58 @@ impl<S: Level> Times<S> {
         let (n, begun) = (self.tape().values.len(), list.len());
         lengthen(list, lanes.len() * n);
         let rows = &mut list[begun..];
-        for first in (0..Self::LANES).step_by(SIDE) {
-            let (from, to) = (first.max(lanes.start), (first + SIDE).min(lanes.end));
-            if from < to {
-                let own = &mut rows[(from - lanes.start) * n..(to - lanes.start) * n];
-                if to - from == SIDE {
-                    self.turn(lines, apart, first + 1, own);
-                } else {
-                    one_by_one(lines, apart, from + 1, own, n);
-                }
+        let (mut lane, mut at) = (lanes.start, 0);
+        while lane < lanes.end {
+            let is_square = lane.is_multiple_of(SIDE) && lane + SIDE <= lanes.end;
+            let count = if is_square { SIDE } else { 1 };
+            let own = &mut rows[at..at + count * n];
+            if is_square {
+                self.turn(lines, apart, lane + 1, own);
+            } else {
+                own.iter_mut().enumerate().for_each(|(column, x)| *x = lines[column * apart + lane + 1]);
             }
+            (lane, at) = (lane + count, at + count * n);
         }
     }
 
     /// Four rows, by squares that are turned in registers.
     #[inline(always)]
-    fn turn(&self, lines: &[f64], apart: usize, place: usize, rows: &mut [f64]) {
+    fn turn(&self, lines: &[f64], apart: usize, mut place: usize, rows: &mut [f64]) {
         let n = rows.len() / SIDE;
         let (a, rest) = rows.split_at_mut(n);
         let (b, rest) = rest.split_at_mut(n);
         let (c, d) = rest.split_at_mut(n);
-        let [a, b, c, d] = [a.as_chunks_mut(), b.as_chunks_mut(), c.as_chunks_mut(), d.as_chunks_mut()];
-        let squares = a.0.iter_mut().zip(b.0).zip(c.0).zip(d.0);
-        for (own, (((a, b), c), d)) in lines.chunks(SIDE * apart).zip(squares) {
-            let square = [
-                four(own, place),
-                four(own, apart + place),
-                four(own, 2 * apart + place),
-                four(own, 3 * apart + place),
-            ];
-            [*a, *b, *c, *d] = self.simd.turn(square);
+        let (mut rows, mut column) = ([a, b, c, d], 0);
+        while column + SIDE <= n {
+            self.square::<SIDE>((lines, apart, place), &mut rows, column);
+            (column, place) = (column + SIDE, place + SIDE * apart);
         }
-        let left = a.1.iter_mut().zip(b.1).zip(c.1).zip(d.1);
-        for (own, (((a, b), c), d)) in lines.chunks(apart).skip(n / SIDE * SIDE).zip(left) {
-            [*a, *b, *c, *d] = four(own, place);
+        match n - column {
+            1 => self.square::<1>((lines, apart, place), &mut rows, column),
+            2 => self.square::<2>((lines, apart, place), &mut rows, column),
+            3 => self.square::<3>((lines, apart, place), &mut rows, column),
+            _ => {}
         }
     }
-}
 
-/// Fewer rows than four, of so many numbers.
-#[inline(always)]
-fn one_by_one(lines: &[f64], apart: usize, place: usize, rows: &mut [f64], n: usize) {
-    for (k, row) in rows.chunks_exact_mut(n.max(1)).enumerate() {
-        for (x, line) in row.iter_mut().zip(lines.chunks(apart)) {
-            *x = line[place + k];
+    /// So many numbers of each of four rows.
+    #[inline(always)]
+    fn square<const WIDTH: usize>(
+        &self,
+        (lines, apart, place): (&[f64], usize, usize),
+        [a, b, c, d]: &mut [&mut [f64]; SIDE],
+        column: usize,
+    ) {
+        let mut square = [[0.0; SIDE]; SIDE];
+        let mut at = place;
+        for own in &mut square[..WIDTH] {
+            own.copy_from_slice(&lines[at..at + SIDE]);
+            at += apart;
         }
+        let [w, x, y, z] = self.simd.turn(square);
+        a[column..column + WIDTH].copy_from_slice(&w[..WIDTH]);
+        b[column..column + WIDTH].copy_from_slice(&x[..WIDTH]);
+        c[column..column + WIDTH].copy_from_slice(&y[..WIDTH]);
+        d[column..column + WIDTH].copy_from_slice(&z[..WIDTH]);
     }
 }

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 
 use kin_graph::{Function, Function2, Graph, Input, Node, Op, schedule::fused};
 
+use super::order::{Neutral, ordered};
 use super::places::{ByNode, Places, is_given};
 use super::{Kind, Stage, Straight, Tape};
 use crate::model::law::Law;
@@ -12,10 +13,10 @@ use crate::program::kind::SELF;
 use crate::program::stages::Program;
 
 /// The stages, by their numbers.
-const SETUP: usize = 0;
+pub(super) const SETUP: usize = 0;
 const TIME: usize = 1;
 const CORRECT: usize = 2;
-const REST: usize = 3;
+pub(super) const REST: usize = 3;
 
 /// A step with nodes instead of places: what it reads, and what it makes.
 pub(super) struct Task {
@@ -30,11 +31,12 @@ pub(crate) fn schedule(program: Program) -> Tape {
     let outputs = Outputs::new(&program);
     let mut graph = program.graph;
     let all = fused(&mut graph, &outputs.all);
+    let neutral = Neutral::new(&mut graph);
     let own = |k: usize| outputs.part(k, &all);
     let mut planner = Planner::new(&graph, own(2));
     [0, 1].into_iter().for_each(|k| planner.require(own(k), CORRECT));
     (2..outputs.parts.len()).for_each(|k| planner.require(own(k), REST));
-    let order = planner.order();
+    let order = ordered(&mut planner, neutral);
     let mut places = Places::new(&planner, planner.readers(&order, &all));
     let torn = program.torn.iter().map(|column| Input::State(*column, SELF));
     let free = (0..program.free.values.len()).map(Input::Parameter);
@@ -69,9 +71,10 @@ pub(crate) fn schedule(program: Program) -> Tape {
 /// The tape of nodes of a graph, without stages: from its inputs to these outputs.
 pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Straight {
     let outputs = fused(&mut graph, outputs);
+    let neutral = Neutral::new(&mut graph);
     let mut planner = Planner::new(&graph, &[]);
     planner.require(&outputs, REST);
-    let order = planner.order();
+    let order = ordered(&mut planner, neutral);
     let mut places = Places::new(&planner, planner.readers(&order, &outputs));
     let read = planner.tasks.iter().flat_map(|task| task.reads).flatten().chain(outputs.iter().copied());
     let mut inputs: Vec<Input> = Vec::new();
@@ -130,7 +133,7 @@ pub(super) struct Planner<'a> {
     values: &'a [Node],
     pub tasks: Vec<Task>,
     /// The task that makes a node.
-    maker: ByNode,
+    pub maker: ByNode,
     sines: HashMap<Node, usize>,
     laws: HashMap<(usize, u8, Node), usize>,
     /// Nodes that are the same number as another one: a law of a coordinate and of what stands for it in
@@ -262,54 +265,6 @@ impl<'a> Planner<'a> {
         };
         let of = |size: Node, c: Node| product(size).map(|[a, b]| [a, b, c]);
         if f == Function2::Max { of(y, x).or_else(|| of(x, y)) } else { None }
-    }
-
-    /// Stage by stage, each step after those that it reads; of one kind as many as can be had at once.
-    fn order(&self) -> Vec<usize> {
-        let mut users: Vec<Vec<usize>> = vec![Vec::new(); self.tasks.len()];
-        let mut missing = vec![0; self.tasks.len()];
-        for (k, task) in self.tasks.iter().enumerate() {
-            for before in task.reads.iter().flatten().filter_map(|node| self.maker.get(*node)) {
-                if self.tasks[before as usize].stage == task.stage {
-                    users[before as usize].push(k);
-                    missing[k] += 1;
-                }
-            }
-        }
-        let mut order = Vec::with_capacity(self.tasks.len());
-        for stage in SETUP..=REST {
-            let mut ready: Vec<(Kind, Vec<usize>)> = Vec::new();
-            let add = |ready: &mut Vec<(Kind, Vec<usize>)>, k: usize| {
-                let kind = self.tasks[k].kind;
-                match ready.iter_mut().find(|(known, _)| *known == kind) {
-                    Some((_, own)) => own.push(k),
-                    None => ready.push((kind, vec![k])),
-                }
-            };
-            (0..self.tasks.len())
-                .filter(|k| self.tasks[*k].stage == stage && missing[*k] == 0)
-                .for_each(|k| add(&mut ready, k));
-            while let Some(best) = (0..ready.len())
-                .filter(|k| !ready[*k].1.is_empty())
-                .max_by_key(|k| (ready[*k].1.len(), usize::MAX - k))
-            {
-                // A step of the same kind that becomes ready meanwhile belongs to the same run.
-                let mut done = 0;
-                while done < ready[best].1.len() {
-                    let k = ready[best].1[done];
-                    done += 1;
-                    order.push(k);
-                    for &user in &users[k] {
-                        missing[user] -= 1;
-                        if missing[user] == 0 {
-                            add(&mut ready, user);
-                        }
-                    }
-                }
-                ready[best].1.clear();
-            }
-        }
-        order
     }
 
     /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what later

@@ -8,8 +8,6 @@
 //! Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see
 //! equations that are linear along it, as those of a chain are in its lengths.
 
-use std::cmp::Ordering;
-
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
 use crate::numbers::padded::{self, Padded};
@@ -41,7 +39,8 @@ pub(crate) fn turns_too_far(reach: f64) -> bool {
 /// matrices whose smaller pivot is this; a miss that is not a number counts as one.
 #[inline(always)]
 pub(crate) fn misses_too_far(miss: f64, pivot: f64) -> bool {
-    miss.partial_cmp(&(EASY * pivot)).is_none_or(Ordering::is_gt)
+    let is_near = miss <= EASY * pivot;
+    !is_near
 }
 
 /// The reasons to reject a step.

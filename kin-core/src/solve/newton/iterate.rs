@@ -57,7 +57,8 @@ pub(super) fn newton<I: Iterating>(point: &mut I, options: &Options, near: bool)
             let tolerance = options.tolerance();
             correction = point.correction();
             // Not a number is beyond the tolerance too.
-            if correction.partial_cmp(&tolerance).is_none_or(std::cmp::Ordering::is_gt) {
+            let is_within = correction <= tolerance;
+            if !is_within {
                 correction = point.correction_but_for_rounding(tolerance);
             }
             if let Stop::Converged { .. } = options.stop {

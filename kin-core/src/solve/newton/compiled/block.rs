@@ -306,7 +306,9 @@ impl<S: Level> Block<S> {
         {
             motion.worst = Some((most, self.times.worst(first + lane)));
         }
-        motion.iterations.extend(self.times.steps()[lanes.clone()].iter().map(|steps| whole(*steps)));
+        for steps in &self.times.steps()[lanes.clone()] {
+            motion.iterations.push(whole(*steps));
+        }
         motion.residuals.extend_from_slice(residuals);
         motion.times.extend_from_slice(&times[lanes.clone()]);
         self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd, &mut motion.qddd]);

@@ -52,10 +52,11 @@ impl Curves {
     /// A coordinate as a polynomial of the time since number `last` of a motion.
     pub(super) fn of(&self, motion: &Motion, last: usize, column: usize) -> Curve {
         let mut sums = [0.0; RATES];
-        for (behind, parts) in self.behind.iter().zip(self.parts.as_chunks::<2>().0) {
+        for (behind, [first, second]) in self.behind.iter().zip(self.parts.as_chunks::<2>().0) {
             let (qd, qdd) = (motion.qd(last - behind)[column], motion.qdd(last - behind)[column]);
-            let own = sums.iter_mut().zip(&parts[0]).zip(&parts[1]);
-            own.for_each(|((sum, first), second)| *sum += qd * first + qdd * second);
+            for (k, sum) in sums.iter_mut().enumerate() {
+                *sum += qd * first[k] + qdd * second[k];
+            }
         }
         let mut curve = [motion.q(last)[column]; RATES + 1];
         curve[1..].copy_from_slice(&sums);
