@@ -39,6 +39,8 @@ pub(crate) struct Program {
     pub left: Vec<Node>,
     /// Pivots and determinants of each block of the elimination.
     pub guards: Vec<Vec<Node>>,
+    /// Their values where the elimination was chosen.
+    pub chosen: Vec<Vec<f64>>,
     /// All coordinates, the last correction of each, q̇ and q̈, and q⃛ where that is asked for.
     pub values: Vec<Node>,
     pub corrections: Vec<Node>,
@@ -77,7 +79,10 @@ pub(crate) fn program_of_cases(
     let order = substitute(&mut whole, &slopes, pose.sizes);
     let (mut reduced, values) = Reduced::new(&whole, &order);
     let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
-    Ok(finished(&whole, &order, (reduced, values), [&elimination; 4]))
+    let mut program = finished(&whole, &order, (reduced, values), [&elimination; 4]);
+    let at = At { pose, laws: &whole.laws, free: &whole.free.values };
+    program.chosen = program.guards.iter().map(|own| numbers(&program.graph, own, &at)).collect();
+    Ok(program)
 }
 
 /// The elimination of what is left where rows give what they give.
@@ -129,6 +134,7 @@ pub(super) fn finished(
     Program {
         correction: order.torn.iter().map(|column| corrections[*column]).collect(),
         guards,
+        chosen: Vec::new(),
         blocks: elimination.sizes(),
         graph,
         torn: order.torn.clone(),

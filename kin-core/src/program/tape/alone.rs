@@ -65,7 +65,7 @@ impl Alone {
 
     /// Pivots and determinants of the last time become the marks.
     pub(crate) fn mark(&mut self) {
-        self.0.mark();
+        let _ = self.0.mark();
     }
 
     /// q with its last correction, q̇ and q̈ of the last time. An equation may jump with the last correction,

@@ -122,6 +122,8 @@ pub(crate) struct Tape {
     pub(in crate::program) rows: Vec<usize>,
     pub(in crate::program) left: Vec<u32>,
     pub(in crate::program) guards: Vec<Vec<u32>>,
+    /// Pivots and determinants where the elimination was chosen.
+    pub(in crate::program) chosen: Vec<Vec<f64>>,
     /// How many unknowns are solved together, block by block.
     pub(in crate::program) blocks: Vec<usize>,
     pub(in crate::program) values: Vec<u32>,

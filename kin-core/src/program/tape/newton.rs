@@ -12,6 +12,10 @@ use crate::numbers::lanes::lanewise::{Answer, Computed};
 use crate::program::gather::Case;
 use crate::system::stop;
 
+/// A pivot or determinant that is less than this share of what it was where the elimination was chosen loses
+/// digits: other ones would have been chosen.   \[-\]
+const FAINT: f64 = 1e-4;
+
 /// A tape with its memory.
 pub(super) struct Solver<N> {
     pub tape: Arc<Tape>,
@@ -57,12 +61,15 @@ impl<N: Computed> Solver<N> {
         self.memory[place as usize]
     }
 
-    /// Pivots and determinants of the first lane become the marks.
-    pub(super) fn mark(&mut self) {
+    /// Pivots and determinants of the first lane become the marks; false where one is so small beside what it
+    /// was where the elimination was chosen that digits are lost by it.
+    pub(super) fn mark(&mut self) -> bool {
         for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
             let first = |guard: &u32| self.memory[*guard as usize].lane(0);
             marks.iter_mut().zip(guards).for_each(|(mark, guard)| *mark = first(guard));
         }
+        let all = self.marks.iter().flatten().zip(self.tape.chosen.iter().flatten());
+        all.into_iter().all(|(mark, chosen)| mark.abs() >= FAINT * chosen.abs())
     }
 
     /// The row with the largest |C_i| in a lane.
@@ -78,10 +85,9 @@ impl<N: Computed> Solver<N> {
         self.replay(simd, |tape| &tape.time);
         let converged = self.newton(simd, limits);
         self.replay(simd, |tape| &tape.rest);
-        if begins {
-            self.mark();
-        }
+        let keeps_digits = !begins || self.mark();
         let (met, residual) = self.verified(limits);
+        let met = if keeps_digits { met } else { met & !met };
         let (pivot, turned) = self.guarded();
         Checked { met: converged & met, residual, pivot, turned }
     }

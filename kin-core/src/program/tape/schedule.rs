@@ -64,6 +64,7 @@ pub(crate) fn schedule(program: Program) -> Tape {
     ] = lists;
     (tape.columns, tape.rows) = (program.torn, program.rows);
     (tape.laws, tape.blocks, tape.free) = (program.laws, program.blocks, program.free);
+    tape.chosen = program.chosen;
     [&mut tape.setup, &mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
     tape
 }

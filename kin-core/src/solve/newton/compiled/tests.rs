@@ -310,3 +310,21 @@ fn a_case_that_differs_in_what_was_folded_is_not_computed_by_the_program_of_othe
     replay(&mut run, &times, &mut motion, (&tape, &own.expect("fits")), Lanes::Best).expect("runs");
     assert_eq!(motion.engine.compiled, 0);
 }
+
+/// Where another pivot would have been chosen nothing is computed by the program, for digits would be lost.
+#[test]
+fn an_elimination_that_was_chosen_elsewhere_is_not_believed_where_its_pivots_are_faint() {
+    for (name, system) in systems().filter(|(name, _)| name.contains("stewart") || name == "04_four_bar") {
+        let times = linspace(0.0, 0.1, 41);
+        let asked = Asked { system: &system, times: &times, jerk: false };
+        let compiled = |share: f64| {
+            let motion = run_with(asked, &system, |program| {
+                program.chosen.iter_mut().flatten().for_each(|chosen| *chosen *= share);
+                assert!(program.chosen.iter().flatten().all(|chosen| chosen.is_finite()), "{name}");
+            });
+            motion.engine.compiled
+        };
+        assert!(compiled(1.0) > 30 && compiled(1e3) > 30, "{name}");
+        assert_eq!(compiled(1e6), 0, "{name}");
+    }
+}
