@@ -311,7 +311,8 @@ fn a_case_that_differs_in_what_was_folded_is_not_computed_by_the_program_of_othe
     assert_eq!(motion.engine.compiled, 0);
 }
 
-/// Where another pivot would have been chosen nothing is computed by the program, for digits would be lost.
+/// A program whose pivots are faint beside what they were where they were chosen computes nothing, for digits
+/// would be lost.
 #[test]
 fn an_elimination_that_was_chosen_elsewhere_is_not_believed_where_its_pivots_are_faint() {
     for (name, system) in systems().filter(|(name, _)| name.contains("stewart") || name == "04_four_bar") {
