@@ -4,7 +4,7 @@
 //! to the right and rocker upwards; the colour is how far the rocker swings. Blank are those whose crank
 //! cannot turn all the way round (Grashof's rule, found without being told): that is no error of the sweep,
 //! each four-bar has its row and status in the file. The page shows the one that swings widest. Cases run on
-//! all cores, as many together as the machine has SIMD lanes.
+//! all cores, by one program of all of them, many times of a case at once.
 //!
 //! `cargo run --release --example 14_sweep_four_bars`
 
