@@ -4,8 +4,8 @@
 //! Use it through the facade crate `kin`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// Where `lanes` knows no SIMD registers (WebAssembly, among others), cases of a sweep run one by one, and
-// what advances several together is idle.
+// Where `lanes` knows no SIMD registers (WebAssembly, among others), everything runs by plain steps, and
+// programs are idle.
 #![cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
 
 extern crate self as kin;
@@ -35,7 +35,7 @@ pub use model::{blame, coordinates, dual_route, state, terms};
 pub use model::{constraint, dimension, error, law, mechanism};
 pub use numbers::algebra;
 #[doc(hidden)]
-pub use numbers::{lanes, real};
+pub use numbers::real;
 pub use solve::{motion, newton, sweep};
 
 #[cfg(feature = "argmin")]

@@ -6,7 +6,7 @@ use syn::visit::{self, Visit};
 
 use crate::{ROOT, rust_files};
 
-/// Rooms whose public functions users call; `emitted/` is called by emitted code, `linear/` and lanes by
+/// Rooms whose public functions users call; `emitted/` is called by emitted code, `linear/` by
 /// solvers, which a user sees nothing of.
 const FOLDERS: [&str; 7] = [
     "src",

@@ -13,10 +13,11 @@ pub use level::Level;
 pub(crate) use number::whole;
 pub use number::{Mask, Wide};
 
-/// How many times of a run, or of each case of a sweep, a program computes at once: two registers of them.
+/// The registers in which a program computes many times of a run, or of each case of a sweep, at once: two
+/// of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lanes {
-    /// As many as the machine has lanes.
+    /// The widest that the machine has.
     #[default]
     Best,
     /// None: plain steps, one time after the other.

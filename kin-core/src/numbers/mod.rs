@@ -3,7 +3,7 @@
 
 pub mod algebra;
 pub(crate) mod enclosure;
-pub mod lanes;
+pub(crate) mod lanes;
 mod offsets;
 pub(crate) mod padded;
 pub(crate) mod random;

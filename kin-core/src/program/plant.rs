@@ -96,7 +96,7 @@ pub(crate) const SLIPS: [Slip; 3] = [Slip::Sign, Slip::Operand, Slip::Place];
 /// Makes step number k of a tape wrong; false where there is no such step.
 pub(crate) fn spoil(tape: &mut Tape, slip: Slip, mut k: usize) -> bool {
     let places = tape.places as u32;
-    for stage in [&mut tape.time, &mut tape.correct, &mut tape.rest] {
+    for stage in [&mut tape.setup, &mut tape.time, &mut tape.correct, &mut tape.rest] {
         if k < stage.steps.len() {
             match slip {
                 Slip::Sign => turn(stage, k),

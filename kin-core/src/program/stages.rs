@@ -80,8 +80,7 @@ pub(crate) fn program_of_cases(
     let (mut reduced, values) = Reduced::new(&whole, &order);
     let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
     let mut program = finished(&whole, &order, (reduced, values), [&elimination; 4]);
-    let at = At { pose, laws: &whole.laws, free: &whole.free.values };
-    program.chosen = program.guards.iter().map(|own| numbers(&program.graph, own, &at)).collect();
+    program.chosen = program.guards.iter().map(|own| numbers(&program.graph, own, &whole.at(pose))).collect();
     Ok(program)
 }
 
@@ -97,9 +96,7 @@ pub(super) fn eliminated<'o>(
         .iter()
         .map(|row| row.slopes.iter().map(|(column, slope)| (*column, reduced.of(*slope))).collect())
         .collect();
-    let at = |graph: &Graph, nodes: &[Node]| {
-        numbers(graph, nodes, &At { pose, laws: &whole.laws, free: &whole.free.values })
-    };
+    let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &whole.at(pose));
     Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
 }
 
@@ -192,8 +189,7 @@ fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec
 pub(super) fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
     let nodes: Vec<Node> =
         whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
-    let mut all =
-        numbers(&whole.graph, &nodes, &At { pose, laws: &whole.laws, free: &whole.free.values }).into_iter();
+    let mut all = numbers(&whole.graph, &nodes, &whole.at(pose)).into_iter();
     whole.rows.iter().map(|row| all.by_ref().take(row.slopes.len()).collect()).collect()
 }
 
@@ -209,6 +205,13 @@ pub(crate) struct At<'a> {
     pub laws: &'a [Law],
     /// The values of parameters that are free.
     pub free: &'a [f64],
+}
+
+impl Whole {
+    /// A pose of the case that was gathered.
+    pub(super) fn at<'a>(&'a self, pose: Pose<'a>) -> At<'a> {
+        At { pose, laws: &self.laws, free: &self.free.values }
+    }
 }
 
 impl Source<f64> for At<'_> {

@@ -96,7 +96,7 @@ impl<'a> Sweep<'a> {
         self
     }
 
-    /// How many times of a case a program computes at once; [`Lanes::Off`] turns lanes, and programs, off.
+    /// A program computes the times of a case in these lanes; [`Lanes::Off`] turns programs off.
     #[must_use]
     pub fn lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;

@@ -295,7 +295,7 @@ pub enum Error {
     /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been computed.
     #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
     NeedsMemory {
-        /// How many motions there are at once: the lanes of all threads of a sweep.
+        /// How many motions there are at once: one for each thread of a sweep.
         motions: usize,
         /// Times of each.
         times: usize,

@@ -154,10 +154,7 @@ pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64
 /// The message of motions that need more memory than they may have, and how to need less.
 pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
     let (all, cure) = if motions > 1 {
-        (
-            format!("{motions} motions at once of "),
-            "Run the sweep on fewer threads or without lanes, ask for fewer times",
-        )
+        (format!("{motions} motions at once of "), "Run the sweep on fewer threads, ask for fewer times")
     } else {
         (
             String::new(),

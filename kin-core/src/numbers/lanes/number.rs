@@ -1,10 +1,10 @@
-//! Numbers over lanes, with f64's names: what emitted kernels compute with.
+//! Numbers over lanes, with f64's names: what tapes compute with.
 //!
 //! A number is two registers: what is found out once for all lanes (which step comes next, where its numbers
-//! stand, which function is called) then serves twice as many cases, and two chains of operations run side by
+//! stand, which function is called) then serves twice as many times, and two chains of operations run side by
 //! side.
 
-use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Rem, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use pulp::bytemuck;
 
@@ -65,61 +65,6 @@ impl<S: Level> Neg for Wide<S> {
     }
 }
 
-impl<S: Level> Rem for Wide<S> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn rem(self, other: Self) -> Self {
-        self.map2(other, |a, b| a % b)
-    }
-}
-
-/// The functions of the list go lane by lane, but for those that registers have or can do better.
-macro_rules! of_one {
-    ($(
-        $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
-    )*) => {
-        impl<S: Level> Wide<S> {
-            $(of_one! { @ $method $value; $(#[$doc])* })*
-        }
-    };
-    (@ sin $($rest:tt)*) => {};
-    (@ cos $($rest:tt)*) => {};
-    (@ sqrt $($rest:tt)*) => {};
-    (@ abs $($rest:tt)*) => {};
-    (@ $method:ident $value:expr; $(#[$doc:meta])*) => {
-        $(#[$doc])*
-        #[inline(always)]
-        pub fn $method(self) -> Self {
-            self.map($value)
-        }
-    };
-}
-
-/// The same of two numbers; `%` is an operator.
-macro_rules! of_two {
-    ($(
-        $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
-    )*) => {
-        impl<S: Level> Wide<S> {
-            $(of_two! { @ $method $value; $(#[$doc])* })*
-        }
-    };
-    (@ max $($rest:tt)*) => {};
-    (@ min $($rest:tt)*) => {};
-    (@ rem $($rest:tt)*) => {};
-    (@ $method:ident $value:expr; $(#[$doc:meta])*) => {
-        $(#[$doc])*
-        #[inline(always)]
-        pub fn $method(self, other: Self) -> Self {
-            self.map2(other, $value)
-        }
-    };
-}
-
-kin_graph::functions_of_one!(of_one);
-kin_graph::functions_of_two!(of_two);
-
 impl<S: Level> Wide<S> {
     #[inline(always)]
     pub(super) fn new(simd: S, numbers: [S::f64s; 2]) -> Self {
@@ -163,12 +108,6 @@ impl<S: Level> Wide<S> {
     #[inline(always)]
     pub fn negative_mul_add(self, b: Self, c: Self) -> Self {
         Wide::new(self.0, both!(self.0, negate_mul_add_e_f64s, self.1, b.1, c.1))
-    }
-
-    /// 1 / x
-    #[inline(always)]
-    pub fn reciprocal(self) -> Self {
-        Wide::splat(self.0, 1.0) / self
     }
 
     /// √x
@@ -274,17 +213,6 @@ comparison! {
 }
 
 impl<S: Level> Mask<S> {
-    /// True in the lanes for which that is so.
-    pub fn from_fn(simd: S, condition: impl Fn(usize) -> bool) -> Self {
-        let mut numbers = Wide::splat(simd, 0.0);
-        numbers
-            .as_mut_slice()
-            .iter_mut()
-            .enumerate()
-            .for_each(|(lane, x)| *x = f64::from(u8::from(condition(lane))));
-        numbers.is_true()
-    }
-
     /// The same in every lane.
     #[inline(always)]
     pub fn splat(simd: S, condition: bool) -> Self {

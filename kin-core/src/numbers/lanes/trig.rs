@@ -37,18 +37,6 @@ const COS: [f64; 6] = [
 ];
 
 impl<S: Level> Wide<S> {
-    /// sin x
-    #[inline(always)]
-    pub fn sin(self) -> Self {
-        self.sin_cos().0
-    }
-
-    /// cos x
-    #[inline(always)]
-    pub fn cos(self) -> Self {
-        self.sin_cos().1
-    }
-
     /// (sin x, cos x)
     #[inline(always)]
     pub fn sin_cos(self) -> (Self, Self) {

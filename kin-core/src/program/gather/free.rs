@@ -13,14 +13,25 @@ use crate::system::System;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Differences(Vec<OfBlock>);
 
-/// The same of one constraint: the parameters and laws of its formula.
+/// The same of one constraint: the parameters of its formula in their order, then its laws.
 #[derive(Clone, Debug, Default)]
 struct OfBlock {
     block: usize,
-    parameters: Vec<f64>,
-    differs: Vec<bool>,
-    laws: Vec<(usize, Option<Law>)>,
-    laws_differ: Vec<bool>,
+    parts: Vec<Part>,
+}
+
+/// A parameter or law of a constraint, and true if other cases have another one.
+#[derive(Clone, Debug)]
+struct Part {
+    own: Own,
+    differs: bool,
+}
+
+/// A parameter or law, by its number in the formula.
+#[derive(Clone, Debug)]
+enum Own {
+    Parameter(usize, f64),
+    Law(usize, Option<Law>),
 }
 
 /// The numbers and laws of one case.
@@ -44,7 +55,7 @@ pub(crate) struct Free {
     laws: Vec<(usize, usize, LawPlace)>,
 }
 
-/// Where a law stands in a constraint.
+/// The place of a law in a constraint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum LawPlace {
     /// A law of the formula, by its number.
@@ -72,59 +83,43 @@ impl Differences {
 
 impl OfBlock {
     fn new(block: usize, constraint: &dyn Constraint) -> Self {
-        let own = constraint.formula(|table, parameters, outside| {
+        let all = constraint.formula(|table, parameters, outside| {
             let graph = &table.formula().graph;
             let mut numbers: Vec<usize> = graph.nodes().filter_map(|node| law_number(graph, node)).collect();
             numbers.sort_unstable();
             numbers.dedup();
-            let law = |number: &usize| (*number, Given::by(outside, *number, &[]).law().cloned());
-            (parameters.to_vec(), numbers.iter().map(law).collect::<Vec<_>>())
+            let parameters = parameters.iter().enumerate().map(|(k, value)| Own::Parameter(k, *value));
+            let law = |k: usize| Own::Law(k, Given::by(outside, k, &[]).law().cloned());
+            parameters.chain(numbers.into_iter().map(law)).collect::<Vec<_>>()
         });
-        let (parameters, laws) = own.unwrap_or_default();
-        let (differs, laws_differ) = (vec![false; parameters.len()], vec![false; laws.len()]);
-        OfBlock { block, parameters, differs, laws, laws_differ }
-    }
-
-    /// Shows which of these parameters (false) and laws (true) are others, by their places here.
-    fn compare(&self, parameters: &[f64], outside: Outside<'_>, mut show: impl FnMut(bool, usize)) {
-        for (k, own) in self.parameters.iter().enumerate() {
-            if parameters.get(k).is_none_or(|other| other.to_bits() != own.to_bits()) {
-                show(false, k);
-            }
-        }
-        for (k, (number, own)) in self.laws.iter().enumerate() {
-            let same = match (own, Given::by(outside, *number, &[]).law()) {
-                (Some(own), Some(other)) => own.is(other),
-                (own, other) => own.is_none() && other.is_none(),
-            };
-            if !same {
-                show(true, k);
-            }
-        }
+        let part = |own| Part { own, differs: false };
+        OfBlock { block, parts: all.unwrap_or_default().into_iter().map(part).collect() }
     }
 
     fn note(&mut self, constraint: &dyn Constraint) {
-        let (mut differs, mut laws_differ) =
-            (std::mem::take(&mut self.differs), std::mem::take(&mut self.laws_differ));
         constraint.formula(|_, parameters, outside| {
-            self.compare(
-                parameters,
-                outside,
-                |is_law, k| {
-                    if is_law { laws_differ[k] = true } else { differs[k] = true }
-                },
-            );
+            self.parts.iter_mut().for_each(|part| part.differs |= !part.own.is_among(parameters, outside));
         });
-        (self.differs, self.laws_differ) = (differs, laws_differ);
     }
 
     /// True if all that is not free is what it was.
     fn fits(&self, parameters: &[f64], outside: Outside<'_>) -> bool {
-        let mut fits = true;
-        self.compare(parameters, outside, |is_law, k| {
-            fits &= if is_law { self.laws_differ[k] } else { self.differs[k] }
-        });
-        fits
+        self.parts.iter().all(|part| part.differs || part.own.is_among(parameters, outside))
+    }
+}
+
+impl Own {
+    /// True if a case with these parameters and laws has the same.
+    fn is_among(&self, parameters: &[f64], outside: Outside<'_>) -> bool {
+        match self {
+            Own::Parameter(k, own) => {
+                parameters.get(*k).is_some_and(|other| other.to_bits() == own.to_bits())
+            }
+            Own::Law(k, own) => match (own, Given::by(outside, *k, &[]).law()) {
+                (Some(own), Some(other)) => own.is(other),
+                (own, other) => own.is_none() && other.is_none(),
+            },
+        }
     }
 }
 
@@ -156,8 +151,11 @@ impl Free {
 
     /// The input that stands for a parameter of the constraint in hand, if that is free.
     pub(super) fn parameter(&mut self, index: usize) -> Option<Input> {
-        let own = self.own().filter(|own| own.differs.get(index) == Some(&true))?;
-        let (slot, value) = ((own.block, index), own.parameters[index]);
+        let block = self.own()?.block;
+        let Some(Part { own: Own::Parameter(_, value), differs: true }) = self.own()?.parts.get(index) else {
+            return None;
+        };
+        let (slot, value) = ((block, index), *value);
         let known = self.slots.iter().position(|known| *known == slot);
         Some(Input::Parameter(known.unwrap_or_else(|| {
             self.slots.push(slot);
@@ -169,18 +167,16 @@ impl Free {
     /// The number of a law of the constraint in hand, if that is free; a new one where `laws` does not have
     /// it.
     pub(super) fn law(&mut self, place: LawPlace, law: &Law, laws: &mut Vec<Law>) -> Option<usize> {
-        let own = self.own()?;
+        let OfBlock { block, parts } = self.own()?;
+        let is_own = |part: &&Part| matches!(part.own, Own::Law(k, _) if LawPlace::Law(k) == place);
         let differs = match place {
-            LawPlace::Law(number) => {
-                let k = own.laws.iter().position(|(known, _)| *known == number)?;
-                own.laws_differ[k]
-            }
+            LawPlace::Law(_) => parts.iter().find(is_own)?.differs,
             LawPlace::Node(_) => true,
         };
         if !differs {
             return None;
         }
-        let block = own.block;
+        let block = *block;
         let known = self.laws.iter().find(|(_, of, at)| (*of, *at) == (block, place));
         Some(known.map(|(number, ..)| *number).unwrap_or_else(|| {
             laws.push(law.clone());
@@ -196,20 +192,20 @@ impl Free {
         for own in &self.differences.0 {
             let constraint = system.equations().blocks.get(own.block)?.constraint.as_ref();
             constraint.formula(|_, parameters, outside| {
+                if !own.fits(parameters, outside) {
+                    return None;
+                }
                 let slots = self.slots.iter().zip(&mut case.parameters);
                 for ((_, index), value) in slots.filter(|((block, _), _)| *block == own.block) {
-                    *value = parameters.get(*index).copied().unwrap_or(f64::NAN);
+                    *value = parameters.get(*index).copied()?;
                 }
                 for (number, _, place) in self.laws.iter().filter(|(_, block, _)| *block == own.block) {
-                    let law = match place {
-                        LawPlace::Law(own) => Given::by(outside, *own, &[]).law().cloned(),
-                        LawPlace::Node(node) => timed(constraint, &[*node]).pop().map(|(_, law)| law),
+                    *case.laws.get_mut(*number)? = match place {
+                        LawPlace::Law(own) => Given::by(outside, *own, &[]).law().cloned()?,
+                        LawPlace::Node(node) => timed(constraint, &[*node]).pop()?.1,
                     };
-                    if let (Some(law), Some(place)) = (law, case.laws.get_mut(*number)) {
-                        *place = law;
-                    }
                 }
-                own.fits(parameters, outside).then_some(())
+                Some(())
             })??;
         }
         Some(case)

@@ -19,12 +19,12 @@ const MOST: usize = 4;
 /// Steps from inputs to outputs, on a memory of `places` numbers.
 #[derive(Debug)]
 pub(crate) struct Straight {
-    pub(super) stage: Stage,
-    pub(super) laws: Vec<Law>,
-    pub(super) places: usize,
-    pub(super) constants: Vec<(u32, f64)>,
-    pub(super) inputs: Vec<(Input, u32)>,
-    pub(super) outputs: Vec<u32>,
+    pub(in crate::program) stage: Stage,
+    pub(in crate::program) laws: Vec<Law>,
+    pub(in crate::program) places: usize,
+    pub(in crate::program) constants: Vec<(u32, f64)>,
+    pub(in crate::program) inputs: Vec<(Input, u32)>,
+    pub(in crate::program) outputs: Vec<u32>,
 }
 
 /// A list with a row of so many numbers for each time.

@@ -1,9 +1,9 @@
 //! A tape over lanes computes what the program does, node by node.
 
 use kin_graph::{Node, evaluate};
-use pulp::NullaryFnOnce;
 
 use super::at::At;
+use super::functions::Again;
 use super::models::systems;
 use super::reduced::compiled_with;
 use crate::linspace;
@@ -55,17 +55,6 @@ impl WithLevel for Replayed<'_> {
             lists.into_iter().flatten().chain(tape.guards.iter().flatten()).copied().collect();
         let of = |lane: usize| places.iter().map(|place| memory[*place as usize].as_slice()[lane]).collect();
         (0..Wide::<S>::LANES.min(self.poses.len())).map(of).collect()
-    }
-}
-
-struct Again<'a, S: Level>(Replay<'a, Wide<S>>);
-
-impl<S: Level> NullaryFnOnce for Again<'_, S> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        self.0.call();
     }
 }
 

@@ -1,6 +1,6 @@
 //! From one solved time to the next: in one step of time if that works, else in smaller ones, which grow
-//! again. Plain steps and those of redundant mechanisms are taken by this one loop; several cases in lanes
-//! take whole steps only, and leave a case that needs smaller ones to it.
+//! again. Plain steps and those of redundant mechanisms are taken by this one loop; programs take whole steps
+//! only, and leave the rest to it where that needs smaller ones.
 
 use super::Outcome;
 use super::options::resolution;

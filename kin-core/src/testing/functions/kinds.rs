@@ -1,5 +1,5 @@
-//! A function in numbers with derivatives, in lanes, in emitted code: the value is that of f64 to the last
-//! bit, and derivatives are those of 60 digits.
+//! A function in numbers with derivatives, in tapes over lanes, in emitted code: the value is that of f64 to
+//! the last bit, and derivatives are those of 60 digits.
 
 use kin_graph::{Function, Number};
 
@@ -7,8 +7,9 @@ use super::digits::Digits;
 use super::points::Point;
 use super::{Complaints, is_near};
 use crate::model::blame::jet::Jet;
-use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
+use crate::numbers::lanes::Lanes;
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64, Real};
+use crate::program::tests::functions::in_lanes;
 
 /// Of derivatives this share may be lost, of what they are and of what a change of the argument in its last
 /// places would make of them.   \[-\]
@@ -94,38 +95,17 @@ macro_rules! of_one {
         fn emitted(f: Function) -> fn(f64) -> f64 {
             match f { $(Function::$variant => crate::emitted::math::$method),* }
         }
-
-        fn wide<S: Level>(f: Function, x: Wide<S>) -> Wide<S> {
-            match f { $(Function::$variant => x.$method()),* }
-        }
     };
 }
 
 kin_graph::functions_of_one!(of_one);
 
-/// A function of all the numbers, in lanes.
-struct InLanes<'a>(Function, &'a [f64]);
-
-impl WithLevel for InLanes<'_> {
-    type Output = Vec<f64>;
-
-    fn run<S: Level>(self, simd: S) -> Vec<f64> {
-        let InLanes(f, numbers) = self;
-        let of = |group: &[f64]| {
-            let mut x = Wide::splat(simd, 0.5);
-            x.as_mut_slice().iter_mut().zip(group).for_each(|(x, number)| *x = *number);
-            wide(f, x).as_slice()[..group.len()].to_vec()
-        };
-        numbers.chunks(Wide::<S>::LANES).flat_map(of).collect()
-    }
-}
-
 /// In lanes values may differ as far as the entry allows both to be off.
 fn lanes(complaints: &mut Complaints, f: Function, points: &[Point]) {
-    let numbers: Vec<f64> = points.iter().map(|point| point.x).collect();
+    let numbers: Vec<[f64; 1]> = points.iter().map(|point| [point.x]).collect();
     for lanes in [2, 4, 8] {
-        let Ok(found) = Lanes::Only(lanes).dispatch(InLanes(f, &numbers)) else { continue };
-        for (x, found) in numbers.iter().zip(found) {
+        let found = in_lanes(Lanes::Only(lanes), &numbers, |graph, [x]| graph.call(f, x));
+        for ([x], found) in numbers.iter().zip(found.unwrap_or_default()) {
             let plain = f.value()(*x);
             let allowed = 0.5 * (f.facts().error)(x.abs()) * f64::EPSILON * plain.abs();
             let is_same = found.to_bits() == plain.to_bits() || found.is_nan() && plain.is_nan();

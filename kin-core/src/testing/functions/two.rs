@@ -11,8 +11,9 @@ use super::{Complaints, is_near, units};
 use crate::model::blame::jet::Jet;
 use crate::numbers::enclosure::interval::Interval;
 use crate::numbers::enclosure::series::{ORDER, Series};
-use crate::numbers::lanes::{Lanes, Level, Wide, WithLevel};
+use crate::numbers::lanes::Lanes;
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, Real};
+use crate::program::tests::functions::in_lanes;
 
 const NUMBERS: [f64; 12] = [-7.5, -2.3, -1.0, -0.4, 0.3, 0.5, 1.0, 1.9, 2.0, 5.75, 1e3, 1e9];
 const NASTY: [f64; 8] = [0.0, -0.0, 5e-324, 1e-300, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
@@ -165,39 +166,16 @@ macro_rules! of_two {
         fn emitted(f: Function2) -> fn(f64, f64) -> f64 {
             match f { $(Function2::$variant => crate::emitted::math::$method),* }
         }
-
-        fn wide<S: Level>(f: Function2, x: Wide<S>, y: Wide<S>) -> Wide<S> {
-            use std::ops::Rem as _;
-            match f { $(Function2::$variant => x.$method(y)),* }
-        }
     };
 }
 
 kin_graph::functions_of_two!(of_two);
 
-/// A function of all the pairs, in lanes.
-struct InLanes<'a>(Function2, &'a [(f64, f64)]);
-
-impl WithLevel for InLanes<'_> {
-    type Output = Vec<f64>;
-
-    fn run<S: Level>(self, simd: S) -> Vec<f64> {
-        let InLanes(f, pairs) = self;
-        let of = |group: &[(f64, f64)]| {
-            let (mut x, mut y) = (Wide::splat(simd, 0.5), Wide::splat(simd, 0.5));
-            for (k, pair) in group.iter().enumerate() {
-                (x.as_mut_slice()[k], y.as_mut_slice()[k]) = *pair;
-            }
-            wide(f, x, y).as_slice()[..group.len()].to_vec()
-        };
-        pairs.chunks(Wide::<S>::LANES).flat_map(of).collect()
-    }
-}
-
 fn lanes(complaints: &mut Complaints, f: Function2, pairs: &[(f64, f64)]) {
     for lanes in [2, 4, 8] {
-        let Ok(found) = Lanes::Only(lanes).dispatch(InLanes(f, pairs)) else { continue };
-        for ((x, y), found) in pairs.iter().zip(found) {
+        let rows: Vec<[f64; 2]> = pairs.iter().map(|(x, y)| [*x, *y]).collect();
+        let found = in_lanes(Lanes::Only(lanes), &rows, |graph, [x, y]| graph.call2(f, x, y));
+        for ([x, y], found) in rows.iter().zip(found.unwrap_or_default()) {
             same(complaints, f, "lanes", [*x, *y], found, f.value()(*x, *y));
         }
     }

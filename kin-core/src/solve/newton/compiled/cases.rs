@@ -24,7 +24,7 @@ pub(crate) struct Varied<'a> {
     /// The numbers that differ, and where they go.
     pub names: &'a [String],
     pub places: &'a [CasePlace],
-    /// How many cases there are, and their times.
+    /// The number of cases, and the times of each.
     pub count: usize,
     pub times: &'a [f64],
     /// Gives a system the numbers of a case.
@@ -33,10 +33,18 @@ pub(crate) struct Varied<'a> {
 
 /// The means that compute the cases of a sweep.
 pub(crate) struct Cases {
+    pub(super) by: By,
     lanes: Lanes,
-    pub(super) tape: Option<Arc<Tape>>,
-    /// The reason why there is none, where one was looked for.
-    plain: Option<Arc<str>>,
+}
+
+/// The means by which the cases of a sweep are computed.
+pub(super) enum By {
+    /// The step-by-step solver; the reason, if a program was looked for.
+    Steps(Option<Arc<str>>),
+    /// One program.
+    Program(Arc<Tape>),
+    /// The means of each case alone, for no first position was found to compile a program at.
+    Each,
 }
 
 impl Cases {
@@ -46,25 +54,29 @@ impl Cases {
         let Varied { system, count, times, .. } = *varied;
         let pays = times.len() >= FEWEST || options.engine == Engine::Compiled;
         let (wanted, plain) = wanted(system, count.saturating_mul(times.len()), options)?;
-        let mut cases = Cases { lanes, tape: None, plain: plain.map(Into::into) };
         if wanted == Wanted::Plain || !pays || lanes == Lanes::Off {
-            return Ok(cases);
+            return Ok(Cases { by: By::Steps(plain.map(Into::into)), lanes });
         }
-        match varied.tape(options, lanes) {
-            Ok(tape) => cases.tape = tape.map(Arc::new),
+        let by = match varied.tape(options, lanes) {
+            Ok(Some(tape)) => By::Program(Arc::new(tape)),
+            Ok(None) => By::Each,
             Err(refusal) if wanted == Wanted::Compiled => return Err(refused(&refusal)),
-            Err(refusal) => cases.plain = Some(refusal.to_string().into()),
-        }
-        Ok(cases)
+            Err(refusal) => By::Steps(Some(refusal.to_string().into())),
+        };
+        Ok(Cases { by, lanes })
     }
 
     /// The means for one case, of so many times. Errors: as [`Computing::new`].
     pub(crate) fn computing(&self, system: &System, times: usize, options: &Options) -> Result<Computing> {
-        let own = |tape: &Arc<Tape>| Some((Arc::clone(tape), tape.case(system)?));
-        match self.tape.as_ref().map(own) {
-            // Something is another one that was folded.
-            Some(None) => Computing::new(system, times, options),
-            tape => Ok(Computing::by(tape.flatten(), self.plain.clone(), self.lanes)),
+        let own = || Ok(Computing { lanes: self.lanes, ..Computing::new(system, times, options)? });
+        match &self.by {
+            By::Steps(reason) => Ok(Computing::by(None, reason.clone(), self.lanes)),
+            By::Each => own(),
+            By::Program(tape) => match tape.case(system) {
+                Some(case) => Ok(Computing::by(Some((Arc::clone(tape), case)), None, self.lanes)),
+                // Something is another one that was folded.
+                None => own(),
+            },
         }
     }
 }

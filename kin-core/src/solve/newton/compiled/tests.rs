@@ -1,5 +1,7 @@
 //! Faults of a generator are planted, and never come to a number.
 
+mod cases;
+
 use super::*;
 use crate::program::plant::passes::{PASSES, Pass, WRONGS, Wrong, with_fault};
 use crate::program::tests::models::{four_bar, systems};
@@ -272,43 +274,6 @@ fn a_machine_without_lanes_is_told_and_compiles_nothing() {
     let error = run(Engine::Compiled).expect_err("refused").to_string();
     assert!(error.contains("no registers") && error.contains("Engine::Auto"), "{error}");
     assert!(system.cache().get::<programs::Programs>().is_none());
-}
-
-/// A number that was folded is looked at in each case: one in which it is another has other means.
-#[test]
-fn a_case_that_differs_in_what_was_folded_is_not_computed_by_the_program_of_others() {
-    let (system, times) = (four_bar(1.0), linspace(0.0, 0.4, 41));
-    let options = Options { engine: Engine::Compiled, ..Options::default() };
-    let names = ["A.u_i.x".to_string()];
-    let places = system.places(&names).expect("places");
-    let set = |system: &mut System, _: usize| system.set("A.u_i.x", 0.45);
-    let varied =
-        Varied { system: &system, names: &names, places: &places, count: 4, times: &times, set: &set };
-    let cases = Cases::new(&varied, &options, Lanes::Best).expect("compiles");
-    let by_own = |name: &str, value: f64| {
-        let mut case = system.clone();
-        case.set(name, value).expect("sets");
-        let shared = cases.tape.as_ref().expect("a tape").case(&case).is_some();
-        let computing = cases.computing(&case, times.len(), &options).expect("computes");
-        let run =
-            |computing| crate::solve::newton::run::run_by(&case, &times, (&options, None), None, computing);
-        let plain = Options { engine: Engine::Plain, ..options.clone() };
-        let own = crate::solve::newton::run::run(&case, &times, &plain, None, None).expect("runs");
-        let found = run(computing).expect("runs");
-        assert!(difference(&found, &own) < 1e-9 && found.engine.compiled > 30, "{name}");
-        shared
-    };
-    assert!(by_own("A.u_i.x", 0.45));
-    assert!(!by_own("A.u_i.y", 0.05));
-    // The planted fault: a number that is believed to be what it was.
-    let mut case = system.clone();
-    case.set("A.u_i.y", 0.05).expect("sets");
-    let tape = cases.tape.clone().expect("a tape");
-    let own = tape.case(&system);
-    let mut run = Run::new(&case, &options, None).expect("runs");
-    let mut motion = Motion::new(&case, times.len());
-    replay(&mut run, &times, &mut motion, (&tape, &own.expect("fits")), Lanes::Best).expect("runs");
-    assert_eq!(motion.engine.compiled, 0);
 }
 
 /// A program whose pivots are faint beside what they were where they were chosen computes nothing, for digits
