@@ -38,7 +38,13 @@ pub fn test_modules(file: &syn::File) -> Vec<String> {
 
 /// The file with its places.
 pub fn source(path: &str, text: String, file: &syn::File, constants: &Constants) -> Source {
-    let mut finder = Finder { path, operators: Operators { text: &text }, constants, names: Vec::new(), sites: Vec::new() };
+    let mut finder = Finder {
+        path,
+        operators: Operators { text: &text },
+        constants,
+        names: Vec::new(),
+        sites: Vec::new(),
+    };
     finder.visit_file(file);
     let mut sites = finder.sites;
     sites.retain(|site| !site.alternatives.is_empty());
@@ -58,7 +64,8 @@ struct Finder<'a> {
 fn is_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("test")
-            || (attribute.path().is_ident("cfg") && attribute.parse_args::<syn::Ident>().is_ok_and(|name| name == "test"))
+            || (attribute.path().is_ident("cfg")
+                && attribute.parse_args::<syn::Ident>().is_ok_and(|name| name == "test"))
     })
 }
 
@@ -73,8 +80,10 @@ fn has_let(expr: &Expr) -> bool {
 
 /// True if an arm takes whatever is left.
 fn takes_all(arm: &Arm) -> bool {
-    let named = |pat: &syn::PatIdent| pat.subpat.is_none() && pat.ident.to_string().starts_with(char::is_lowercase);
-    arm.guard.is_none() && matches!(&arm.pat, Pat::Wild(_)) || matches!(&arm.pat, Pat::Ident(pat) if named(pat) && arm.guard.is_none())
+    let named =
+        |pat: &syn::PatIdent| pat.subpat.is_none() && pat.ident.to_string().starts_with(char::is_lowercase);
+    arm.guard.is_none() && matches!(&arm.pat, Pat::Wild(_))
+        || matches!(&arm.pat, Pat::Ident(pat) if named(pat) && arm.guard.is_none())
 }
 
 impl Finder<'_> {
@@ -89,11 +98,15 @@ impl Finder<'_> {
         }
         self.names.push(signature.ident.to_string());
         let inputs = signature.inputs.iter().filter_map(|input| match input {
-            FnArg::Receiver(receiver) => {
-                Some(Input { name: "self".to_string(), kind: self.operators.code(receiver.ty.span()).to_string() })
-            }
+            FnArg::Receiver(receiver) => Some(Input {
+                name: "self".to_string(),
+                kind: self.operators.code(receiver.ty.span()).to_string(),
+            }),
             FnArg::Typed(typed) => match &*typed.pat {
-                Pat::Ident(pat) => Some(Input { name: pat.ident.to_string(), kind: self.operators.code(typed.ty.span()).to_string() }),
+                Pat::Ident(pat) => Some(Input {
+                    name: pat.ident.to_string(),
+                    kind: self.operators.code(typed.ty.span()).to_string(),
+                }),
                 _ => None,
             },
         });
@@ -103,7 +116,10 @@ impl Finder<'_> {
             ReturnType::Type(_, kind) => results::of(kind, &inputs),
         };
         let at = block.brace_token.span.open().byte_range().end;
-        let alternatives = values.into_iter().map(|value| Alternative::new(value.clone(), format!("returns {value}"))).collect();
+        let alternatives = values
+            .into_iter()
+            .map(|value| Alternative::new(value.clone(), format!("returns {value}")))
+            .collect();
         self.add(at..at, Shape::Early, alternatives);
         self.visit_block(block);
         self.names.pop();
@@ -118,14 +134,23 @@ impl Finder<'_> {
         });
         if let Some(((file, _), lit)) = found {
             let (function, constant) = (format!("const {name}"), Some(file.clone()));
-            self.sites.push(Site { range, shape: Shape::Instead, function, constant, alternatives: literal(lit), first: 0 });
+            self.sites.push(Site {
+                range,
+                shape: Shape::Instead,
+                function,
+                constant,
+                alternatives: literal(lit),
+                first: 0,
+            });
         }
     }
 
     fn condition(&mut self, condition: &Expr, values: &[&str]) {
-        let known = matches!(condition, Expr::Binary(_) | Expr::Unary(_) | Expr::Lit(_)) || has_let(condition);
+        let known =
+            matches!(condition, Expr::Binary(_) | Expr::Unary(_) | Expr::Lit(_)) || has_let(condition);
         if !known {
-            let alternatives = values.iter().map(|value| Alternative::new(*value, format!("becomes {value}"))).collect();
+            let alternatives =
+                values.iter().map(|value| Alternative::new(*value, format!("becomes {value}"))).collect();
             self.add(condition.span().byte_range(), Shape::Instead, alternatives);
         }
     }
@@ -142,7 +167,9 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         if is_for_tests(&item.attrs) {
             return;
         }
-        let code = |span: proc_macro2::Span| self.operators.code(span).split('<').next().unwrap_or_default().to_string();
+        let code = |span: proc_macro2::Span| {
+            self.operators.code(span).split('<').next().unwrap_or_default().to_string()
+        };
         let of = item.trait_.as_ref().map(|(_, name, _)| code(name.span()));
         let name = code(item.self_ty.span());
         self.names.push(of.map_or(name.clone(), |of| format!("{of} for {name}")));
@@ -182,7 +209,9 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         let range = expr.span().byte_range();
         match expr {
             Expr::Binary(_) if has_let(expr) => {}
-            Expr::Path(path) if path.path.get_ident().is_some() => self.constant(&self.operators.code(path.span()).to_string(), range),
+            Expr::Path(path) if path.path.get_ident().is_some() => {
+                self.constant(&self.operators.code(path.span()).to_string(), range)
+            }
             _ => self.add(range, Shape::Instead, self.operators.of(expr)),
         }
         match expr {
@@ -198,10 +227,15 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         let open = expr.arms.last().is_some_and(takes_all);
         for (k, arm) in expr.arms.iter().enumerate() {
             if open && k + 1 < expr.arms.len() {
-                let pattern = self.operators.code(arm.pat.span()).split_whitespace().collect::<Vec<_>>().join(" ");
+                let pattern =
+                    self.operators.code(arm.pat.span()).split_whitespace().collect::<Vec<_>>().join(" ");
                 let end = arm.pat.span().byte_range().end;
                 let range = arm.guard.as_ref().map_or(end..end, |(_, guard)| guard.span().byte_range());
-                self.add(range, Shape::Arm, vec![Alternative::new("", format!("arm `{pattern}` never taken"))]);
+                self.add(
+                    range,
+                    Shape::Arm,
+                    vec![Alternative::new("", format!("arm `{pattern}` never taken"))],
+                );
             }
             if let Some((_, guard)) = &arm.guard {
                 self.condition(guard, &["true", "false"]);
@@ -273,27 +307,49 @@ mod tests {
 
     #[test]
     fn a_constant_changes_wherever_it_is_read() {
-        let sources = found("const SAFE: f64 = 0.25; fn f(a: f64) -> bool { a < SAFE } fn g() -> usize { let a = SAFE; 3 }");
-        let uses: Vec<usize> = sources[0].sites.iter().filter(|site| site.constant.is_some()).map(|site| site.first).collect();
+        let sources = found(
+            "const SAFE: f64 = 0.25; fn f(a: f64) -> bool { a < SAFE } fn g() -> usize { let a = SAFE; 3 }",
+        );
+        let uses: Vec<usize> =
+            sources[0].sites.iter().filter(|site| site.constant.is_some()).map(|site| site.first).collect();
         assert!(uses.len() == 2 && uses[0] == uses[1]);
-        let keys = mutants(&sources).iter().map(|mutant| mutant.key()).filter(|key| key.contains("SAFE |")).collect::<Vec<_>>();
-        assert_eq!(keys, ["a.rs | const SAFE | all of it | becomes 2.0", "a.rs | const SAFE | all of it | becomes 0.03125"]);
+        let keys = mutants(&sources)
+            .iter()
+            .map(|mutant| mutant.key())
+            .filter(|key| key.contains("SAFE |"))
+            .collect::<Vec<_>>();
+        assert_eq!(
+            keys,
+            [
+                "a.rs | const SAFE | all of it | becomes 2.0",
+                "a.rs | const SAFE | all of it | becomes 0.03125"
+            ]
+        );
     }
 
     #[test]
     fn what_is_known_before_a_program_runs_stays() {
         assert!(keys("const fn f() -> u32 { 1 + 2 } #[cfg(test)] mod tests { fn g() -> u32 { 3 } } static A: u32 = 4;").is_empty());
-        assert!(keys("fn f(x: u8) { let _ = [x; 4]; if let 3 = x {} }").iter().all(|key| key.ends_with("returns ()")));
+        assert!(
+            keys("fn f(x: u8) { let _ = [x; 4]; if let 3 = x {} }")
+                .iter()
+                .all(|key| key.ends_with("returns ()"))
+        );
     }
 
     #[test]
     fn arms_can_be_left_out_where_another_takes_all() {
         let found = keys("fn f(x: u8) { match x { 1 => g(), 2 if h() => g(), _ => {} } }");
         assert!(
-            found.iter().any(|key| key.contains("arm `1` never taken")) && found.iter().any(|key| key.contains("arm `2` never taken")),
+            found.iter().any(|key| key.contains("arm `1` never taken"))
+                && found.iter().any(|key| key.contains("arm `2` never taken")),
             "{found:?}"
         );
-        assert!(!keys("fn f(x: E) { match x { E::A => g(), E::B => g() } }").iter().any(|key| key.contains("arm")));
+        assert!(
+            !keys("fn f(x: E) { match x { E::A => g(), E::B => g() } }")
+                .iter()
+                .any(|key| key.contains("arm"))
+        );
     }
 
     #[test]
@@ -303,7 +359,11 @@ mod tests {
         let text = sources[0].instrumented();
         syn::parse_file(&text).unwrap();
         assert!(text.contains("crate::mutants::at("));
-        sources[0].sites.iter_mut().flat_map(|site| &mut site.alternatives).for_each(|alternative| alternative.compiles = false);
+        sources[0]
+            .sites
+            .iter_mut()
+            .flat_map(|site| &mut site.alternatives)
+            .for_each(|alternative| alternative.compiles = false);
         assert_eq!(sources[0].instrumented(), code);
     }
 }

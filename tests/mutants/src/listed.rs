@@ -24,7 +24,11 @@ pub fn read(text: &str) -> Result<BTreeMap<String, String>> {
         open.push(line.trim_end());
     }
     open.pop();
-    if open.is_empty() { Ok(listed) } else { Err(format!("listed without a reason: {}", open.join("\n")).into()) }
+    if open.is_empty() {
+        Ok(listed)
+    } else {
+        Err(format!("listed without a reason: {}", open.join("\n")).into())
+    }
 }
 
 #[cfg(test)]
@@ -32,7 +36,8 @@ mod tests {
     #[test]
     fn a_reason_holds_for_all_mutants_above_it() {
         let listed = super::read("# heading\na | b\nc | d\n  one\n  reason\n\ne | f\n  another\n").unwrap();
-        let found: Vec<(&str, &str)> = listed.iter().map(|(key, reason)| (key.as_str(), reason.as_str())).collect();
+        let found: Vec<(&str, &str)> =
+            listed.iter().map(|(key, reason)| (key.as_str(), reason.as_str())).collect();
         assert_eq!(found, [("a | b", "one reason"), ("c | d", "one reason"), ("e | f", "another")]);
         assert!(super::read("a | b\n").is_err());
     }

@@ -67,14 +67,20 @@ impl Operators<'_> {
             Expr::Binary(binary) => self.binary(binary),
             Expr::Unary(unary) if !matches!(unary.op, UnOp::Deref(_)) => {
                 let name = self.code(unary.op.span());
-                vec![Alternative::new(format!("({})", self.code(unary.expr.span())), format!("without `{name}`"))]
+                vec![Alternative::new(
+                    format!("({})", self.code(unary.expr.span())),
+                    format!("without `{name}`"),
+                )]
             }
             Expr::Assign(_) => vec![Alternative::new("{}", "left out")],
             Expr::Lit(lit) if matches!(lit.lit, Lit::Bool(_)) => literal(&lit.lit),
             Expr::MethodCall(call) => self.method(call),
             Expr::Call(call) if call.args.len() == 1 && ROUNDING.contains(&self.code(call.func.span())) => {
                 let argument = self.code(call.args[0].span());
-                vec![Alternative::new(format!("({argument})"), format!("without `{}`", self.code(call.func.span())))]
+                vec![Alternative::new(
+                    format!("({argument})"),
+                    format!("without `{}`", self.code(call.func.span())),
+                )]
             }
             _ => Vec::new(),
         }
@@ -82,24 +88,41 @@ impl Operators<'_> {
 
     fn binary(&self, binary: &ExprBinary) -> Vec<Alternative> {
         let op = &binary.op;
-        let (name, left, right) = (self.code(op.span()), self.code(binary.left.span()), self.code(binary.right.span()));
-        let by = |other: &str| Alternative::new(format!("({left}) {other} ({right})"), format!("`{name}` becomes `{other}`"));
-        let assigned = |other: &str| Alternative::new(format!("{left} {other} {right}"), format!("`{name}` becomes `{other}`"));
+        let (name, left, right) =
+            (self.code(op.span()), self.code(binary.left.span()), self.code(binary.right.span()));
+        let by = |other: &str| {
+            Alternative::new(format!("({left}) {other} ({right})"), format!("`{name}` becomes `{other}`"))
+        };
+        let assigned = |other: &str| {
+            Alternative::new(format!("{left} {other} {right}"), format!("`{name}` becomes `{other}`"))
+        };
         let comparison = |other: Option<&str>| {
-            let constant = ["true", "false"].map(|value| Alternative::new(value, format!("`{name}` becomes {value}")));
+            let constant =
+                ["true", "false"].map(|value| Alternative::new(value, format!("`{name}` becomes {value}")));
             other.map(by).into_iter().chain(constant).collect::<Vec<_>>()
         };
         // a threshold that lets more pass; a named number is changed where it stands
         let further = |factor: &str| {
-            let named = |side: &Expr| self.code(side.span()).chars().all(|c| c.is_ascii_uppercase() || c == '_' || c == '0' || c == '.');
-            let text = format!("crate::mutants::number({left}) {name} {factor} * crate::mutants::number({right})");
+            let named = |side: &Expr| {
+                self.code(side.span())
+                    .chars()
+                    .all(|c| c.is_ascii_uppercase() || c == '_' || c == '0' || c == '.')
+            };
+            let text =
+                format!("crate::mutants::number({left}) {name} {factor} * crate::mutants::number({right})");
             let label = format!("`{name}` with {factor} times its right side");
-            if named(&binary.left) || named(&binary.right) { Vec::new() } else { vec![Alternative::new(text, label)] }
+            if named(&binary.left) || named(&binary.right) {
+                Vec::new()
+            } else {
+                vec![Alternative::new(text, label)]
+            }
         };
         let gone = || Alternative::new("{}", "left out");
         match op {
             BinOp::And(_) | BinOp::Or(_) => [(left, "right"), (right, "left")]
-                .map(|(kept, gone)| Alternative::new(format!("({kept})"), format!("`{name}` without its {gone} side")))
+                .map(|(kept, gone)| {
+                    Alternative::new(format!("({kept})"), format!("`{name}` without its {gone} side"))
+                })
                 .into(),
             BinOp::Lt(_) => [comparison(Some("<=")), further("1.5")].concat(),
             BinOp::Le(_) => [comparison(Some("<")), further("1.5")].concat(),
@@ -121,12 +144,16 @@ impl Operators<'_> {
 
     fn method(&self, call: &ExprMethodCall) -> Vec<Alternative> {
         let (name, receiver) = (call.method.to_string(), self.code(call.receiver.span()));
-        let arguments = call.args.iter().map(|argument| self.code(argument.span())).collect::<Vec<_>>().join(", ");
+        let arguments =
+            call.args.iter().map(|argument| self.code(argument.span())).collect::<Vec<_>>().join(", ");
         let mut all = Vec::new();
         let pair = OPPOSITES.iter().find(|(a, b)| *a == name || *b == name);
         if let (Some((a, b)), None) = (pair, &call.turbofish) {
             let other = if *a == name { b } else { a };
-            all.push(Alternative::new(format!("({receiver}).{other}({arguments})"), format!("`{name}` becomes `{other}`")));
+            all.push(Alternative::new(
+                format!("({receiver}).{other}({arguments})"),
+                format!("`{name}` becomes `{other}`"),
+            ));
         }
         if LEFT_OUT.contains(&name.as_str()) {
             all.push(Alternative::new(format!("({receiver})"), format!("without `{name}`")));
@@ -148,7 +175,11 @@ pub fn literal(lit: &Lit) -> Vec<Alternative> {
         }
         Lit::Int(int) => {
             let Ok(n) = int.base10_parse::<u64>() else { return Vec::new() };
-            [4 * n, n / 4].into_iter().filter(|m| *m != n).map(|n| to(format!("{n}{}", int.suffix()))).collect()
+            [4 * n, n / 4]
+                .into_iter()
+                .filter(|m| *m != n)
+                .map(|n| to(format!("{n}{}", int.suffix())))
+                .collect()
         }
         _ => Vec::new(),
     }

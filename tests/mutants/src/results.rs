@@ -18,7 +18,9 @@ pub fn of(kind: &Type, inputs: &[Input]) -> Vec<String> {
             let parts: Vec<Vec<String>> = tuple.elems.iter().map(|kind| of(kind, inputs)).collect();
             let most = parts.iter().map(Vec::len).max().unwrap_or(1);
             let all = (0..most).map(|k| {
-                let part = |values: &Vec<String>| values.get(k).or(values.last()).cloned().unwrap_or("Default::default()".to_string());
+                let part = |values: &Vec<String>| {
+                    values.get(k).or(values.last()).cloned().unwrap_or("Default::default()".to_string())
+                };
                 let comma = if parts.len() == 1 { "," } else { "" };
                 format!("({}{comma})", parts.iter().map(part).collect::<Vec<_>>().join(", "))
             });
@@ -26,7 +28,11 @@ pub fn of(kind: &Type, inputs: &[Input]) -> Vec<String> {
         }
         Type::Array(array) => {
             let len = &array.len;
-            of(&array.elem, inputs).into_iter().take(1).map(|value| format!("[{value}; {}]", quote::quote!(#len))).collect()
+            of(&array.elem, inputs)
+                .into_iter()
+                .take(1)
+                .map(|value| format!("[{value}; {}]", quote::quote!(#len)))
+                .collect()
         }
         Type::Reference(reference) => match &*reference.elem {
             Type::Path(path) if path.path.is_ident("str") => text(&["\"\"", "\"mutant\""]),
@@ -50,7 +56,9 @@ fn named(name: &syn::PathSegment, inputs: &[Input]) -> Vec<String> {
         _ => Vec::new(),
     };
     let inside = |wrap: &dyn Fn(String) -> String| -> Vec<String> {
-        arguments.first().map_or(vec![wrap("()".to_string())], |kind| of(kind, inputs).into_iter().take(2).map(wrap).collect())
+        arguments.first().map_or(vec![wrap("()".to_string())], |kind| {
+            of(kind, inputs).into_iter().take(2).map(wrap).collect()
+        })
     };
     let text = |values: &[&str]| values.iter().map(|value| (*value).to_string()).collect::<Vec<_>>();
     let ident = name.ident.to_string();
@@ -63,9 +71,10 @@ fn named(name: &syn::PathSegment, inputs: &[Input]) -> Vec<String> {
         "Option" => [text(&["None"]), inside(&|value| format!("Some({value})"))].concat(),
         "Result" => inside(&|value| format!("Ok({value})")),
         _ => {
-            let same = inputs
-                .iter()
-                .filter(|input| [ident.as_str(), "Self", &format!("&{ident}"), "&Self", "self", "&self"].contains(&input.kind.as_str()));
+            let same = inputs.iter().filter(|input| {
+                [ident.as_str(), "Self", &format!("&{ident}"), "&Self", "self", "&self"]
+                    .contains(&input.kind.as_str())
+            });
             let given = same.map(|input| format!("{}.clone()", input.name));
             given.chain(["Default::default()".to_string()]).collect()
         }

@@ -98,7 +98,9 @@ pub fn number(sources: &mut [Source]) {
 fn all(sources: &[Source]) -> BTreeMap<usize, (Mutant, bool)> {
     let mut all: BTreeMap<usize, (Mutant, bool)> = BTreeMap::new();
     let mut seen: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-    for (source, site) in sources.iter().flat_map(|source| source.sites.iter().map(move |site| (source, site))) {
+    for (source, site) in
+        sources.iter().flat_map(|source| source.sites.iter().map(move |site| (source, site)))
+    {
         for (k, alternative) in site.alternatives.iter().enumerate() {
             let mut mutant = Mutant {
                 number: site.first + k,
@@ -136,11 +138,17 @@ pub fn refused(sources: &[Source]) -> Vec<String> {
 
 /// Leaves out what the compiler has refused before.
 pub fn refuse(sources: &mut [Source], refused: &[String]) {
-    let known: Vec<usize> =
-        all(sources).into_values().filter(|(mutant, _)| refused.contains(&mutant.key())).map(|(mutant, _)| mutant.number).collect();
+    let known: Vec<usize> = all(sources)
+        .into_values()
+        .filter(|(mutant, _)| refused.contains(&mutant.key()))
+        .map(|(mutant, _)| mutant.number)
+        .collect();
     for site in sources.iter_mut().flat_map(|source| &mut source.sites) {
         let first = site.first;
-        site.alternatives.iter_mut().enumerate().for_each(|(k, alternative)| alternative.compiles &= !known.contains(&(first + k)));
+        site.alternatives
+            .iter_mut()
+            .enumerate()
+            .for_each(|(k, alternative)| alternative.compiles &= !known.contains(&(first + k)));
     }
 }
 
@@ -151,7 +159,8 @@ impl Source {
         if site.shape == Shape::Early || site.constant.is_some() {
             return "all of it".to_string();
         }
-        let inside: Vec<char> = self.text[site.range.clone()].split_whitespace().collect::<Vec<_>>().join(" ").chars().collect();
+        let inside: Vec<char> =
+            self.text[site.range.clone()].split_whitespace().collect::<Vec<_>>().join(" ").chars().collect();
         let shown: String = match inside.len() {
             0..=60 => inside.iter().collect(),
             n => inside[..36].iter().chain(&[' ', '…', ' ']).chain(&inside[n - 20..]).collect(),
@@ -159,7 +168,8 @@ impl Source {
         let line_start = self.text[..site.range.start].rfind('\n').map_or(0, |at| at + 1);
         let before: Vec<char> = self.text[line_start..site.range.start].trim_start().chars().collect();
         let before: String = before[before.len().saturating_sub(AROUND)..].iter().collect();
-        let after: String = self.text[site.range.end..].lines().next().unwrap_or_default().chars().take(AROUND).collect();
+        let after: String =
+            self.text[site.range.end..].lines().next().unwrap_or_default().chars().take(AROUND).collect();
         format!("{before}⟦{shown}⟧{}", after.trim_end())
     }
 
@@ -184,7 +194,8 @@ impl Site {
     /// The code here, and what may stand instead; the code comes first, so that types are found from it.
     fn wrap(&self, original: &str) -> String {
         let (first, count) = (self.first, self.alternatives.len());
-        let compiling = || self.alternatives.iter().enumerate().filter(|(_, alternative)| alternative.compiles);
+        let compiling =
+            || self.alternatives.iter().enumerate().filter(|(_, alternative)| alternative.compiles);
         if compiling().next().is_none() {
             return original.to_string();
         }
@@ -197,7 +208,9 @@ impl Site {
         };
         let at = format!("crate::mutants::at({first}, {count})");
         let text = match self.shape {
-            Shape::Instead => format!("(match {at} {{ 0 => {original}, {}_ => ::std::unreachable!() }})", arms("")),
+            Shape::Instead => {
+                format!("(match {at} {{ 0 => {original}, {}_ => ::std::unreachable!() }})", arms(""))
+            }
             Shape::Statement => format!("if {at} == 0 {{ {original} }}"),
             Shape::Early => format!(" match {at} {{ {}_ => {{}} }}", arms("return ")),
             Shape::Arm if original.is_empty() => format!(" if {at} == 0"),

@@ -53,7 +53,12 @@ impl Tests {
         for (k, program) in programs.iter().enumerate() {
             let listed = command(program).args(["--list", "--format", "terse"]).output()?;
             let listed = String::from_utf8(listed.stdout)?;
-            names.extend(listed.lines().filter_map(|line| line.strip_suffix(": test")).map(|name| (k, name.to_string())));
+            names.extend(
+                listed
+                    .lines()
+                    .filter_map(|line| line.strip_suffix(": test"))
+                    .map(|name| (k, name.to_string())),
+            );
         }
         let logs = folder.join("reached");
         std::fs::create_dir_all(&logs)?;
@@ -64,11 +69,18 @@ impl Tests {
             let mut child = only(&programs[*program], &[name]).env("KIN_MUTANTS_REACHED", &log).spawn()?;
             // One that takes longer than all may together would not be run anyway.
             if !wait(&mut child, longest.min(600.0))? {
-                println!("left out, for it fails without a mutant, or takes too long: {} {name}", programs[*program].name);
+                println!(
+                    "left out, for it fails without a mutant, or takes too long: {} {name}",
+                    programs[*program].name
+                );
                 return Ok(None);
             }
             let seconds = begin.elapsed().as_secs_f64();
-            let reached = std::fs::read_to_string(&log).unwrap_or_default().lines().filter_map(|line| line.parse().ok()).collect();
+            let reached = std::fs::read_to_string(&log)
+                .unwrap_or_default()
+                .lines()
+                .filter_map(|line| line.parse().ok())
+                .collect();
             Ok(Some(Test { program: *program, name: name.clone(), seconds, reached }))
         });
         let tests = tests.into_iter().collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
@@ -95,7 +107,8 @@ impl Tests {
     /// Runs a mutant against the tests that reach it: first those that its neighbours died of, or itself
     /// another time, then the fastest.
     pub fn judge(&self, mutant: &Mutant, before: Option<&str>) -> Result<Fate> {
-        let mut tests: Vec<usize> = (0..self.tests.len()).filter(|k| self.tests[*k].reached.contains(&mutant.site)).collect();
+        let mut tests: Vec<usize> =
+            (0..self.tests.len()).filter(|k| self.tests[*k].reached.contains(&mutant.site)).collect();
         if tests.is_empty() {
             return Ok(Fate::NotReached);
         }
@@ -106,12 +119,24 @@ impl Tests {
             together <= self.longest
         });
         tests = affordable.copied().collect();
-        let killers = self.killers.lock().map_err(|_| "a thread failed")?.get(&mutant.function).cloned().unwrap_or_default();
-        let known = tests.iter().copied().filter(|k| before.is_some_and(|before| before == self.name(&self.tests[*k])));
+        let killers = self
+            .killers
+            .lock()
+            .map_err(|_| "a thread failed")?
+            .get(&mutant.function)
+            .cloned()
+            .unwrap_or_default();
+        let known = tests
+            .iter()
+            .copied()
+            .filter(|k| before.is_some_and(|before| before == self.name(&self.tests[*k])));
         let near = killers.into_iter().filter(|k| tests.contains(k) && self.tests[*k].seconds < 2.0).take(4);
         let mut groups: Vec<Vec<usize>> = known.chain(near).map(|k| vec![k]).collect();
         for program in 0..self.programs.len() {
-            let quick = tests.iter().copied().filter(|k| self.tests[*k].program == program && self.tests[*k].seconds < QUICK);
+            let quick = tests
+                .iter()
+                .copied()
+                .filter(|k| self.tests[*k].program == program && self.tests[*k].seconds < QUICK);
             groups.push(quick.collect());
         }
         groups.extend(tests.iter().filter(|k| self.tests[**k].seconds >= QUICK).map(|k| vec![*k]));
@@ -152,9 +177,15 @@ impl Tests {
 /// A program of tests, which is not to take all memory: some mutants do not end.
 fn command(program: &Program) -> Command {
     let mut command = Command::new("sh");
-    command.args(["-c", "ulimit -v 8000000; exec \"$0\" \"$@\""]).arg(&program.path).current_dir(&program.folder);
+    command
+        .args(["-c", "ulimit -v 8000000; exec \"$0\" \"$@\""])
+        .arg(&program.path)
+        .current_dir(&program.folder);
     // one process takes one core, and its random numbers are the same each time
-    command.env("RAYON_NUM_THREADS", "1").env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true").env("PROPTEST_RNG_SEED", "1");
+    command
+        .env("RAYON_NUM_THREADS", "1")
+        .env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true")
+        .env("PROPTEST_RNG_SEED", "1");
     command.env("KIN_CAMPAIGN", CASES).env("PROPTEST_MAX_SHRINK_ITERS", "0").stderr(Stdio::null());
     command
 }

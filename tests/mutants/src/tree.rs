@@ -29,7 +29,8 @@ impl Tree {
     pub fn new(from: &Path, to: &Path, sources: &[Source]) -> Result<Tree> {
         let tree = Tree { root: to.join("tree"), built: to.join("build") };
         let library = from.join("kin-core/src/lib.rs");
-        let own: Vec<PathBuf> = sources.iter().map(|source| from.join(&source.path)).chain([library.clone()]).collect();
+        let own: Vec<PathBuf> =
+            sources.iter().map(|source| from.join(&source.path)).chain([library.clone()]).collect();
         copy(from, &tree.root, &own)?;
         write(&tree.root.join("kin-core/src/mutants.rs"), include_str!("switch.rs"))?;
         write(&tree.root.join("kin-core/src/lib.rs"), &(fs::read_to_string(library)? + "\nmod mutants;\n"))?;
@@ -65,7 +66,8 @@ impl Tree {
             if done {
                 return Ok(());
             }
-            let errors: Vec<&Value> = messages.iter().map(|m| &m["message"]).filter(|m| m["level"] == "error").collect();
+            let errors: Vec<&Value> =
+                messages.iter().map(|m| &m["message"]).filter(|m| m["level"] == "error").collect();
             println!("{} errors; what they stand in is left out", errors.len());
             let texts: Vec<String> = sources.iter().map(Source::instrumented).collect();
             let mut refused = 0;
@@ -92,7 +94,11 @@ impl Tree {
         let program = |message: &Value| {
             let manifest = Path::new(message["manifest_path"].as_str()?);
             let name = message["target"]["name"].as_str()?.to_string();
-            Some(Program { name, path: message["executable"].as_str()?.into(), folder: manifest.parent()?.to_path_buf() })
+            Some(Program {
+                name,
+                path: message["executable"].as_str()?.into(),
+                folder: manifest.parent()?.to_path_buf(),
+            })
         };
         Ok(messages.iter().filter_map(program).collect())
     }
@@ -103,14 +109,18 @@ impl Tree {
 fn blame(error: &Value, sources: &mut [Source], texts: &[String]) -> usize {
     let none = Vec::new();
     let spans = error["spans"].as_array().unwrap_or(&none);
-    let (first, others): (Vec<&Value>, Vec<&Value>) = spans.iter().partition(|span| span["is_primary"] == true);
+    let (first, others): (Vec<&Value>, Vec<&Value>) =
+        spans.iter().partition(|span| span["is_primary"] == true);
     let mut between: Option<(usize, Range<usize>)> = None;
     for span in first.into_iter().chain(others) {
         let number = |key: &str| span[key].as_u64().unwrap_or_default() as usize;
         let place = number("byte_start")..number("byte_end");
-        let Some(file) = sources.iter().position(|source| span["file_name"] == source.path.as_str()) else { continue };
+        let Some(file) = sources.iter().position(|source| span["file_name"] == source.path.as_str()) else {
+            continue;
+        };
         let (mutants, sites) = marks(&texts[file]);
-        let around = |(_, range): &&(usize, Range<usize>)| range.start <= place.start && place.end <= range.end;
+        let around =
+            |(_, range): &&(usize, Range<usize>)| range.start <= place.start && place.end <= range.end;
         if let Some((number, _)) = mutants.iter().find(around) {
             return refuse(&mut sources[file], |mutant, _| mutant == *number);
         }
@@ -118,14 +128,19 @@ fn blame(error: &Value, sources: &mut [Source], texts: &[String]) -> usize {
             return refuse(&mut sources[file], |_, first| first == *site);
         }
         between = match between {
-            Some((known, range)) if known == file => Some((file, range.start.min(place.start)..range.end.max(place.end))),
+            Some((known, range)) if known == file => {
+                Some((file, range.start.min(place.start)..range.end.max(place.end)))
+            }
             other => other.or(Some((file, place))),
         };
     }
     let Some((file, range)) = between else { return 0 };
     let (_, sites) = marks(&texts[file]);
-    let inside: Vec<usize> =
-        sites.iter().filter(|(_, site)| range.start <= site.start && site.end <= range.end).map(|(site, _)| *site).collect();
+    let inside: Vec<usize> = sites
+        .iter()
+        .filter(|(_, site)| range.start <= site.start && site.end <= range.end)
+        .map(|(site, _)| *site)
+        .collect();
     refuse(&mut sources[file], |_, first| inside.contains(&first))
 }
 
@@ -133,7 +148,9 @@ fn refuse(source: &mut Source, is_meant: impl Fn(usize, usize) -> bool) -> usize
     let mut count = 0;
     for site in &mut source.sites {
         let first = site.first;
-        for (_, alternative) in site.alternatives.iter_mut().enumerate().filter(|(k, _)| is_meant(first + k, first)) {
+        for (_, alternative) in
+            site.alternatives.iter_mut().enumerate().filter(|(k, _)| is_meant(first + k, first))
+        {
             alternative.compiles = false;
             count += 1;
         }
@@ -179,7 +196,11 @@ fn copy(from: &Path, to: &Path, except: &[PathBuf]) -> Result<()> {
         let entry = entry?;
         let (name, path, there) = (entry.file_name(), entry.path(), to.join(entry.file_name()));
         kept.push(name.clone());
-        if name.to_string_lossy().starts_with('.') || name == "target" || name == "out" || except.contains(&path) {
+        if name.to_string_lossy().starts_with('.')
+            || name == "target"
+            || name == "out"
+            || except.contains(&path)
+        {
             continue;
         }
         if entry.file_type()?.is_dir() {
