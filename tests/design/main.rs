@@ -10,6 +10,7 @@ mod engines;
 mod gallery;
 mod model;
 mod objective;
+mod redundant;
 mod refused;
 mod toggles;
 

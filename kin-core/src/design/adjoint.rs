@@ -3,7 +3,8 @@
 use super::along::{Along, Prepared};
 use super::measured::refuse_own;
 use super::partials::partials;
-use super::sensitivities::{Sensitivity, Solver};
+use super::sensitivities::Sensitivity;
+use super::solver::Solver;
 use super::{smooth, variation};
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
@@ -47,10 +48,11 @@ impl System {
         let (n, mut gradient) = (self.n_coordinates(), vec![0.0; names.len()]);
         let left =
             variation::pays(motion).then(|| variation::adjoint(&prepared, motion, &weights, &mut gradient));
+        let mut solver = Solver::new(self);
         for k in left.flatten().unwrap_or_else(|| (0..motion.len()).collect()) {
-            let t = motion.times()[k];
-            let along = prepared.at(t, [motion.q(k), motion.qd(k), motion.qdd(k)]);
-            let solver = Solver::at(self, t, motion.q(k))?;
+            let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            let along = prepared.at(t, orders);
+            solver.go_to(t, orders)?;
             let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
             let Some(adjoint) = adjoint(&solver, &along, own) else { continue };
             for (sum, by_p) in gradient.iter_mut().zip(&along.by_p) {

@@ -11,12 +11,13 @@ use crate::model::error::Result;
 use crate::model::formula::{Given, Outside};
 use crate::model::no_derivative::NoDerivative;
 use crate::numbers::real::{Dual2_64, Dual3_64, Real};
+use crate::numbers::rounded::{Rounded, WithRate};
 use crate::system::System;
 
 type Number = Real<Dual2_64>;
 
-/// A number with its first and second derivative by time.
-pub(super) type Jet = [f64; 3];
+/// The same numbers with bounds of their errors.
+type Bounded = WithRate<WithRate<Rounded>>;
 
 /// All equations of a system, ready to be asked along its motions.
 pub(super) struct Prepared<'a> {
@@ -31,11 +32,11 @@ pub(super) struct Prepared<'a> {
     results: Results<Number>,
 }
 
-/// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time.
-#[derive(Default)]
-pub(super) struct Along {
-    pub by_q: Vec<(usize, usize, Jet)>,
-    pub by_p: Vec<Vec<(usize, Jet)>>,
+/// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time; a jet is a
+/// number with its first and second derivative by time.
+pub(super) struct Along<N = f64> {
+    pub by_q: Vec<(usize, usize, [N; 3])>,
+    pub by_p: Vec<Vec<(usize, [N; 3])>>,
 }
 
 impl<'a> Prepared<'a> {
@@ -72,8 +73,32 @@ impl<'a> Prepared<'a> {
 
     /// C_q and C_p at the time t of a motion with these q, q̇ and q̈.
     pub(super) fn at(&mut self, t: f64, orders: [&[f64]; 3]) -> Along {
+        let mut results = std::mem::take(&mut self.results);
+        let moving = |j: usize| Real(Dual2_64::new(orders[0][j], orders[1][j], orders[2][j]));
+        let along = self.walked(t, orders[0], moving, &mut results);
+        self.results = results;
+        along
+    }
+
+    /// The same with bounds of their errors, where q, q̇ and q̈ are off by `off`.
+    pub(super) fn bounded(&self, t: f64, orders: [&[f64]; 3], off: [&[f64]; 3]) -> Along<Rounded> {
+        let moving = |j: usize| {
+            let [x, v, a] = [0, 1, 2].map(|order| Rounded::new(orders[order][j], off[order][j]));
+            WithRate { x: WithRate { x, rate: Some(v) }, rate: Some(WithRate { x: v, rate: Some(a) }) }
+        };
+        self.walked(t, orders[0], moving, &mut Results::<Bounded>::default())
+    }
+
+    /// C_q and C_p by numbers of one kind.
+    fn walked<N: InTime>(
+        &self,
+        t: f64,
+        q: &[f64],
+        moving: impl Fn(usize) -> N,
+        results: &mut Results<N>,
+    ) -> Along<N::Part> {
         let equations = self.system.equations();
-        let instant = equations.instant_at(t, orders[0]);
+        let instant = equations.instant_at(t, q);
         let mut along = Along { by_q: Vec::new(), by_p: vec![Vec::new(); self.names] };
         for (number, block) in equations.blocks.iter().enumerate() {
             let (equation, behind) = (&self.blocks[number], &self.columns[number]);
@@ -81,57 +106,115 @@ impl<'a> Prepared<'a> {
             let fixed = block.constraint.arguments();
             let fixed = fixed.iter().map(|argument| argument.target.columns()).enumerate();
             let fixed = fixed.flat_map(|(k, n)| at.coordinates(k, n).to_vec());
-            let column = |(behind, x): (&Option<usize>, f64)| match *behind {
-                Some(j) => Real(Dual2_64::new(orders[0][j], orders[1][j], orders[2][j])),
-                None => Number::from(x),
-            };
-            let columns: Vec<Number> = behind.iter().zip(fixed).map(column).collect();
+            let column = |(behind, x): (&Option<usize>, f64)| behind.map_or_else(|| N::constant(x), &moving);
+            let columns: Vec<N> = behind.iter().zip(fixed).map(column).collect();
             block.constraint.formula(|_, parameters, outside| {
                 let walk = Walk { equation, columns: &columns, t, parameters, outside };
-                walk.results(&mut self.results);
-                walk.add(block.rows().start, behind, (number, &self.asked), (&self.results, &mut along));
+                // The graph has no node too many.
+                evaluate_all(&equation.graph, &walk, results);
+                walk.add(block.rows().start, behind, (number, &self.asked), (results, &mut along));
             });
         }
         along
     }
 }
 
+/// A number with two derivatives by time.
+trait InTime: kin_graph::Number {
+    /// The kind of its parts.
+    type Part: Copy;
+
+    /// Its value and its derivatives, times a constant.
+    fn jet(self, factor: f64) -> [Self::Part; 3];
+
+    /// Its value.
+    fn value(&self) -> f64;
+
+    /// f(self), from f and its first three derivatives at the value.
+    fn through(self, f: [f64; 4]) -> Self;
+
+    /// The time t.
+    fn time(t: f64) -> Self;
+}
+
+impl InTime for Number {
+    type Part = f64;
+
+    fn jet(self, factor: f64) -> [f64; 3] {
+        [self.0.re, self.0.v1, self.0.v2].map(|x| factor * x)
+    }
+
+    fn value(&self) -> f64 {
+        (*self).value()
+    }
+
+    fn through(self, f: [f64; 4]) -> Self {
+        self.chain(f)
+    }
+
+    fn time(t: f64) -> Self {
+        Real(Dual2_64::new(t, 1.0, 0.0))
+    }
+}
+
+impl InTime for Bounded {
+    type Part = Rounded;
+
+    fn jet(self, factor: f64) -> [Rounded; 3] {
+        let zero = Rounded::new(0.0, 0.0);
+        let rate = self.rate.map_or([zero; 2], |rate| [rate.x, rate.rate.unwrap_or(zero)]);
+        [self.x.x, rate[0], rate[1]].map(|x| Rounded::new(factor, 0.0) * x)
+    }
+
+    fn value(&self) -> f64 {
+        self.x.x.x
+    }
+
+    fn through(self, f: [f64; 4]) -> Self {
+        let at = self.x.x;
+        let f = [0, 1, 2].map(|order| at.through(f[order], f[order + 1]));
+        let [value, slope] = [0, 1].map(|order| self.x.chain(f[order], || f[order + 1]));
+        self.chain(value, || slope)
+    }
+
+    fn time(t: f64) -> Self {
+        let once = |x, rate| WithRate { x: Rounded::new(x, 0.0), rate };
+        let one = Rounded::new(1.0, 0.0);
+        WithRate { x: once(t, Some(one)), rate: Some(once(1.0, None)) }
+    }
+}
+
 /// One equation at one time.
-struct Walk<'a> {
+struct Walk<'a, N> {
     equation: &'a Equation,
-    columns: &'a [Number],
+    columns: &'a [N],
     t: f64,
     parameters: &'a [f64],
     outside: Outside<'a>,
 }
 
-impl Walk<'_> {
-    /// All numbers of the equation. Its graph has no node too many.
-    fn results(&self, memory: &mut Results<Number>) {
-        evaluate_all(&self.equation.graph, self, memory);
-    }
-
+impl<N: InTime> Walk<'_, N> {
     /// Adds the derivatives of its rows, the first of which is row `first` of the system.
     fn add(
         &self,
         first: usize,
         behind: &[Option<usize>],
         asked: (usize, &[Asked]),
-        (results, to): (&Results<Number>, &mut Along),
+        (results, to): (&Results<N>, &mut Along<N::Part>),
     ) {
-        let number = |node| results.number(node).unwrap_or(Number::from(f64::NAN));
+        let number = |node| results.number(node).unwrap_or_else(|| N::constant(f64::NAN));
         let slope = |list: &[(usize, kin_graph::Node)], k: usize| {
             list.iter().find(|(known, _)| *known == k).map(|(_, node)| number(*node))
         };
         for (row, slopes) in (first..).zip(&self.equation.rows) {
             for (column, node) in &slopes.by_column {
                 if let Some(Some(j)) = behind.get(*column) {
-                    to.by_q.push((row, *j, jet(number(*node))));
+                    to.by_q.push((row, *j, number(*node).jet(1.0)));
                 }
             }
             for asked in asked.1.iter().filter(|own| own.block == asked.0) {
                 let by_p = &mut to.by_p[asked.name];
-                let jet = |number: Number| jet(number).map(|x| asked.slope * x);
+                let jet = |number: N| number.jet(asked.slope);
                 match &asked.hangs {
                     Hangs::Parameter(k) => {
                         by_p.extend(slope(&slopes.by_parameter, *k).map(|by| (row, jet(by))));
@@ -141,17 +224,16 @@ impl Walk<'_> {
                         for (k, call) in calls.filter(|(_, call)| call.law == *law) {
                             let Some(slope) = slope(&slopes.by_call, k) else { continue };
                             let x = number(call.x);
-                            by_p.push((row, jet(slope * x.chain(derivatives(by, x.value(), call.order)))));
+                            by_p.push((
+                                row,
+                                jet(slope * x.clone().through(derivatives(by, x.value(), call.order))),
+                            ));
                         }
                     }
                 }
             }
         }
     }
-}
-
-fn jet(number: Number) -> Jet {
-    [number.0.re, number.0.v1, number.0.v2]
 }
 
 /// Derivative number `order` of a law at x, with the two that follow.
@@ -165,34 +247,35 @@ fn derivatives(law: &crate::model::law::Law, x: f64, order: u8) -> [f64; 4] {
     }
 }
 
-impl Source<Number> for Walk<'_> {
-    fn input(&self, input: Input) -> Number {
+impl<N: InTime> Source<N> for Walk<'_, N> {
+    fn input(&self, input: Input) -> N {
         let (columns, parameters) = (self.equation.columns, self.equation.parameters);
         match input {
             Input::State(k, _) if k < columns => {
-                self.columns.get(k).copied().unwrap_or(Number::from(f64::NAN))
+                self.columns.get(k).cloned().unwrap_or_else(|| N::constant(f64::NAN))
             }
             Input::State(k, _) if k < columns + parameters => {
-                Number::from(self.parameters.get(k - columns).copied().unwrap_or(f64::NAN))
+                N::constant(self.parameters.get(k - columns).copied().unwrap_or(f64::NAN))
             }
-            Input::State(..) => Number::from(0.0),
-            Input::Time => Real(Dual2_64::new(self.t, 1.0, 0.0)),
-            _ => Number::from(f64::NAN),
+            Input::State(..) => N::constant(0.0),
+            Input::Time => N::time(self.t),
+            _ => N::constant(f64::NAN),
         }
     }
 
-    fn law(&self, law: usize, x: Number, order: u8) -> Number {
+    fn law(&self, law: usize, x: N, order: u8) -> N {
         let given = Given::by(self.outside, law, &[]);
-        x.chain(given.law().map_or([f64::NAN; 4], |law| derivatives(law, x.value(), order)))
+        let f = given.law().map_or([f64::NAN; 4], |law| derivatives(law, x.value(), order));
+        x.through(f)
     }
 
     /// A number that the user's own functions make of parameters does not move.
-    fn opaque(&self, number: usize, component: usize, operands: Vec<Number>) -> Number {
+    fn opaque(&self, number: usize, component: usize, operands: Vec<N>) -> N {
         let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(x.value())).collect();
-        Number::from(Given::by(self.outside, number, &operands).number(component).re)
+        N::constant(Given::by(self.outside, number, &operands).number(component).re)
     }
 
-    fn leaf(&self, _: LeafUse, _: Vec<Number>) -> Number {
-        Number::from(f64::NAN)
+    fn leaf(&self, _: LeafUse, _: Vec<N>) -> N {
+        N::constant(f64::NAN)
     }
 }

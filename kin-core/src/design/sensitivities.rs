@@ -1,17 +1,11 @@
 //! Derivatives of q, q̇ and q̈ by parameters: one solve with the factors of C_q for each order.
 
-use super::along::{Along, Prepared};
+use super::along::Prepared;
+use super::solver::Solver;
 use super::{smooth, variation};
-use crate::ask::diagnosis::explain::EXPLAIN;
-use crate::linear::Linear;
 use crate::model::error::{Error, Result};
-use crate::model::no_derivative::NoDerivative;
 use crate::solve::motion::Motion;
-use crate::solve::newton::redundant;
 use crate::system::System;
-
-/// Equations of a redundant mechanism may differ by this share of their terms.   \[-\]
-const CONSISTENT: f64 = 1e-8;
 
 /// Derivatives of a motion by some parameters, at fixed times.
 pub struct Sensitivities<'a> {
@@ -77,12 +71,13 @@ impl System {
         let left = variation::pays(motion).then(|| variation::forward(&prepared, motion, lists));
         let left = left.flatten().unwrap_or_else(|| (0..motion.len()).collect());
         let compiled = motion.len() - left.len();
+        let mut solver = Solver::new(self);
         for k in left {
-            let t = motion.times()[k];
-            let along = prepared.at(t, [motion.q(k), motion.qd(k), motion.qdd(k)]);
-            let mut solver = Solver::at(self, t, motion.q(k))?;
-            for (one, by_p) in all.iter_mut().zip(&along.by_p) {
-                let orders = solver.forward(&along, by_p, &one.name)?;
+            let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            let along = prepared.at(t, orders);
+            solver.go_to(t, orders)?;
+            for (name, one) in all.iter_mut().enumerate() {
+                let orders = solver.forward(&prepared, &along, (name, &one.name))?;
                 for (all, own) in one.orders.iter_mut().zip(orders) {
                     all[k * n..][..n].copy_from_slice(&own);
                 }
@@ -145,100 +140,5 @@ impl Sensitivity {
     fn row(&self, order: usize, k: usize) -> &[f64] {
         let first = k.saturating_mul(self.n);
         self.orders[order].get(first..first.saturating_add(self.n)).unwrap_or_default()
-    }
-}
-
-/// C_q at one position, factored.
-pub(super) struct Solver<'a> {
-    system: &'a System,
-    t: f64,
-    q: &'a [f64],
-    /// None of a redundant mechanism, which is solved in the sense of least squares.
-    linear: Option<Linear>,
-}
-
-impl<'a> Solver<'a> {
-    /// Errors: a singular position.
-    pub(super) fn at(system: &'a System, t: f64, q: &'a [f64]) -> Result<Self> {
-        let mut linear = None;
-        if !system.is_redundant() {
-            let mut factored = system.linearized(q, t)?;
-            if !factored.factor() {
-                return Err(system.singular(t, q, None));
-            }
-            linear = Some(factored);
-        }
-        Ok(Solver { system, t, q, linear })
-    }
-
-    /// The solution of C_qᵀ λ = w; none of a redundant mechanism.
-    pub(super) fn transposed(&self, w: &[f64]) -> Option<Vec<f64>> {
-        self.linear.as_ref().map(|linear| linear.solved_transposed(w))
-    }
-
-    /// q_p, q̇_p and q̈_p.
-    pub(super) fn forward(
-        &mut self,
-        along: &Along,
-        by_p: &[(usize, [f64; 3])],
-        name: &str,
-    ) -> Result<[Vec<f64>; 3]> {
-        let m = self.system.n_equations();
-        let mut found: [Vec<f64>; 3] = Default::default();
-        for order in 0..3 {
-            let mut rhs = vec![0.0; m];
-            by_p.iter().for_each(|(row, jet)| rhs[*row] -= jet[order]);
-            for (row, column, jet) in &along.by_q {
-                rhs[*row] -= match order {
-                    0 => 0.0,
-                    1 => jet[1] * found[0][*column],
-                    _ => 2.0 * jet[1] * found[1][*column] + jet[2] * found[0][*column],
-                };
-            }
-            found[order] = self.solve(along, &rhs, name)?;
-        }
-        Ok(found)
-    }
-
-    /// x with C_q x = rhs.
-    fn solve(&mut self, along: &Along, rhs: &[f64], name: &str) -> Result<Vec<f64>> {
-        let x = match &mut self.linear {
-            Some(linear) => {
-                linear.rhs_mut().copy_from_slice(rhs);
-                linear.solve();
-                linear.solution().to_vec()
-            }
-            None => redundant::solved(self.system, self.q, self.t, rhs, EXPLAIN)?,
-        };
-        self.check(along, rhs, &x, name)?;
-        Ok(x)
-    }
-
-    /// An error by name where x is not finite, or does not meet all equations: then they can be met at one
-    /// value of the parameter only.
-    fn check(&self, along: &Along, rhs: &[f64], x: &[f64], name: &str) -> Result<()> {
-        let (t, s) = (self.t, self.system.unit_words().time());
-        if !x.iter().all(|x| x.is_finite()) {
-            let reason = format!("at t = {t} {s} a term of the equations has no finite derivative");
-            return Err(NoDerivative::error(name, reason));
-        }
-        if self.linear.is_some() {
-            return Ok(());
-        }
-        let (mut missed, mut size) = (rhs.to_vec(), rhs.iter().fold(0.0_f64, |m, x| m.max(x.abs())));
-        for (row, column, jet) in &along.by_q {
-            let term = jet[0] * x[*column];
-            missed[*row] -= term;
-            size = size.max(term.abs());
-        }
-        let Some(row) = missed.iter().position(|missed| missed.abs() > CONSISTENT * size) else {
-            return Ok(());
-        };
-        let equation = self.system.equations().equation(row);
-        let reason = format!(
-            "the mechanism is redundant, and closes at this value of it only: with another one `{equation}` \
-             and the other equations contradict one another. Change it together with what it has to agree with"
-        );
-        Err(NoDerivative::error(name, reason))
     }
 }

@@ -8,5 +8,6 @@ mod offsets;
 pub(crate) mod padded;
 pub(crate) mod random;
 pub mod real;
+pub(crate) mod rounded;
 
 pub use offsets::Offsets;

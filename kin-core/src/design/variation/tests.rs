@@ -4,7 +4,7 @@
 use super::{adjoint, backward, forward};
 use crate::design::adjoint::{Weights, adjoint as walked};
 use crate::design::along::Prepared;
-use crate::design::sensitivities::Solver;
+use crate::design::solver::Solver;
 use crate::numbers::random::Random;
 use crate::program::schedule;
 use crate::program::tests::{models::systems, reduced::compiled};
@@ -26,10 +26,12 @@ fn apart(system: &System, motion: &Motion, names: &[String]) -> Option<([f64; 3]
     let left = forward::forward(&prepared, motion, lists.iter_mut().map(Vec::as_mut_slice).collect())?;
     let (mut off, mut sizes) = ([0.0_f64; 3], [1.0_f64; 3]);
     for k in (0..motion.len()).filter(|k| !left.contains(k)) {
-        let along = prepared.at(motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
-        let mut solver = Solver::at(system, motion.times()[k], motion.q(k)).expect("factored");
-        for (number, by_p) in along.by_p.iter().enumerate() {
-            let orders = solver.forward(&along, by_p, &names[number]).expect("solved");
+        let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+        let along = prepared.at(t, orders);
+        let mut solver = Solver::new(system);
+        solver.go_to(t, orders).expect("factored");
+        for (number, name) in names.iter().enumerate() {
+            let orders = solver.forward(&prepared, &along, (number, name)).expect("solved");
             for (order, own) in orders.iter().enumerate() {
                 for (own, x) in own.iter().zip(&lists[3 * number + order][k * n..]) {
                     let far = (own - x).abs();
@@ -52,8 +54,10 @@ fn adjoints_apart(system: &System, motion: &Motion, names: &[String]) -> Option<
     let left = adjoint(&prepared, motion, &weights, &mut found)?;
     let (mut expected, mut size) = (vec![0.0; names.len()], 1.0_f64);
     for k in (0..motion.len()).filter(|k| !left.contains(k)) {
-        let along = prepared.at(motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
-        let solver = Solver::at(system, motion.times()[k], motion.q(k)).expect("factored");
+        let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+        let along = prepared.at(t, orders);
+        let mut solver = Solver::new(system);
+        solver.go_to(t, orders).expect("factored");
         let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
         let lambda = walked(&solver, &along, own).expect("a gradient");
         for (sum, by_p) in expected.iter_mut().zip(&along.by_p) {

@@ -1,0 +1,239 @@
+//! The equations of derivatives by one parameter at one time, solved with the factors of C_q.
+
+use super::along::{Along, Prepared};
+use crate::ask::diagnosis::explain::EXPLAIN;
+use crate::linear::{Independent, Linear};
+use crate::model::error::Result;
+use crate::model::no_derivative::NoDerivative;
+use crate::numbers::rounded::Rounded;
+use crate::solve::explain::Start;
+use crate::solve::newton::Options;
+use crate::system::System;
+use crate::system::scaled::Measures;
+
+/// Equations of a redundant mechanism may differ by this share of their terms.   \[-\]
+const CONSISTENT: f64 = 1e-8;
+
+/// They may differ by so many times the bound of the first order that rounding has.   \[-\]
+const ROUNDED: f64 = 16.0;
+
+/// C_q at one time after the other, factored.
+pub(super) struct Solver<'a> {
+    system: &'a System,
+    t: f64,
+    /// q, q̇ and q̈ there.
+    orders: [&'a [f64]; 3],
+    kind: Kind,
+}
+
+enum Kind {
+    Square(Option<Box<Linear>>),
+    /// Before the first time there are no measures.
+    Redundant(Option<Box<Redundant>>),
+}
+
+/// As many independent equations as there are coordinates, and the others, which have to agree.
+struct Redundant {
+    rows: Independent,
+    measures: Measures,
+    /// The factor of each value of C_q that makes it of order 1.
+    scales: Vec<f64>,
+    /// The largest |C_i| at the time, as a share of the row's norm.
+    residual: f64,
+}
+
+impl<'a> Solver<'a> {
+    pub(super) fn new(system: &'a System) -> Self {
+        let kind = if system.is_redundant() { Kind::Redundant(None) } else { Kind::Square(None) };
+        Solver { system, t: f64::NAN, orders: [&[]; 3], kind }
+    }
+
+    /// To the time t of a motion with these q, q̇ and q̈. Errors: a singular position.
+    pub(super) fn go_to(&mut self, t: f64, orders: [&'a [f64]; 3]) -> Result<()> {
+        (self.t, self.orders) = (t, orders);
+        let (system, q) = (self.system, orders[0]);
+        match &mut self.kind {
+            Kind::Square(square) => {
+                let mut linear = system.linearized(q, t)?;
+                if !linear.factor() {
+                    return Err(system.singular(t, q, None));
+                }
+                *square = Some(Box::new(linear));
+            }
+            Kind::Redundant(redundant) => {
+                let redundant = redundant.get_or_insert_with(|| Box::new(Redundant::new(system, q, t)));
+                redundant.factor(system, q, t)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The solution of C_qᵀ λ = w; none of a redundant mechanism.
+    pub(super) fn transposed(&self, w: &[f64]) -> Option<Vec<f64>> {
+        match &self.kind {
+            Kind::Square(linear) => linear.as_ref().map(|linear| linear.solved_transposed(w)),
+            Kind::Redundant(_) => None,
+        }
+    }
+
+    /// q_p, q̇_p and q̈_p by the name of that number.
+    pub(super) fn forward(
+        &mut self,
+        prepared: &Prepared<'_>,
+        along: &Along,
+        (number, name): (usize, &str),
+    ) -> Result<[Vec<f64>; 3]> {
+        let mut found: [Vec<f64>; 3] = Default::default();
+        for order in 0..3 {
+            let mut rhs = vec![0.0; self.system.n_equations()];
+            along.by_p[number].iter().for_each(|(row, jet)| rhs[*row] -= jet[order]);
+            for (row, column, jet) in &along.by_q {
+                rhs[*row] -= match order {
+                    0 => 0.0,
+                    1 => jet[1] * found[0][*column],
+                    _ => 2.0 * jet[1] * found[1][*column] + jet[2] * found[0][*column],
+                };
+            }
+            found[order] = self.solved(&rhs);
+            if !found[order].iter().all(|x| x.is_finite()) {
+                let (t, s) = (self.t, self.system.unit_words().time());
+                let reason = format!("at t = {t} {s} a term of the equations has no finite derivative");
+                return Err(NoDerivative::error(name, reason));
+            }
+            self.agree(prepared, along, &rhs, (&found, order), (number, name))?;
+        }
+        Ok(found)
+    }
+
+    /// x with C_q x = rhs.
+    fn solved(&mut self, rhs: &[f64]) -> Vec<f64> {
+        match &mut self.kind {
+            Kind::Square(Some(linear)) => {
+                linear.rhs_mut().copy_from_slice(rhs);
+                linear.solve();
+                linear.solution().to_vec()
+            }
+            Kind::Redundant(Some(redundant)) => redundant.solved(rhs),
+            _ => vec![f64::NAN; self.system.n_coordinates()],
+        }
+    }
+
+    /// An error by name where the last solution does not meet all equations: then they can be met at one
+    /// value of the parameter only.
+    fn agree(
+        &self,
+        prepared: &Prepared<'_>,
+        along: &Along,
+        rhs: &[f64],
+        (found, order): (&[Vec<f64>; 3], usize),
+        (number, name): (usize, &str),
+    ) -> Result<()> {
+        let Kind::Redundant(Some(redundant)) = &self.kind else { return Ok(()) };
+        let norms = &redundant.measures.norms;
+        let mut missed = rhs.to_vec();
+        let mut size = rhs.iter().zip(norms).fold(0.0_f64, |m, (x, norm)| m.max(x.abs() / norm));
+        for (row, column, jet) in &along.by_q {
+            let term = jet[0] * found[order][*column];
+            missed[*row] -= term;
+            size = size.max(term.abs() / norms[*row]);
+        }
+        let largest = missed.iter().zip(norms).map(|(missed, norm)| missed.abs() / norm).enumerate();
+        let (row, largest) = largest.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        if largest <= CONSISTENT * size {
+            return Ok(());
+        }
+        // What is left may be rounding of terms that cancel: where a rate does not depend on the parameter,
+        // all that is left is rounding.
+        let bounded =
+            prepared.bounded(self.t, self.orders, redundant.off(self.orders).each_ref().map(|off| &off[..]));
+        if largest <= ROUNDED * redundant.rounding(&bounded, number, (found, order)) {
+            return Ok(());
+        }
+        let equation = self.system.equations().equation(row);
+        let reason = format!(
+            "the mechanism is redundant, and closes at this value of it only: with another one `{equation}` \
+             and the other equations contradict one another. Change it together with what it has to agree with"
+        );
+        Err(NoDerivative::error(name, reason))
+    }
+}
+
+impl Redundant {
+    fn new(system: &System, q: &[f64], t: f64) -> Self {
+        let (model, entries) = (system.model(), &system.equations().entries);
+        let measures = model.measure(q, t);
+        let scale = |entry: &Option<(usize, usize)>| {
+            entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row])
+        };
+        let scales = entries.iter().map(scale).collect();
+        Redundant { rows: Independent::new(model.m(), model.n(), entries), measures, scales, residual: 0.0 }
+    }
+
+    /// C_q at a position. Errors: a singular position.
+    fn factor(&mut self, system: &System, q: &[f64], t: f64) -> Result<()> {
+        let (model, equations) = (system.model(), system.equations());
+        let not_finite = |bad| equations.not_finite(bad, model.layout, &equations.instant_at(t, q));
+        let point = model.linearize(q, t).map_err(not_finite)?;
+        let shares = point.c.iter().zip(&self.measures.norms).map(|(c, norm)| c.abs() / norm);
+        self.residual = shares.fold(0.0, f64::max);
+        if self.rows.factor(self.scales.iter().zip(&point.values).map(|(scale, value)| scale * value)) {
+            return Ok(());
+        }
+        Err((EXPLAIN.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()))
+    }
+
+    fn solved(&mut self, rhs: &[f64]) -> Vec<f64> {
+        let Measures { norms, sizes, .. } = &self.measures;
+        let scaled: Vec<f64> = rhs.iter().zip(norms).map(|(rhs, norm)| rhs / norm).collect();
+        self.rows.solve(&scaled).iter().zip(sizes).map(|(y, size)| y * size).collect()
+    }
+
+    /// How far q, q̇ and q̈ may be off: they are solved for with the same factors.
+    fn off(&self, orders: [&[f64]; 3]) -> [Vec<f64>; 3] {
+        let sizes = &self.measures.sizes;
+        let largest = |all: &[f64]| all.iter().zip(sizes).fold(0.0_f64, |m, (x, size)| m.max(x.abs() / size));
+        let unit = (f64::EPSILON + self.residual) / self.rows.smallest_pivot();
+        let rate = largest(orders[1]);
+        [1.0, rate, largest(orders[2]) + rate * rate]
+            .map(|share| unit * share)
+            .into_iter()
+            .zip(orders)
+            .map(|(share, own)| {
+                own.iter().zip(sizes).map(|(x, size)| share * size + f64::EPSILON * x.abs()).collect()
+            })
+            .collect::<Vec<Vec<f64>>>()
+            .try_into()
+            .unwrap_or_default()
+    }
+
+    /// How far rounding may bring the equations of one order apart, as a share of their norms: the errors of
+    /// their terms, and of the solutions of lower orders in them.   \[-\]
+    fn rounding(&self, along: &Along<Rounded>, number: usize, (found, last): (&[Vec<f64>; 3], usize)) -> f64 {
+        let Measures { norms, sizes, .. } = &self.measures;
+        // By how much of its size each solution is off.
+        let mut apart = [0.0_f64; 3];
+        let mut worst = 0.0;
+        for order in 0..=last {
+            let mut off = vec![0.0; norms.len()];
+            for (row, jet) in &along.by_p[number] {
+                off[*row] += jet[order].off;
+            }
+            for (row, column, jet) in &along.by_q {
+                let factors: &[(f64, usize, usize)] = match order {
+                    0 => &[(1.0, 0, 0)],
+                    1 => &[(1.0, 0, 1), (1.0, 1, 0)],
+                    _ => &[(1.0, 0, 2), (2.0, 1, 1), (1.0, 2, 0)],
+                };
+                for (factor, of, by) in factors {
+                    let (cell, x) = (jet[*of], found[*by][*column].abs());
+                    let known = if *of == 0 { 0.0 } else { apart[*by] * sizes[*column] };
+                    off[*row] += factor * (cell.off * x + cell.x.abs() * (known + f64::EPSILON * x));
+                }
+            }
+            worst = off.iter().zip(norms).fold(0.0, |m, (off, norm)| f64::max(m, off / norm))
+                / self.rows.smallest_pivot();
+            apart[order] = worst;
+        }
+        worst
+    }
+}

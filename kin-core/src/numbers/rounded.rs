@@ -1,0 +1,282 @@
+//! Numbers that know how far rounding may have taken them, and their derivatives by time.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use kin_graph::{Function, Function2, Number, compared_by_value, rules};
+
+/// A number with a bound of its error to first order, of the roundings on the way to it and of the errors of
+/// what it is computed from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rounded {
+    pub x: f64,
+    /// The bound, in the unit of x.
+    pub off: f64,
+}
+
+/// The rounding of one operation, and of a function of the list, as a share of the result.   \[-\]
+const OPERATION: f64 = f64::EPSILON;
+const FUNCTION: f64 = 8.0 * f64::EPSILON;
+
+impl Rounded {
+    pub(crate) fn new(x: f64, off: f64) -> Self {
+        Rounded { x, off }
+    }
+
+    /// f(self), from f and f′ at its value; where f′ is not known, f counts as flat.
+    pub(crate) fn through(self, f: f64, slope: f64) -> Self {
+        let off = if slope.is_finite() { carried(slope, self.off) } else { 0.0 };
+        Rounded::result(f, off, FUNCTION)
+    }
+
+    /// The result of an operation whose operands are off by so much.
+    fn result(x: f64, off: f64, share: f64) -> Self {
+        Rounded { x, off: off + share * x.abs() }
+    }
+}
+
+/// The share of an operand's error in the result: none of an operand that is exact, whatever the slope.
+fn carried(slope: f64, off: f64) -> f64 {
+    if off == 0.0 { 0.0 } else { (slope * off).abs() }
+}
+
+impl Neg for Rounded {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Rounded { x: -self.x, off: self.off }
+    }
+}
+
+impl Add for Rounded {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Rounded::result(self.x + other.x, self.off + other.off, OPERATION)
+    }
+}
+
+impl Sub for Rounded {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Rounded {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let off = carried(other.x, self.off) + carried(self.x, other.off) + self.off * other.off;
+        Rounded::result(self.x * other.x, off, OPERATION)
+    }
+}
+
+impl Div for Rounded {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let x = self.x / other.x;
+        let off = carried(other.x.recip(), self.off) + carried(x / other.x, other.off);
+        Rounded::result(x, off, OPERATION)
+    }
+}
+
+impl Number for Rounded {
+    compared_by_value!(|number| number.x);
+
+    fn constant(x: f64) -> Self {
+        Rounded { x, off: 0.0 }
+    }
+
+    fn call(self, f: Function) -> Self {
+        let x = f.value()(self.x);
+        let off = if self.off == 0.0 { 0.0 } else { carried(rules::slope(f, self.x, x), self.off) };
+        Rounded::result(x, off, if f.facts().is_exact() { 0.0 } else { FUNCTION })
+    }
+
+    fn call2(self, f: Function2, other: Self) -> Self {
+        let x = f.value()(self.x, other.x);
+        let off = if self.off == 0.0 && other.off == 0.0 {
+            0.0
+        } else {
+            let (by_self, by_other) = rules::slopes(f, self.x, other.x, x);
+            carried(by_self, self.off) + carried(by_other, other.off)
+        };
+        Rounded::result(x, off, if f.facts().exact { 0.0 } else { FUNCTION })
+    }
+
+    fn powi(self, n: i32) -> Self {
+        let slope = if n == 0 { 0.0 } else { f64::from(n) * self.x.powi(n.saturating_sub(1)) };
+        Rounded::result(self.x.powi(n), carried(slope, self.off), FUNCTION)
+    }
+}
+
+/// A number with its derivative by time, by the rules of the list; `None` of what does not move.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WithRate<N> {
+    pub x: N,
+    pub rate: Option<N>,
+}
+
+impl<N: Number> WithRate<N> {
+    /// f(self), with f and f′ at the number.
+    pub(crate) fn chain(self, f: N, slope: impl FnOnce() -> N) -> Self {
+        WithRate { x: f, rate: self.rate.map(|rate| slope() * rate) }
+    }
+
+    /// The sum of what two operands have in the rate.
+    fn with(x: N, parts: [Option<N>; 2]) -> Self {
+        let [a, b] = parts;
+        let rate = match (a, b) {
+            (Some(a), Some(b)) => Some(a + b),
+            (a, b) => a.or(b),
+        };
+        WithRate { x, rate }
+    }
+}
+
+impl<N: Number> Neg for WithRate<N> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        WithRate { x: -self.x, rate: self.rate.map(|rate| -rate) }
+    }
+}
+
+impl<N: Number> Add for WithRate<N> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        WithRate::with(self.x + other.x, [self.rate, other.rate])
+    }
+}
+
+impl<N: Number> Sub for WithRate<N> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        WithRate::with(self.x - other.x, [self.rate, other.rate.map(|rate| -rate)])
+    }
+}
+
+impl<N: Number> Mul for WithRate<N> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let parts =
+            [self.rate.map(|rate| rate * other.x.clone()), other.rate.map(|rate| rate * self.x.clone())];
+        WithRate::with(self.x * other.x, parts)
+    }
+}
+
+impl<N: Number> Div for WithRate<N> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let x = self.x / other.x.clone();
+        let parts = [
+            self.rate.map(|rate| rate / other.x.clone()),
+            other.rate.map(|rate| -(x.clone() * rate / other.x.clone())),
+        ];
+        WithRate::with(x, parts)
+    }
+}
+
+impl<N: Number> Number for WithRate<N> {
+    type Condition = N::Condition;
+
+    fn constant(x: f64) -> Self {
+        WithRate { x: N::constant(x), rate: None }
+    }
+
+    fn call(self, f: Function) -> Self {
+        let x = self.x.clone().call(f);
+        let (at, value) = (self.x.clone(), x.clone());
+        self.chain(x, || rules::slope(f, at, value))
+    }
+
+    fn call2(self, f: Function2, other: Self) -> Self {
+        let x = self.x.clone().call2(f, other.x.clone());
+        if self.rate.is_none() && other.rate.is_none() {
+            return WithRate { x, rate: None };
+        }
+        let (by_self, by_other) = rules::slopes(f, self.x, other.x, x.clone());
+        WithRate::with(x, [self.rate.map(|rate| by_self * rate), other.rate.map(|rate| by_other * rate)])
+    }
+
+    fn powi(self, n: i32) -> Self {
+        let (x, at) = (self.x.clone().powi(n), self.x.clone());
+        match n {
+            0 => WithRate { x, rate: None },
+            _ => self.chain(x, || N::constant(f64::from(n)) * at.powi(n.saturating_sub(1))),
+        }
+    }
+
+    fn compare(comparison: kin_graph::Comparison, a: &Self, b: &Self) -> Self::Condition {
+        N::compare(comparison, &a.x, &b.x)
+    }
+
+    fn select(condition: &Self::Condition, a: Self, b: Self) -> Self {
+        // A rate that is none is one that is zero, where the other side moves.
+        let rate = match (a.rate, b.rate) {
+            (None, None) => None,
+            (a, b) => {
+                let some = |rate: Option<N>| rate.unwrap_or_else(|| N::constant(0.0));
+                Some(N::select(condition, some(a), some(b)))
+            }
+        };
+        WithRate { x: N::select(condition, a.x, b.x), rate }
+    }
+
+    fn of_condition(condition: &Self::Condition) -> Self {
+        WithRate { x: N::of_condition(condition), rate: None }
+    }
+
+    fn holds(&self) -> Self::Condition {
+        self.x.holds()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kin_graph::{Function, Function2};
+
+    use super::*;
+    use crate::numbers::real::{Dual2_64, Real};
+
+    type Twice = WithRate<WithRate<Rounded>>;
+
+    fn moving([x, v, a]: [f64; 3]) -> Twice {
+        let still = |x| Rounded::new(x, f64::EPSILON);
+        let once = |x, rate| WithRate { x: still(x), rate: Some(still(rate)) };
+        WithRate { x: once(x, v), rate: Some(once(v, a)) }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_dual_numbers() {
+        let (a, b) = ([0.7, -1.3, 0.4], [0.9, 0.2, -2.1]);
+        let dual = |[x, v, a]: [f64; 3]| Real(Dual2_64::new(x, v, a));
+        fn made<N: Number>(x: N, y: N) -> N {
+            let sum = x.clone() * y.clone() + N::constant(2.0).call2(Function2::Atan2, x.clone());
+            sum.call(Function::Tanh) / (x.clone().powi(3) - y.clone().call(Function::Exp))
+                - y.call2(Function2::Powf, x)
+        }
+        let (found, exact) = (made(moving(a), moving(b)), made(dual(a), dual(b)).0);
+        let rate = found.rate.expect("it moves");
+        for (found, exact) in [(found.x.x, exact.re), (rate.x, exact.v1), (rate.rate.expect("too"), exact.v2)]
+        {
+            assert!((found.x - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{found:?} {exact}");
+            assert!(found.off > 0.0 && found.off < 1e-12);
+        }
+    }
+
+    #[test]
+    fn what_cancels_keeps_the_error_of_its_terms() {
+        let x = Rounded::new(0.3, 1e-16);
+        let (s, c) = (x.call(Function::Sin), x.call(Function::Cos));
+        let nothing = s * s + c * c - Rounded::constant(1.0);
+        assert!(nothing.x.abs() <= nothing.off && nothing.off > 1e-16, "{nothing:?}");
+        assert_eq!(Rounded::constant(0.0).call(Function::Sqrt).off, 0.0);
+    }
+}
