@@ -255,6 +255,38 @@ fn numbers_that_a_law_does_not_have_are_told_by_name() {
     }
 }
 
+/// Of a key that stands twice one value would be lost without a word, at whatever depth.
+#[test]
+fn a_key_twice_in_a_file_is_an_error_that_names_it() {
+    for (from, twice, told) in [
+        (r#""u_i":[0.0,0.0]"#, r#""u_i":[5.0,5.0]"#, "the key `u_i` stands twice"),
+        (r#""Up":2.0"#, r#""Up":3.0"#, "the key `Up` stands twice in `bend`"),
+        (r#""rate":2.0"#, r#""rate":3.0"#, "the key `rate` stands twice in `law.parts.inner.numbers`"),
+        (r#""kind":"cubic""#, r#""kind":"ramp""#, "the key `kind` stands twice in `rise.parts.law.parts."),
+        (r#""name":"slider""#, r#""name":"other""#, "duplicate field `name`"),
+        (r#""format":1"#, r#""format":1"#, "duplicate field `format`"),
+    ] {
+        let message = changed(from, &format!("{from},{twice}"));
+        assert!(message.contains(told) && message.contains(" at line 1 column "), "{message}: {told}");
+    }
+    let law: Result<LawData, _> =
+        serde_json::from_str(r#"{"kind": "ramp", "numbers": {"rate": 2, "rate": 3}}"#);
+    assert!(law.is_err_and(|error| error.to_string().contains("the key `rate` stands twice")));
+    let motion = model().and_then(|m| m.build()?.run_both([0.0])).expect("a motion");
+    let text = serde_json::to_string(&motion.data()).expect("data");
+    let twice = text.replacen(r#""times":"#, r#""times":[1.0],"times":"#, 1);
+    assert!(
+        MotionData::read(&twice).is_err_and(|error| error.to_string().contains("duplicate field `times`"))
+    );
+    let load = r#"{"name": "l", "parts": [{"on_body": {"body": "arm", "force": [{"numbers": {"c": 1, "c": 2}}, {}, {}]}}]}"#;
+    let load: Result<kin::data::LoadData, _> = serde_json::from_str(load);
+    assert!(load.is_err_and(|error| error.to_string().contains("the key `c` stands twice in `numbers`")));
+    let friction: Result<kin::data::FrictionData, _> = serde_json::from_str(
+        r#"{"joint": "O", "coefficient": 0.1, "rate": 1, "pin": {"radius": 1}, "pin": {"radius": 2}}"#,
+    );
+    assert!(friction.is_err(), "{friction:?}");
+}
+
 #[test]
 fn the_first_files_are_still_read() -> kin::Result<()> {
     let registry = Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>();

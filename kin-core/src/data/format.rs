@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::dimensions::{DimensionData, NumberData};
 use super::dynamics::{FrictionData, LoadData, MassData, PointMassData};
-use super::is_first;
+use super::{is_first, once};
 use crate::model::dual_route::ArgumentKind;
 use crate::model::layout::Kind;
 use crate::model::units::Units;
@@ -166,7 +166,7 @@ pub struct ConstraintData {
     /// The bodies and coordinates that it acts on, in the order of its signature.
     pub arguments: Vec<ArgumentData>,
     /// Its parameters by name.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
     /// Names in the text of its equation that the text could not take along: the file does not stand alone,
     /// and is read by the program that has the constraint.

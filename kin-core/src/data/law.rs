@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
-use super::Registry;
+use super::{Registry, once};
 use crate::model::law::{Ends, Law};
 
 /// A law as data.
@@ -20,10 +20,10 @@ pub struct LawData {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// Its own numbers by name.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "once::map")]
     pub numbers: BTreeMap<String, f64>,
     /// The laws that it is made of, by name.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "once::map")]
     pub parts: BTreeMap<String, LawData>,
 }
 

@@ -12,6 +12,7 @@ mod law;
 mod mechanism;
 mod motion;
 mod names;
+mod once;
 mod registry;
 mod schema;
 mod value;

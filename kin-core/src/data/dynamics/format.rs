@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 
 use crate::data::dimensions::NumberData;
 use crate::data::format::ArgumentData;
+use crate::data::once;
 
 /// A load: what acts together under one name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,10 +40,10 @@ pub enum ActingData {
         #[serde(default = "at_origin")]
         point: [NumberData; 3],
         /// Components of the force: laws of time. None is no force.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "once::three")]
         force: Option<Box<[Value; 3]>>,
         /// Components of the torque; in a plane the last one counts.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "once::three")]
         torque: Option<Box<[Value; 3]>>,
         /// True if components are in the body's axes.
         #[serde(default)]
@@ -73,7 +74,7 @@ pub struct MeasureData {
 /// By the key `measure`, so that a mistake in either form is told as one in it.
 impl<'de> Deserialize<'de> for AlongData {
     fn deserialize<D: serde::Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
-        let all = Value::deserialize(from)?;
+        let all = once::value(from)?;
         let read = match all.get("measure") {
             Some(_) => MeasureData::deserialize(all).map(AlongData::Measure),
             None => ScalarData::deserialize(all).map(AlongData::Scalar),
@@ -92,7 +93,7 @@ pub struct ScalarData {
     /// The bodies and coordinates that it is made of, in the order of its signature.
     pub arguments: Vec<ArgumentData>,
     /// Its parameters by name.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
 }
 
@@ -117,7 +118,7 @@ pub struct FormulaData {
     /// Name of its function.
     pub kind: String,
     /// Its parameters by name.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
 }
 

@@ -1,0 +1,193 @@
+//! Objects in which each key stands once.
+//!
+//! The maps of serde and `serde_json` take the last value of a key that stands twice. In a file one of the
+//! two values would be read and the other one lost without a word, so the maps of Kin's formats are read
+//! here. Structs need nothing: serde refuses a field that stands twice.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::Deserialize;
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::{Map, Value};
+
+/// Reads a map whose values have the type `V`.
+///
+/// Errors: a key that stands twice, by its name; a value that is no `V`.
+pub(super) fn map<'de, D, V, M>(from: D) -> Result<M, D::Error>
+where
+    D: Deserializer<'de>,
+    V: Deserialize<'de>,
+    M: FromIterator<(String, V)>,
+{
+    from.deserialize_map(Keys(PhantomData::<fn() -> (V, M)>))
+}
+
+/// Reads an object of any values.
+///
+/// Errors: a key that stands twice, at any depth, by its name and by the keys that lead to it.
+pub(super) fn object<'de, D: Deserializer<'de>>(from: D) -> Result<Map<String, Value>, D::Error> {
+    from.deserialize_map(Object(&Place::ROOT))
+}
+
+/// Reads any value. Errors: those of [`object`].
+pub(super) fn value<'de, D: Deserializer<'de>>(from: D) -> Result<Value, D::Error> {
+    AnyValue(&Place::ROOT).deserialize(from)
+}
+
+/// Reads three values in a list, or none. Errors: those of [`object`].
+pub(super) fn three<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Box<[Value; 3]>>, D::Error> {
+    #[derive(Deserialize)]
+    struct One(#[serde(deserialize_with = "value")] Value);
+    let read = Option::<[One; 3]>::deserialize(from)?;
+    Ok(read.map(|three| Box::new(three.map(|One(value)| value))))
+}
+
+fn twice<E: Error>(place: &Place<'_>, key: &str) -> E {
+    let holder = if place.is_root() { String::new() } else { format!(" in `{place}`") };
+    E::custom(format!(
+        "the key `{key}` stands twice{holder}: only one of its two values could count, leave the other out"
+    ))
+}
+
+/// The keys and numbers that lead to a value.
+struct Place<'a> {
+    outer: Option<(&'a Place<'a>, Step<'a>)>,
+}
+
+enum Step<'a> {
+    Key(&'a str),
+    Number(usize),
+}
+
+impl Place<'_> {
+    const ROOT: Place<'static> = Place { outer: None };
+
+    fn is_root(&self) -> bool {
+        self.outer.is_none()
+    }
+}
+
+impl fmt::Display for Place<'_> {
+    /// "law.numbers", "parts\[2\]"
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.outer {
+            None => Ok(()),
+            Some((outer, Step::Number(k))) => write!(f, "{outer}[{k}]"),
+            Some((outer, Step::Key(key))) if outer.is_root() => f.write_str(key),
+            Some((outer, Step::Key(key))) => write!(f, "{outer}.{key}"),
+        }
+    }
+}
+
+/// Reads a map of values of one type.
+struct Keys<V, M>(PhantomData<fn() -> (V, M)>);
+
+impl<'de, V: Deserialize<'de>, M: FromIterator<(String, V)>> Visitor<'de> for Keys<V, M> {
+    type Value = M;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a map")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<M, A::Error> {
+        let (mut seen, mut all) = (BTreeSet::new(), Vec::new());
+        while let Some(key) = from.next_key::<String>()? {
+            if !seen.insert(key.clone()) {
+                return Err(twice(&Place::ROOT, &key));
+            }
+            all.push((key, from.next_value()?));
+        }
+        Ok(all.into_iter().collect())
+    }
+}
+
+/// Reads an object at a place.
+struct Object<'a>(&'a Place<'a>);
+
+impl<'de> Visitor<'de> for Object<'_> {
+    type Value = Map<String, Value>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a map")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<Self::Value, A::Error> {
+        let mut all = Map::new();
+        while let Some(key) = from.next_key::<String>()? {
+            if all.contains_key(&key) {
+                return Err(twice(self.0, &key));
+            }
+            let value = from.next_value_seed(AnyValue(&Place { outer: Some((self.0, Step::Key(&key))) }))?;
+            all.insert(key, value);
+        }
+        Ok(all)
+    }
+}
+
+/// Reads any value at a place.
+struct AnyValue<'a>(&'a Place<'a>);
+
+impl<'de> DeserializeSeed<'de> for AnyValue<'_> {
+    type Value = Value;
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Value, D::Error> {
+        from.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for AnyValue<'_> {
+    type Value = Value;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a value of JSON")
+    }
+
+    fn visit_bool<E>(self, x: bool) -> Result<Value, E> {
+        Ok(x.into())
+    }
+
+    fn visit_i64<E>(self, x: i64) -> Result<Value, E> {
+        Ok(x.into())
+    }
+
+    fn visit_u64<E>(self, x: u64) -> Result<Value, E> {
+        Ok(x.into())
+    }
+
+    fn visit_f64<E>(self, x: f64) -> Result<Value, E> {
+        Ok(x.into())
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Value, E> {
+        Ok(text.into())
+    }
+
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_none<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_some<D: Deserializer<'de>>(self, from: D) -> Result<Value, D::Error> {
+        self.deserialize(from)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut from: A) -> Result<Value, A::Error> {
+        let mut all = Vec::new();
+        loop {
+            let place = Place { outer: Some((self.0, Step::Number(all.len()))) };
+            match from.next_element_seed(AnyValue(&place))? {
+                Some(value) => all.push(value),
+                None => return Ok(Value::Array(all)),
+            }
+        }
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, from: A) -> Result<Value, A::Error> {
+        Object(self.0).visit_map(from).map(Value::Object)
+    }
+}
