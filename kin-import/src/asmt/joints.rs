@@ -1,6 +1,6 @@
 //! Joints, and limits of what they measure.
 
-use kin::{Axis, IntoConstraint, Vec3, spatial};
+use kin::{Axis, IntoConstraint, SpatialBody, Vec3, spatial};
 
 use super::parts::Marker;
 use super::{Reading, refused};
@@ -8,9 +8,10 @@ use crate::formula::Formula;
 use crate::imported::Mistake;
 use crate::tree::Tree;
 
-/// A joint that was read: its path, and its markers.
+/// A joint that was read: its path, and its markers with their paths.
 pub struct Joint {
     pub path: String,
+    pub markers: [String; 2],
     pub name: String,
     pub kind: String,
     pub i: Marker,
@@ -41,6 +42,9 @@ const KINDS: [&str; 20] = [
     "RackPinionJoint",
 ];
 
+/// Why a motion or a limit is left out.
+pub(super) const NO_JOINT: &str = "no joint that is read is the one that it names, or is between its markers";
+
 /// Axes with a smaller sine between them are parallel.   \[-\]
 const PARALLEL: f64 = 1e-9;
 
@@ -69,8 +73,16 @@ impl Reading {
             self.leave(of, "joints of this kind are not read", true);
             return Ok(());
         }
-        let (name, line) = of.value("Name")?;
-        let (i, j) = (self.markers.named(of, "MarkerI")?, self.markers.named(of, "MarkerJ")?);
+        let Some([i, j]) = self.markers.of(of)? else {
+            self.leave(of, "it does not name two markers", true);
+            return Ok(());
+        };
+        if let Some(reason) = self.on_one_body(&i, &j) {
+            self.leave(of, &reason, false);
+            return Ok(());
+        }
+        let (name, line) = self.name_of(of);
+        let name = name.as_str();
         let (h_i, h_j) = (i.axis(2), self.along(&i, &j));
         let p = |m: &Marker| kin::EulerParameters::from_rotation(m.a);
         let p_ij = p(&i) * p(&j).conjugate();
@@ -118,9 +130,28 @@ impl Reading {
                 }
             }
         }
-        let path = format!("/{}/{name}", self.mechanism.name());
-        self.joints.push(Joint { path, name: name.to_string(), kind: kind.to_string(), i, j });
+        let path = format!("{}/{name}", self.root);
+        let markers = [of.value("MarkerI")?.0.to_string(), of.value("MarkerJ")?.0.to_string()];
+        self.joints.push(Joint { path, name: name.to_string(), kind: kind.to_string(), markers, i, j });
         Ok(())
+    }
+
+    /// The reason why something between two markers holds and moves nothing; `None` where it does.
+    pub(super) fn on_one_body(&self, i: &Marker, j: &Marker) -> Option<String> {
+        let is_ground = i.body == SpatialBody::from(self.mechanism.ground());
+        let on = if is_ground { "the ground" } else { "one part" };
+        (i.body == j.body)
+            .then(|| format!("both of its markers are on {on}, so that it cannot move anything"))
+    }
+
+    /// The joint that a motion or a limit is of: the one that its line `MotionJoint` names, else the one
+    /// between its own two markers. `None` where no joint that was read is meant.
+    pub(super) fn joint_of(&self, of: &Tree<'_>) -> Option<&Joint> {
+        if let Ok((path, _)) = of.value("MotionJoint") {
+            return self.joints.iter().find(|joint| joint.path == path);
+        }
+        let markers = [of.value("MarkerI").ok()?.0, of.value("MarkerJ").ok()?.0];
+        self.joints.iter().find(|joint| joint.markers == markers)
     }
 
     /// Adds a joint that some numbers have no place for; gives the reason why it is left out.
@@ -196,10 +227,11 @@ impl Reading {
                 return Ok(());
             }
         };
-        let ((path, line), (end, at), (way, _)) =
-            (of.value("MotionJoint")?, of.value("Limit")?, of.value("Type")?);
-        let joint = self.joints.iter().find(|joint| joint.path == path);
-        let joint = joint.ok_or_else(|| Mistake::at(line, format!("there is no joint `{path}`")))?;
+        let ((end, at), (way, _)) = (of.value("Limit")?, of.value("Type")?);
+        let Some(joint) = self.joint_of(of) else {
+            self.leave(of, NO_JOINT, false);
+            return Ok(());
+        };
         let has = match joint.kind.as_str() {
             "RevoluteJoint" | "PlanarJoint" => measure == "angle",
             "TranslationalJoint" => measure == "slide",

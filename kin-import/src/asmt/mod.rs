@@ -34,22 +34,27 @@ const MOST_TIMES: f64 = 1e6;
 /// ```
 ///
 /// Errors: a file that is none of these, a number that is none, a marker that nothing has, a law that is
-/// not understood, each with its line. What Kin has no place for is no error: [`Imported::left_out`].
+/// not understood, each with its line. What Kin has no place for is no error: [`Imported::left_out`]. It has
+/// also what is incomplete: an empty name, a motion of no joint, a joint between two markers of one body.
 pub fn asmt(text: &str) -> Result<Imported, Mistake> {
     let file = Tree::read(text)?;
     let assembly = file.get("Assembly").ok_or_else(|| {
         Mistake::at(0, "there is no line `Assembly`: this is no file of OndselSolver (.asmt)")
     })?;
-    let (name, line) = assembly.value("Name")?;
+    let name = assembly.value("Name").map_or("", |(name, _)| name);
     let mut reading = Reading {
-        mechanism: Mechanism::new(name),
+        root: format!("/{name}"),
+        mechanism: Mechanism::new(if name.is_empty() { "assembly" } else { name }),
         markers: Markers::default(),
         joints: Vec::new(),
         limits: Default::default(),
         left_out: Vec::new(),
     };
-    reading.units(line)?;
-    reading.parts(assembly, name)?;
+    if name.is_empty() {
+        reading.left_out.push(LeftOut::name_of(assembly, "assembly"));
+    }
+    reading.mechanism.units("m", "s").mass("kg");
+    reading.parts(assembly)?;
     if let Some(sets) = assembly.get("ConstraintSets") {
         reading.sets(sets)?;
     }
@@ -66,6 +71,8 @@ pub fn asmt(text: &str) -> Result<Imported, Mistake> {
 
 /// A file on its way to a mechanism.
 struct Reading {
+    /// The path of the assembly.
+    root: String,
     mechanism: Mechanism,
     markers: Markers,
     joints: Vec<joints::Joint>,
@@ -75,14 +82,6 @@ struct Reading {
 }
 
 impl Reading {
-    fn units(&mut self, line: usize) -> Result<(), Mistake> {
-        if self.mechanism.name().trim().is_empty() {
-            return Err(Mistake::at(line, "the assembly needs a name"));
-        }
-        self.mechanism.units("m", "s").mass("kg");
-        Ok(())
-    }
-
     fn sets(&mut self, sets: &Tree<'_>) -> Result<(), Mistake> {
         for joint in sets.all("Joints") {
             self.joint(joint)?;
@@ -103,6 +102,17 @@ impl Reading {
         Ok(())
     }
 
+    /// The name of a block, and its line. A block without a name is called after its kind and its line, which
+    /// is noted.
+    fn name_of(&mut self, of: &Tree<'_>) -> (String, usize) {
+        if let Ok((name, line)) = of.value("Name") {
+            return (name.to_string(), line);
+        }
+        let name = format!("{} at line {}", of.text, of.line);
+        self.left_out.push(LeftOut::name_of(of, &name));
+        (name, of.line)
+    }
+
     /// Notes something that is left out.
     fn leave(&mut self, what: &Tree<'_>, reason: &str, matters: bool) {
         let name = match what.value("Name") {
@@ -110,6 +120,14 @@ impl Reading {
             Err(_) => what.text.to_string(),
         };
         self.left_out.push(LeftOut { line: what.line, name, reason: reason.to_string(), matters });
+    }
+}
+
+impl LeftOut {
+    /// The empty name of a block, which Kin calls otherwise.
+    fn name_of(of: &Tree<'_>, name: &str) -> LeftOut {
+        let reason = format!("it is empty; Kin reads the rest of it as `{name}`");
+        LeftOut { line: of.line, name: format!("the name of {}", of.text), reason, matters: false }
     }
 }
 

@@ -4,7 +4,7 @@ use kin::joints::drivers::spatial as drivers;
 use kin::{Axis, EulerParameters, Law, Mat3, Vec3};
 
 use super::Reading;
-use super::joints::Joint;
+use super::joints::NO_JOINT;
 use super::parts::Marker;
 use crate::formula::Formula;
 use crate::imported::Mistake;
@@ -13,42 +13,45 @@ use crate::tree::Tree;
 impl Reading {
     /// Adds a motion.
     pub fn motion(&mut self, of: &Tree<'_>) -> Result<(), Mistake> {
-        let (name, line) = of.value("Name")?;
+        if !["RotationalMotion", "TranslationalMotion", "GeneralMotion"].contains(&of.text) {
+            self.leave(of, "motions of this kind are not read", true);
+            return Ok(());
+        }
+        let Some([i, j]) = self.markers_of(of)? else {
+            self.leave(of, NO_JOINT, true);
+            return Ok(());
+        };
+        if let Some(reason) = self.on_one_body(&i, &j) {
+            self.leave(of, &reason, true);
+            return Ok(());
+        }
         match of.text {
             "RotationalMotion" => {
-                let (i, j) = self.markers_of(of)?;
                 let law = law(of, "RotationZ")?;
                 let (h_i, h_j) = (Axis::new(i.axis(2), i.axis(0)), Axis::new(self.along(&i, &j), j.axis(0)));
-                self.add(name, line, drivers::drive_turn(j.body, i.body, h_j, h_i, law))
+                let (name, line) = self.name_of(of);
+                self.add(&name, line, drivers::drive_turn(j.body, i.body, h_j, h_i, law))
             }
             "TranslationalMotion" => {
-                let (i, j) = self.markers_of(of)?;
                 let law = law(of, "TranslationZ")?;
-                self.add(name, line, drivers::drive_slide(j.body, i.body, j.u, i.u, i.axis(2), law))
+                let (name, line) = self.name_of(of);
+                self.add(&name, line, drivers::drive_slide(j.body, i.body, j.u, i.u, i.axis(2), law))
             }
-            "GeneralMotion" => self.general(of, name, line),
-            _ => {
-                self.leave(of, "motions of this kind are not read", true);
-                Ok(())
-            }
+            _ => self.general(of, [i, j]),
         }
     }
 
-    /// The markers of the joint that a motion moves, or its own.
-    fn markers_of(&self, of: &Tree<'_>) -> Result<(Marker, Marker), Mistake> {
-        if of.get("MotionJoint").is_none() {
-            return Ok((self.markers.named(of, "MarkerI")?, self.markers.named(of, "MarkerJ")?));
+    /// The markers of the joint that a motion moves, or its own, as in OndselSolver where `MotionJoint` says
+    /// nothing; `None` where it has neither.
+    fn markers_of(&self, of: &Tree<'_>) -> Result<Option<[Marker; 2]>, Mistake> {
+        match of.value("MotionJoint") {
+            Ok(_) => Ok(self.joint_of(of).map(|joint| [joint.i, joint.j])),
+            Err(_) => self.markers.of(of),
         }
-        let (path, line) = of.value("MotionJoint")?;
-        let joint: Option<&Joint> = self.joints.iter().find(|joint| joint.path == path);
-        joint
-            .map(|joint| (joint.i, joint.j))
-            .ok_or_else(|| Mistake::at(line, format!("there is no joint `{path}`")))
     }
 
     /// Six laws: the way of J as I sees it, and three turns in an order.
-    fn general(&mut self, of: &Tree<'_>, name: &str, line: usize) -> Result<(), Mistake> {
-        let (i, j) = self.markers_of(of)?;
+    fn general(&mut self, of: &Tree<'_>, [i, j]: [Marker; 2]) -> Result<(), Mistake> {
         let way = [law(of, "rIJI1")?, law(of, "rIJI2")?, law(of, "rIJI3")?];
         let turns = [law(of, "angIJJ1")?, law(of, "angIJJ2")?, law(of, "angIJJ3")?];
         let order = of.numbers::<3>("RotationOrder")?;
@@ -74,7 +77,8 @@ impl Reading {
             pitch,
             scaled(&roll, sign),
         );
-        self.add(name, line, driver)
+        let (name, line) = self.name_of(of);
+        self.add(&name, line, driver)
     }
 }
 

@@ -42,38 +42,35 @@ impl Marker {
 pub struct Markers(HashMap<String, Marker>);
 
 impl Markers {
-    /// The marker that a line of this text names.
-    pub fn named(&self, of: &Tree<'_>, text: &str) -> Result<Marker, Mistake> {
-        let (path, line) = of.value(text)?;
-        self.0.get(path).copied().ok_or_else(|| Mistake::at(line, format!("there is no marker `{path}`")))
-    }
-
-    /// Takes the markers of the reference points of a part, or of the assembly.
-    fn take(&mut self, path: &str, of: &Tree<'_>, own: Own) -> Result<(), Mistake> {
-        for point in of.all("RefPoints") {
-            let (r, a) = frame(point)?;
-            for marker in point.all("Markers") {
-                let (u, axes) = frame(marker)?;
-                let (name, line) = marker.value("Name")?;
-                let (u, a) = (own.r + own.a * (r + a * u), own.a * a * axes);
-                let place = own.place + own.stand * u;
-                let found = Marker { body: own.body, u, a, stand: own.stand, place };
-                if self.0.insert(format!("{path}/{name}"), found).is_some() {
-                    return Err(Mistake::at(line, format!("there are two markers `{path}/{name}`")));
-                }
-            }
-        }
-        Ok(())
+    /// The markers I and J that a joint or a motion names; `None` where it names one of them or none.
+    ///
+    /// Errors: a marker that nothing has.
+    pub fn of(&self, of: &Tree<'_>) -> Result<Option<[Marker; 2]>, Mistake> {
+        let (Ok(i), Ok(j)) = (of.value("MarkerI"), of.value("MarkerJ")) else { return Ok(None) };
+        let named = |(path, line): (&str, usize)| {
+            let known = self.0.get(path).copied();
+            known.ok_or_else(|| Mistake::at(line, format!("there is no marker `{path}`")))
+        };
+        Ok(Some([named(i)?, named(j)?]))
     }
 }
 
 /// A body that holds markers, the frame in it that they are given in, and where it stands.
+#[derive(Clone, Copy)]
 struct Own {
     body: SpatialBody,
     r: Vec3,
     a: Mat3,
     stand: Mat3,
     place: Vec3,
+}
+
+impl Own {
+    /// The marker at a place of the frame, with these axes in it.
+    fn marker(&self, r: Vec3, a: Mat3) -> Marker {
+        let (u, a) = (self.r + self.a * r, self.a * a);
+        Marker { body: self.body, u, a, stand: self.stand, place: self.place + self.stand * u }
+    }
 }
 
 /// Position and rotation matrix of something.
@@ -94,15 +91,34 @@ fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
 
 impl Reading {
     /// The ground, which is the assembly itself, and all parts.
-    pub fn parts(&mut self, assembly: &Tree<'_>, name: &str) -> Result<(), Mistake> {
-        let path = format!("/{name}");
+    pub fn parts(&mut self, assembly: &Tree<'_>) -> Result<(), Mistake> {
+        let path = self.root.clone();
         let ground = SpatialBody::from(self.mechanism.ground());
         let on = frame(assembly)?;
         let own = Own { body: ground, r: on.0, a: on.1, stand: Mat3::identity(), place: Vec3::zeros() };
-        self.markers.take(&path, assembly, own)?;
+        self.take(&path, assembly, own)?;
         self.shapes(assembly);
         for part in assembly.all("Parts") {
             self.part(part, &path, on)?;
+        }
+        Ok(())
+    }
+
+    /// Takes the markers of the reference points of a part, or of the assembly.
+    fn take(&mut self, path: &str, of: &Tree<'_>, own: Own) -> Result<(), Mistake> {
+        for point in of.all("RefPoints") {
+            let (r, a) = frame(point)?;
+            for marker in point.all("Markers") {
+                let (u, axes) = frame(marker)?;
+                let Ok((name, line)) = marker.value("Name") else {
+                    self.leave(marker, "it has no name by which a joint could find it", false);
+                    continue;
+                };
+                let path = format!("{path}/{name}");
+                if self.markers.0.insert(path.clone(), own.marker(r + a * u, a * axes)).is_some() {
+                    return Err(Mistake::at(line, format!("there are two markers `{path}`")));
+                }
+            }
         }
         Ok(())
     }
@@ -112,22 +128,26 @@ impl Reading {
             self.leave(part, "it is no part", true);
             return Ok(());
         }
-        let ((name, line), (r, a)) = (part.value("Name")?, frame(part)?);
+        let ((name, line), (r, a)) = (self.name_of(part), frame(part)?);
         let pose = SpatialPose::new(on.0 + on.1 * r, EulerParameters::from_rotation(on.1 * a));
-        let body = self.mechanism.spatial(name, pose).map_err(refused(line))?;
+        let body = self.mechanism.spatial(&name, pose).map_err(refused(line))?;
         let place = on.0 + on.1 * r;
         let own = Own { body, r: Vec3::zeros(), a: Mat3::identity(), stand: on.1 * a, place };
-        self.markers.take(&format!("{path}/{name}"), part, own)?;
+        // Joints name a part without a name by its empty name.
+        let path = format!("{path}/{}", part.value("Name").map_or("", |(name, _)| name));
+        self.take(&path, part, own)?;
         self.shapes(part);
-        match part.get("PrincipalMassMarker") {
-            Some(masses) => self.masses(masses, body),
-            None => Ok(()),
+        let Some(masses) = part.get("PrincipalMassMarker") else { return Ok(()) };
+        let (centre, a) = frame(masses)?;
+        if let Ok((name, _)) = masses.value("Name") {
+            self.markers.0.entry(format!("{path}/{name}")).or_insert(own.marker(centre, a));
         }
+        self.masses(masses, body, (centre, a))
     }
 
     /// J = A diag(J1, J2, J3) Aᵀ, A the principal axes.
-    fn masses(&mut self, of: &Tree<'_>, body: SpatialBody) -> Result<(), Mistake> {
-        let ([mass], (centre, a)) = (of.numbers::<1>("Mass")?, frame(of)?);
+    fn masses(&mut self, of: &Tree<'_>, body: SpatialBody, (centre, a): (Vec3, Mat3)) -> Result<(), Mistake> {
+        let [mass] = of.numbers::<1>("Mass")?;
         if mass == 0.0 {
             self.leave(of, "its mass is zero: the part weighs nothing", false);
             return Ok(());

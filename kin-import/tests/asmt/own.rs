@@ -45,7 +45,7 @@ pub fn joint(kind: &str, name: &str, i: &str, j: &str) -> String {
 }
 
 /// Crank 1, rod 3; the assembly is turned by a quarter about x and moved.
-fn text(law: &str, more_joints: &str) -> String {
+pub fn text(law: &str, more_joints: &str) -> String {
     let (angle, quarter) = (0.5_f64, [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
     let turned = |a: f64| [[a.cos(), -a.sin(), 0.0], [a.sin(), a.cos(), 0.0], [0.0, 0.0, 1.0]];
     let (pin, lean) = ([angle.cos(), angle.sin(), 0.0], -(angle.sin() / 3.0).asin());
