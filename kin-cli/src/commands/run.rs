@@ -30,12 +30,13 @@ pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
     }
     say.note(&motion.summary());
     motion.events().iter().for_each(|event| say.note(&event.to_string()));
-    written(asked, &motion, &scene)?;
+    let why = early.as_ref().and_then(Fault::message).unwrap_or_default();
+    written(asked, &motion, &scene, &why)?;
     early.map_or(Ok(()), Err)
 }
 
-/// Everything that is asked for.
-fn written(asked: &Run, motion: &Motion, scene: &Scene) -> Result<(), Fault> {
+/// Everything that is asked for; where the run has ended early the page says why.
+fn written(asked: &Run, motion: &Motion, scene: &Scene, why: &str) -> Result<(), Fault> {
     if let Some(to) = &asked.csv {
         output::put(to, |to| motion.write_csv_to(to))?;
     }
@@ -50,7 +51,7 @@ fn written(asked: &Run, motion: &Motion, scene: &Scene) -> Result<(), Fault> {
         output::put(to, |to| to.write_all(picture.svg().as_bytes()))?;
     }
     if let Some(to) = &asked.page {
-        let mut page = scene.page(motion)?.asked(&asked.motion.times.0);
+        let mut page = scene.page(motion)?.asked(&asked.motion.times.0).ended(why);
         for output in motion.outputs() {
             page = page.chart(output.name(), [(output.name(), output)]);
         }

@@ -1,10 +1,13 @@
 //! Shapes of bodies: told ones, else from the points where they are held.
 
+use std::f64::consts::TAU;
+
 use kin::{Vec2, Vec3, vec2};
 
 use super::forms::Piece;
 use super::hull::{Spread, rounded, spread};
 use super::joints::{Drawn, Held, Slot, is_closed};
+use super::turns::perpendicular;
 use super::{Drawing, GROUND, Shape, Style, link_ends};
 use crate::color::PALETTE;
 use crate::figure::thinned_path;
@@ -13,6 +16,8 @@ use crate::scene::{Look, Outline, OutlineKind, Scene};
 /// Half the width of a bar, and half the sides of a block in a guide, as shares of the size of all.
 const BAR: f64 = 0.016;
 const BLOCK: [f64; 2] = [0.045, 0.028];
+/// How long the mark is that shows a body turn, as a share of the size of all.
+const MARK: f64 = 0.04;
 
 impl Drawing {
     /// Shapes of the ground, then of the bodies in their order.
@@ -115,20 +120,52 @@ impl Drawing {
 
     fn draw_by_points(&mut self, look: &Look, track: usize, color: &str, mut points: Vec<Vec3>) {
         let origin = Vec3::new(0.0, 0.0, 0.0);
+        let told_by_pieces = self.shapes.iter().any(|shape| shape.track == track);
         if points.len() < 2 && points.iter().all(|p| p.norm() > 1e-3 * self.size) {
             points.push(origin);
         }
         if self.planar {
             self.shape(&look.name, track, rounded(&points, BAR * self.size), Style::Plate, color);
+            if let ([at], false) = (&points[..], told_by_pieces || self.tracks[track].keeps_its_angle()) {
+                let spoke = vec![*at, *at + Vec3::x() * (MARK * self.size)];
+                self.shape(&look.name, track, spoke, Style::Slot, color);
+            }
             return;
         }
         match spread(&points) {
-            Spread::Line(points) => self.shape(&look.name, track, points, Style::Bar, color),
+            Spread::Line(points) => {
+                self.draw_turn(look, track, color, &points);
+                self.shape(&look.name, track, points, Style::Bar, color);
+            }
             Spread::Plate(corners) => self.shape(&look.name, track, corners, Style::Plate, color),
             Spread::Star(lines) => lines
                 .into_iter()
                 .for_each(|line| self.shape(&look.name, track, line.to_vec(), Style::Bar, color)),
         }
+    }
+
+    /// A disc with a spoke on a line that turns about itself, in its middle; on a single point across the axis
+    /// about which its body turns. Without it nothing would be seen to move.
+    fn draw_turn(&mut self, look: &Look, track: usize, color: &str, line: &[Vec3]) {
+        /// Corners of the disc.
+        const CORNERS: usize = 24;
+        let samples = self.samples();
+        let (at, along) = match line {
+            [at] => (*at, samples.axis(track)),
+            [from, to] => ((*from + *to) * 0.5, Some((*to - *from) / (*to - *from).norm())),
+            _ => return,
+        };
+        let Some(along) = along.filter(|along| samples.turns_about(track, *along)) else { return };
+        let x = perpendicular(along);
+        let y = along.cross(x);
+        let on = |k: usize| {
+            let (sin, cos) = (TAU * k as f64 / CORNERS as f64).sin_cos();
+            at + (x * cos + y * sin) * (MARK * self.size)
+        };
+        let disc = (0..CORNERS).map(on).collect();
+        let spoke = vec![at, on(0)];
+        self.shape(&look.name, track, disc, Style::Plate, color);
+        self.shape(&look.name, track, spoke, Style::Slot, color);
     }
 
     fn draw_slot(&mut self, name: &str, slot: &Slot, color: &str, still: bool) {

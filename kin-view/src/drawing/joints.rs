@@ -55,6 +55,16 @@ impl Samples {
         }
     }
 
+    /// How many samples there are.
+    pub fn len(&self) -> usize {
+        self.frames.first().map_or(0, Vec::len)
+    }
+
+    /// Where a track stands at one of the samples.
+    pub fn frame(&self, track: usize, k: usize) -> Option<Frame> {
+        self.frames[track].get(k).copied()
+    }
+
     /// Where a point stands, over the samples.
     pub fn path(&self, (track, local): (usize, Vec3)) -> impl Iterator<Item = Vec3> + '_ {
         self.frames[track].iter().map(move |frame| frame.point(local))

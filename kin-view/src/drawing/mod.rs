@@ -6,6 +6,7 @@ mod forms;
 mod hull;
 mod joints;
 mod track;
+mod turns;
 mod wheels;
 
 use kin::{Motion, Result, Units, Vec3};
@@ -16,6 +17,7 @@ pub(crate) use arrows::{Push, Scale, round_below};
 use hull::covers;
 use joints::{Held, Samples};
 pub(crate) use track::Track;
+pub(crate) use turns::LEAP;
 
 /// Everything to be drawn.
 pub(crate) struct Drawing {
@@ -23,6 +25,8 @@ pub(crate) struct Drawing {
     /// True if all points lie in the plane z = 0.
     pub planar: bool,
     pub times: Vec<f64>,
+    /// By how much a body turns at most from each time to the next.   [rad]
+    pub turns: Vec<f64>,
     /// Names of the units of length and time.
     pub units: Units,
     pub tracks: Vec<Track>,
@@ -99,6 +103,8 @@ pub(crate) struct Mark {
 
 /// Colour of bodies that stand still.
 pub(crate) const GROUND: &str = "#808080";
+/// Where the eye stands where nobody says.   [rad]
+const USUAL_EYE: (f64, f64) = (-1.05, 0.35);
 /// Rods and other lines of no body.
 const ROD: &str = "#5a5a5a";
 
@@ -116,6 +122,7 @@ impl Drawing {
             name: scene.name.clone(),
             planar: true,
             times: motion.times().to_vec(),
+            turns: turns::turns(scene, motion)?,
             units: motion.unit_words().clone(),
             shapes: Vec::new(),
             lines: moving_lines(scene, &mut tracks, motion.len()),
@@ -123,7 +130,7 @@ impl Drawing {
             traces: Vec::new(),
             bounds: [Vec3::new(0.0, 0.0, 0.0); 2],
             size: 1.0,
-            eye: scene.eye,
+            eye: scene.eye.unwrap_or(USUAL_EYE),
             pushes: Vec::new(),
             scales: Default::default(),
             longest: 0.0,
@@ -136,6 +143,9 @@ impl Drawing {
         drawing.measure(&held, scene);
         drawing.draw(scene, &held);
         drawing.measure_shapes();
+        if scene.eye.is_none() && !drawing.planar {
+            drawing.eye = drawing.face().unwrap_or(USUAL_EYE);
+        }
         drawing.push(scene, motion);
         Ok(drawing)
     }

@@ -94,6 +94,12 @@ impl Track {
         }
     }
 
+    /// True if it is no planar body, or one that does not turn.
+    pub fn keeps_its_angle(&self) -> bool {
+        let Track::Planar([.., theta]) = self else { return true };
+        theta.iter().all(|angle| (angle - theta[0]).abs() < 0.05)
+    }
+
     /// True if the track never moves by more than `least`, a length; turning counts by itself.
     pub fn is_still(&self, least: f64) -> bool {
         let rotations = if let Track::Point(_) = self {

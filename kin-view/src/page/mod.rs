@@ -15,7 +15,7 @@ use crate::color::PALETTE;
 use crate::drawing::{Drawing, LineKind, Mark, Push, Scale, Style, Track};
 use crate::figure::groups;
 use crate::file;
-use crate::picture::escaped;
+use crate::picture::{digits, escaped};
 use crate::scene::{Acting, Scene};
 use column::packed;
 
@@ -40,8 +40,10 @@ pub struct Page {
     title: String,
     drawing: Drawing,
     charts: Vec<Chart>,
-    /// Times asked for, where the motion has not reached all of them.
-    asked: Vec<f64>,
+    /// The last of the times asked for, where the motion has not reached it.
+    unreached: Option<f64>,
+    /// Why it has not.
+    why: String,
 }
 
 struct Chart {
@@ -59,7 +61,8 @@ impl Scene {
             title: self.name.clone(),
             drawing: Drawing::new(self, motion)?,
             charts: Vec::new(),
-            asked: Vec::new(),
+            unreached: None,
+            why: String::new(),
         })
     }
 }
@@ -101,10 +104,17 @@ impl Page {
         })
     }
 
-    /// The times that were asked for, where the motion is only a part of them (the one in an error,
-    /// [`kin::Error::motion`]): what was not reached is a gap.   \[s\]
+    /// The times that were asked for. Where the motion is only a part of them (the one in an error,
+    /// [`kin::Error::motion`]) the page shows that part, and says that the run ended before its last time.
+    ///   \[s\]
     pub fn asked(mut self, times: &[f64]) -> Page {
-        self.asked = times.to_vec();
+        self.unreached = times.last().copied().filter(|_| times.len() > self.drawing.times.len());
+        self
+    }
+
+    /// Why the run ended early, as its error says; the page shows it where not all times were reached.
+    pub fn ended(mut self, why: &str) -> Page {
+        self.why = why.to_string();
         self
     }
 
@@ -128,11 +138,28 @@ impl Page {
         let parts = [
             ("policy", policy),
             ("title", escaped(&self.title)),
+            ("ended", self.note()),
             ("style", STYLE.into()),
             ("data", data),
             ("script", script),
         ];
         filled(PAGE, &parts)
+    }
+
+    /// The note of a run that ended early.
+    fn note(&self) -> String {
+        let (Some(asked), Some(last)) = (self.unreached, self.drawing.times.last()) else {
+            return String::new();
+        };
+        let time = self.drawing.units.time();
+        let why = if self.why.is_empty() { String::new() } else { format!("<p>{}</p>", escaped(&self.why)) };
+        format!(
+            "<aside id=\"ended\" role=\"note\"><b>The run ended early: the page shows it up to t = {} {time}, of {} {time} \
+             that were asked for.</b>{why}</aside>",
+            digits(*last),
+            digits(asked),
+            time = escaped(time)
+        )
     }
 
     /// Everything the script needs.
@@ -147,9 +174,8 @@ impl Page {
                 Track::Point(_) => ("point", 3),
             };
             let columns = track.columns().iter().enumerate();
-            let columns: Vec<Value> = columns
-                .map(|(k, column)| self.column(column, if k < lengths { fine } else { FINE }))
-                .collect();
+            let columns: Vec<Value> =
+                columns.map(|(k, column)| packed(column, if k < lengths { fine } else { FINE })).collect();
             json!({ "kind": kind, "columns": columns })
         });
         let shapes = drawing.shapes.iter().map(|shape| {
@@ -161,7 +187,9 @@ impl Page {
             json!({ "name": line.name, "style": line_style(line.kind), "color": line.color, "points": points })
         });
         let mark = |mark: &Mark| json!({ "name": mark.name, "track": mark.track, "local": place(mark.local, drawing.size), "color": mark.color, "grounded": mark.grounded });
-        let times = self.times();
+        let times = self.drawing.times.as_slice();
+        let leaps: Vec<f64> = drawing.leaps().map(|leaps| f64::from(u8::from(leaps))).chain([0.0]).collect();
+        let leaps = leaps.contains(&1.0).then(|| packed(&leaps[..times.len()], 1.0));
         let pushes: Vec<Value> = drawing.pushes.iter().map(|push| self.push_data(push)).collect();
         let scale = |scale: &Scale| json!({ "length": scale.length, "turn": scale.turn, "unit": scale.unit });
         json!({
@@ -171,6 +199,7 @@ impl Page {
             "bounds": drawing.bounds.map(|p| place(p, drawing.size)),
             "size": drawing.size,
             "frames": times.len(),
+            "leaps": leaps,
             "times": packed(times, 1e-7 * span(times)),
             "tracks": tracks.collect::<Vec<_>>(),
             "shapes": shapes.collect::<Vec<_>>(),
@@ -195,7 +224,7 @@ impl Page {
         let step = FINE_FORCE * largest.fold(0.0, f64::max);
         let column = |axis: &usize| {
             let values: Vec<f64> = push.vectors.iter().map(|vector| vector.to_array()[*axis]).collect();
-            self.column(&values, step)
+            packed(&values, step)
         };
         json!({
             "name": push.name,
@@ -209,24 +238,10 @@ impl Page {
 
     fn chart_data(&self, chart: &Chart) -> Value {
         let series = chart.series.iter().enumerate().map(|(k, (name, values))| {
-            let values = self.column(values, 2e-6 * span(values));
+            let values = packed(values, 2e-6 * span(values));
             json!({ "name": name, "color": PALETTE[k % PALETTE.len()], "values": values })
         });
         json!({ "title": chart.title, "unit": chart.unit, "series": series.collect::<Vec<_>>() })
-    }
-
-    fn times(&self) -> &[f64] {
-        if self.asked.is_empty() { &self.drawing.times } else { &self.asked }
-    }
-
-    /// A value for each time that was asked for.
-    fn column(&self, values: &[f64], step: f64) -> Value {
-        if self.asked.is_empty() {
-            return packed(values, step);
-        }
-        let known = self.drawing.times.iter().zip(values);
-        let at = |t: &f64| known.clone().find(|(known, _)| *known == t).map_or(f64::NAN, |(_, value)| *value);
-        packed(&self.asked.iter().map(at).collect::<Vec<_>>(), step)
     }
 }
 

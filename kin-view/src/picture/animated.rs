@@ -5,10 +5,11 @@ use kin::{Vec2, Vec3, vec2};
 use super::svg::{SUPPORT, Svg, flipped, list, path_data, short};
 use super::view::View;
 use super::{Style, ground, shape_of};
-use crate::drawing::{Drawing, Mark, Shape, Track};
+use crate::drawing::{Drawing, LEAP, Mark, Shape, Track};
 
-/// How many poses are shown, at least and at most; between them everything moves straight.
-const POSES: [usize; 2] = [48, 240];
+/// How many poses are shown, at least and at most. Between them everything moves straight, unless bodies turn
+/// too far from one to the next: then one pose follows the other at once.
+const POSES: [usize; 2] = [48, 960];
 /// A body turns by less than this between two of them, if that many are enough.   [rad]
 const TURN: f64 = 0.14;
 
@@ -20,7 +21,8 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
     let view = View::new(drawing, 560.0, 400.0);
     let mut svg = Svg::new(view.width, view.height, &drawing.name);
     svg.push(STYLE);
-    let animation = Animation { drawing, view: &view, poses: poses(drawing), clock: clock(seconds) };
+    let poses = poses(drawing);
+    let animation = Animation { drawing, view: &view, clock: clock(seconds, leaps(drawing, &poses)), poses };
     ground(drawing, &view, &mut svg);
     for trace in &drawing.traces {
         let path: Vec<Vec2> =
@@ -56,22 +58,22 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
 /// Which frames are shown; the last is the end of the motion.
 fn poses(drawing: &Drawing) -> Vec<usize> {
     let last = drawing.times.len().saturating_sub(1);
-    let turns = drawing
-        .tracks
-        .iter()
-        .filter_map(|track| if let Track::Planar([_, _, theta]) = track { Some(theta) } else { None });
-    let turned = |theta: &Vec<f64>| {
-        theta.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|turn| turn.is_finite()).sum::<f64>()
-    };
-    let needed = turns.map(turned).fold(0.0, f64::max) / TURN;
+    let needed = drawing.turns.iter().filter(|turn| turn.is_finite()).sum::<f64>() / TURN;
     let count = (needed as usize).clamp(POSES[0], POSES[1]).min(last).max(1);
     (0..=count).map(|k| k * last / count).collect()
 }
 
+/// True if bodies turn too far between two poses for a straight way.
+fn leaps(drawing: &Drawing, poses: &[usize]) -> bool {
+    let turned = |w: &[usize]| drawing.turns[w[0]..w[1]].iter().sum::<f64>();
+    poses.windows(2).any(|w| turned(w) > LEAP)
+}
+
 /// Attributes that all animations have in common.
-fn clock(seconds: f64) -> String {
+fn clock(seconds: f64, leaps: bool) -> String {
     let seconds = if seconds.is_finite() && seconds > 0.0 { seconds } else { 4.0 };
-    format!("dur=\"{}s\" repeatCount=\"indefinite\"", short(seconds.max(0.01)))
+    let mode = if leaps { " calcMode=\"discrete\"" } else { "" };
+    format!("dur=\"{}s\" repeatCount=\"indefinite\"{mode}", short(seconds.max(0.01)))
 }
 
 struct Animation<'a> {
@@ -132,8 +134,12 @@ impl Animation<'_> {
             return String::new();
         }
         let origin = |k: usize| self.at(track, Vec3::new(0.0, 0.0, 0.0), k);
-        let moved = self.values(|k| format!("{} {}", tenth(origin(k).x), tenth(origin(k).y)));
-        let turned = self.values(|k| tenth(-theta.get(k).copied().unwrap_or(0.0).to_degrees()));
+        let place = |k: usize| format!("{} {}", tenth(origin(k).x), tenth(origin(k).y));
+        let angle = |k: usize| tenth(-theta.get(k).copied().unwrap_or(0.0).to_degrees());
+        let (moved, turned) = (self.values(place), self.values(angle));
+        // What a viewer that shows no motion shows: the first pose.
+        let first = self.poses[0];
+        let rest = format!("translate({}) rotate({})", place(first), angle(first));
         let change = |kind: &str, values: &str, more: &str| {
             format!(
                 "<animateTransform attributeName=\"transform\" type=\"{kind}\" values=\"{values}\" {}{more}/>",
@@ -141,7 +147,7 @@ impl Animation<'_> {
             )
         };
         format!(
-            "<g>{}{}{}</g>",
+            "<g transform=\"{rest}\">{}{}{}</g>",
             inner.text.trim_end(),
             change("translate", &moved, ""),
             change("rotate", &turned, " additive=\"sum\"")
@@ -192,7 +198,14 @@ impl Animation<'_> {
                 self.clock
             )
         };
-        format!("<circle {style}>{}{}</circle>", change("cx", |p| p.x), change("cy", |p| p.y))
+        let rest = at(self.poses[0]);
+        format!(
+            "<circle cx=\"{}\" cy=\"{}\" {style}>{}{}</circle>",
+            tenth(rest.x),
+            tenth(rest.y),
+            change("cx", |p| p.x),
+            change("cy", |p| p.y)
+        )
     }
 }
 

@@ -13,7 +13,7 @@ use crate::drawing::{Drawing, LineKind, Mark, Style};
 use crate::file;
 use crate::scene::Scene;
 use svg::Svg;
-pub(crate) use svg::{escaped, short};
+pub(crate) use svg::{digits, escaped, short};
 use view::View;
 
 /// A picture of a mechanism, to be saved.
@@ -59,7 +59,9 @@ impl Scene {
     }
 
     /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever: some 48
-    /// poses a turn and straight lines between them.
+    /// poses a turn and straight lines between them. Where a body turns by more than 0.6 rad from one time of
+    /// the motion to the next, the poses follow one another without anything between. A viewer that shows no
+    /// motion shows the first pose.
     ///
     /// Errors: a motion of another system.
     pub fn animated(&self, motion: &Motion, seconds: f64) -> Result<Picture> {
@@ -94,7 +96,7 @@ fn pictured(drawing: &Drawing, frames: &[(usize, f64)]) -> String {
     }
     if let [(k, _)] = frames {
         arrows::arrows(drawing, &view, *k, &mut svg);
-        svg.caption(&format!("t = {} {}", svg::digits(drawing.times[*k]), drawing.units.time()));
+        svg.caption(&format!("t = {} {}", digits(drawing.times[*k]), drawing.units.time()));
     }
     svg.finish()
 }

@@ -158,7 +158,7 @@ pub(crate) fn short(x: f64) -> String {
 }
 
 /// Five digits, however small or large.
-pub(super) fn digits(x: f64) -> String {
+pub(crate) fn digits(x: f64) -> String {
     format!("{x:.4e}").parse::<f64>().unwrap_or(x).to_string()
 }
 

@@ -59,7 +59,8 @@ impl View {
 
     /// The lines of a floor under a spatial mechanism.
     pub fn floor(&self, drawing: &Drawing) -> Vec<Vec<Vec2>> {
-        if drawing.planar {
+        // Seen from right above a floor is no floor.
+        if drawing.planar || self.eye.z.abs() > 0.999 {
             return Vec::new();
         }
         let [low, high] = drawing.bounds;

@@ -36,8 +36,8 @@ pub struct Scene {
     pub(crate) arrows: Vec<Arrow>,
     pub(crate) traces: Vec<Trace>,
     pub(crate) lines: Vec<MovingLine>,
-    /// Azimuth and elevation of the eye.   [rad]
-    pub(crate) eye: (f64, f64),
+    /// Azimuth and elevation of the eye, where they are told.   [rad]
+    pub(crate) eye: Option<(f64, f64)>,
 }
 
 /// How one body is drawn.
@@ -96,7 +96,7 @@ impl Scene {
         let looks = looks.collect();
         let joints =
             system.constraints().filter_map(|(name, constraint)| Joint::new(name, constraint)).collect();
-        let (name, eye) = (system.name().to_string(), (-1.05, 0.35));
+        let (name, eye) = (system.name().to_string(), None);
         let ground = Look::new(kin::Ground.into(), "ground");
         Scene { name, looks, ground, joints, arrows: Vec::new(), traces: Vec::new(), lines: Vec::new(), eye }
     }
@@ -162,9 +162,10 @@ impl Scene {
     }
 
     /// Where the eye stands that looks at a spatial mechanism: angle about z from the x-axis, and above the
-    /// horizon.   \[rad\]
+    /// horizon. Without it the eye looks straight at a mechanism that moves in one plane, and at others from
+    /// aside and above.   \[rad\]
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Scene {
-        self.eye = (azimuth, elevation);
+        self.eye = Some((azimuth, elevation));
         self
     }
 

@@ -3,6 +3,7 @@
 mod bars;
 mod forces;
 mod numbers;
+mod still;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -240,7 +241,7 @@ fn ten_thousand_frames_are_a_small_file() -> Result<()> {
 }
 
 #[test]
-fn what_was_not_reached_is_a_gap() -> Result<()> {
+fn a_page_of_a_run_that_ended_early_spans_the_times_reached_and_says_why() -> Result<()> {
     let mut m = Mechanism::new("toggle");
     let ground = m.ground();
     let (a, b) = (m.link("a", 1.0)?, m.link("b", 1.0)?);
@@ -257,11 +258,22 @@ fn what_was_not_reached_is_a_gap() -> Result<()> {
     let part = error.motion().expect("the motion up to the toggle");
     assert!((80..=101).contains(&part.len()), "{}", part.len());
     let x = part.coordinate(slider.x())?;
-    let page = data(&Scene::new(&system).page(part)?.asked(&asked).chart("x", [("x", &x.value)]).html());
-    assert_eq!(page["frames"], 201);
-    let column = STANDARD.decode(page["charts"][0]["series"][0]["values"]["d"].as_str().unwrap()).unwrap();
-    let gaps = column.iter().rev().take_while(|byte| **byte == 0).count();
-    assert_eq!(gaps, 201 - part.len(), "one gap for each time that was not reached");
+    let scene = Scene::new(&system);
+    let why = format!("{error} <img src=x>");
+    let html = scene.page(part)?.asked(&asked).ended(&why).chart("x", [("x", &x.value)]).html();
+    let page = data(&html);
+    assert_eq!(page["frames"], part.len());
+    for column in [&page["charts"][0]["series"][0]["values"], &page["tracks"][1]["columns"][0]] {
+        let gaps = STANDARD.decode(column["d"].as_str().unwrap()).unwrap();
+        assert!(!gaps.contains(&0), "there is a gap");
+    }
+    let note = html.split_once("<aside id=\"ended\" role=\"note\">").expect("a note").1;
+    let note = note.split_once("</aside>").expect("its end").0;
+    assert!(note.contains("up to t = 0.99 s, of 2 s that were asked for"), "{note}");
+    let sentence = error.to_string().lines().next().unwrap_or_default().replace('\'', "&#39;");
+    assert!(note.contains(&sentence) && !note.contains("<img"), "{note}");
+    let whole = scene.page(part)?.asked(part.times()).ended(&why).html();
+    assert!(!whole.contains("id=\"ended\"") && !scene.page(part)?.html().contains("id=\"ended\""));
     Ok(())
 }
 

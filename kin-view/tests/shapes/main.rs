@@ -1,5 +1,6 @@
 //! Drawn things have the size and the place that the mechanism gives them.
 
+mod space;
 mod wheels;
 
 use std::f64::consts::{PI, TAU};

@@ -39,6 +39,9 @@ const between = (values, index) => {
   return share === 0 ? values[k] : values[k] + share * (values[k + 1] - values[k]);
 };
 
+// Between two frames that are far apart there is no way that could be drawn: the nearer one is shown.
+const shownAt = (data, index) => (data.leaps && data.leaps[Math.floor(index)] > 0.5 ? Math.round(index) : index);
+
 // Position and rotation (row by row) of a track at a frame, whole or between two.
 const frameOf = (track, index) => {
   const at = track.columns.map((values) => between(values, index));
@@ -66,6 +69,7 @@ const pointOf = ({ r, a }, [x, y, z]) => [
 const load = () => {
   const data = JSON.parse(document.getElementById("data").textContent), n = data.frames;
   data.times = column(data.times, n);
+  if (data.leaps) data.leaps = column(data.leaps, n);
   for (const track of data.tracks) track.columns = track.columns.map((packed) => column(packed, n));
   for (const push of data.pushes) push.columns = push.columns.map((packed) => column(packed, n));
   for (const chart of data.charts) for (const series of chart.series) series.values = column(series.values, n);

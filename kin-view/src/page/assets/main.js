@@ -29,10 +29,11 @@ const start = () => {
 
   const go = (to) => {
     index = Math.max(0, Math.min(last, to));
-    stage.show(index);
-    for (const chart of charts) chart.show(index);
-    slider.value = Math.round(index);
-    const t = text(between(data.times, index), 5);
+    const shown = shownAt(data, index);
+    stage.show(shown);
+    for (const chart of charts) chart.show(shown);
+    slider.value = Math.round(shown);
+    const t = text(between(data.times, shown), 5);
     const told = `${t} ${data.units[1]}`;
     time.textContent = `t = ${told}`;
     slider.setAttribute("aria-valuetext", told);

@@ -91,7 +91,12 @@ class Stage {
     this.svg.setAttribute("viewBox", `${middle[0] + this.shift[0] - w / 2} ${middle[1] + this.shift[1] - h / 2} ${w || 1} ${h || 1}`);
     this.svg.dataset.right = this.eye[0].join(" ");
     this.svg.dataset.up = this.eye[1].join(" ");
-    for (const { ends, element } of this.floor) element.setAttribute("points", this.listed(ends));
+    // Seen from right above a floor is no floor.
+    const above = Math.abs(this.eye[2][2]) > 0.999;
+    for (const { ends, element } of this.floor) {
+      element.setAttribute("points", this.listed(ends));
+      element.setAttribute("visibility", above ? "hidden" : "visible");
+    }
     for (const mark of [...this.marks, ...this.dots]) mark.element.setAttribute("r", mark.radius * this.unit);
     this.data.traces.forEach((trace, k) => this.drawPath(trace, k));
     this.arrows.legend();
