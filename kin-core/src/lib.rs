@@ -47,8 +47,8 @@ pub use coordinates::{
 };
 pub use data::Registry;
 pub use design::{
-    Contribution, ExtremeSensitivity, Feature, MeasureSensitivity, Objective, Proved, Samples, Sampling,
-    SecondOrder, Sensitivities, Sensitivity, Tolerance,
+    Contribution, ExtremeSensitivity, Feature, LookedAt, MeasureSensitivity, Objective, Off, Proved, Samples,
+    Sampling, SecondOrder, Sensitivities, Sensitivity, Tolerance,
 };
 pub use dimension::{
     Dimension, DimensionError, Distribution, IntoGravity, IntoNumber, IntoParameter, IntoVector,

@@ -1,7 +1,9 @@
 //! How a motion changes with parameters, and what tolerances of dimensions make of it.
 
+use std::collections::BTreeMap;
+
 use kin::SingularPosition;
-use kin::{Distribution, Extreme, Feature, Sampling, Sensitivities, Sensitivity, Tolerance};
+use kin::{Distribution, Extreme, Feature, Off, Sampling, Sensitivities, Sensitivity, Tolerance};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -185,7 +187,14 @@ fn fields<'py>(py: Python<'py>, found: &Tolerance) -> PyResult<Bound<'py, PyDict
     ];
     numbers.into_iter().try_for_each(|(name, number)| all.set_item(name, number))?;
     all.set_item("misled", found.misled())?;
+    all.set_item("attained", found.attained())?;
     all.set_item("corners", (found.corners[0], found.corners[1]))?;
+    let looked = &found.looked_at;
+    let place =
+        |all: &[Off]| -> BTreeMap<String, f64> { all.iter().map(|off| (off.name.clone(), off.by)).collect() };
+    let counts = (looked.corners, looked.all_corners, looked.inside);
+    let unassembled = looked.unassembled.as_deref().map(place);
+    all.set_item("looked_at", (counts, place(&looked.lowest), place(&looked.highest), unassembled))?;
     let second = found.second_order.as_ref();
     all.set_item("second_order", second.map(|one| (&one.names, &one.hessian, one.mean_shift, one.sigma)))?;
     all.set_item("proved", found.proved.as_ref().map(|one| (one.low, one.high, &one.trusted)))?;

@@ -14,6 +14,7 @@ mod samples;
 mod set;
 mod slopes;
 mod tolerance;
+mod worst;
 
 use kin::prelude::*;
 

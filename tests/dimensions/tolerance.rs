@@ -297,7 +297,7 @@ fn the_clutch_is_told_to_mislead_the_stack() {
     assert!(told.contains("the stack misleads by 44 %"), "{told}");
     assert_eq!(
         told.lines().next(),
-        Some("phi (0.12249 rad at 0 s): ± 0.0519 worst case, ± 0.0349 RSS."),
+        Some("phi (0.12249 rad at 0 s): -0.075 to +0.0439 worst case (linear stack ± 0.0519), ± 0.0349 RSS."),
         "{told}"
     );
 }

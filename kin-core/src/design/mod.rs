@@ -33,4 +33,4 @@ pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use objective::Objective;
 pub use sensitivities::{Sensitivities, Sensitivity};
-pub use tolerance::{Contribution, Proved, Samples, Sampling, SecondOrder, Tolerance};
+pub use tolerance::{Contribution, LookedAt, Off, Proved, Samples, Sampling, SecondOrder, Tolerance};

@@ -12,6 +12,7 @@ pub use proved::Proved;
 pub use samples::{Samples, Sampling};
 pub use second::SecondOrder;
 pub use source::Contribution;
+pub use worst::{LookedAt, Off};
 
 use super::feature::{Feature, Followed};
 use crate::ask::measure::Measure;
@@ -38,10 +39,13 @@ pub struct Tolerance {
     pub nominal: f64,
     /// The shares of the dimensions, the largest first.
     pub contributions: Vec<Contribution>,
-    /// The least and the largest value that the mechanism itself has at a corner of the box of tolerances:
-    /// at the one that the signs of the derivatives call the worst, and on from there as long as the
-    /// derivatives at the corner call another one worse. `None` where it cannot be assembled there.
+    /// The least and the largest value that the mechanism itself has in the box of tolerances, wherever it
+    /// was looked at: at its centre, at corners, and where the second order has an extreme on a face or
+    /// inside ([`LookedAt`]). Both are `None` where it cannot be assembled at one of these places: then there
+    /// is no worst case.
     pub corners: [Option<f64>; 2],
+    /// Where in the box the mechanism was looked at, and where it is worst.
+    pub looked_at: LookedAt,
     /// The second-order term; `None` where the mechanism cannot be assembled beside its dimensions.
     pub second_order: Option<SecondOrder>,
     /// Bounds over all mechanisms within the tolerances, where a proof was asked for
@@ -140,14 +144,26 @@ impl System {
         let followed = Followed::new(self, motion, what, &feature)?;
         let slopes = followed.gradient(self, &names)?.unwrap_or_else(|| vec![f64::NAN; names.len()]);
         let proved = proof.then(|| proved::proved(&followed, &sources, &names, &slopes)).transpose()?;
-        let corners = [-1.0, 1.0].map(|side| worst::corner(&followed, &sources, &names, &slopes, side));
         let second_order = second::order(&followed, &sources, &names, &slopes)?;
+        let (corners, looked_at) = worst::worst(&followed, &sources, &names, &slopes, second_order.as_ref());
         let mut contributions: Vec<Contribution> =
             sources.into_iter().map(|source| source.contribution(&slopes)).collect();
         contributions.sort_by(|a, b| b.off().abs().total_cmp(&a.off().abs()));
         let Followed { name, unit, nominal, .. } = followed;
         let (t, units) = (feature.t(), self.unit_words().clone());
-        Ok(Tolerance { name, unit, feature, t, nominal, contributions, corners, second_order, proved, units })
+        Ok(Tolerance {
+            name,
+            unit,
+            feature,
+            t,
+            nominal,
+            contributions,
+            corners,
+            looked_at,
+            second_order,
+            proved,
+            units,
+        })
     }
 
     /// All that may be off, with the names of all dimensions in it; an error if nothing may.
@@ -164,7 +180,8 @@ impl System {
 }
 
 impl Tolerance {
-    /// Σ |s_i| T_i: all dimensions off the worst way.   \[unit of the measure\]
+    /// Σ |s_i| T_i: all dimensions off the worst way, to first order. It says nothing where slopes vanish or
+    /// a part of the box cannot be assembled: see [`Tolerance::attained`].   \[unit of the measure\]
     pub fn worst_case(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().abs()).sum()
     }
@@ -191,11 +208,19 @@ impl Tolerance {
         share(one.sigma().powi(2), self.sigma().powi(2))
     }
 
-    /// How far the corner that is farther off is beyond the worst case of the stack, as a share of that;
-    /// below zero where both are nearer. `None` where one of them cannot be assembled.   \[-\]
-    pub fn misled(&self) -> Option<f64> {
+    /// How far the measure itself is off at the worst places that were looked at, |value − nominal| of the
+    /// one that is farther off. `None` where a part of the box cannot be assembled.   \[unit of the
+    /// measure\]
+    pub fn attained(&self) -> Option<f64> {
         let [low, high] = self.corners.map(|corner| corner.map(|value| (value - self.nominal).abs()));
-        Some(low?.max(high?) / self.worst_case() - 1.0).filter(|share| share.is_finite())
+        Some(low?.max(high?))
+    }
+
+    /// How far that is beyond the worst case of the stack, as a share of the stack; below zero where both
+    /// places are nearer. `None` where a part of the box cannot be assembled, or all slopes are
+    /// zero.   \[-\]
+    pub fn misled(&self) -> Option<f64> {
+        Some(self.attained()? / self.worst_case() - 1.0).filter(|share| share.is_finite())
     }
 }
 

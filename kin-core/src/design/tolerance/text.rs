@@ -3,10 +3,16 @@
 use std::fmt;
 
 use super::super::feature::Feature;
-use super::Tolerance;
+use super::{LookedAt, Off, Tolerance};
 
 /// Beyond this share the corners are told to differ from the stack.   \[-\]
 const MISLED: f64 = 0.05;
+
+/// Where the stack is misled by more than that, its slopes vanish.   \[-\]
+const VANISHING: f64 = 10.0;
+
+/// Dimensions of a place that are told by name.
+const TOLD: usize = 6;
 
 /// Beyond this share of σ the second order is told.   \[-\]
 const BENT: f64 = 0.02;
@@ -31,15 +37,9 @@ impl fmt::Display for Tolerance {
             Feature::Stroke(_) => String::new(),
             _ => format!(" at {} {}", digits(self.t, 4), self.units.time()),
         };
-        let proved = self.proved.as_ref().map(|proved| proved.off(self.nominal));
-        let proved = proved.map_or(String::new(), |off| format!(" (proved: {})", above(off, 2)));
-        writeln!(
-            f,
-            "{name} ({} {unit}{when}): ± {} worst case{proved}, ± {} RSS.",
-            digits(self.nominal, 4),
-            digits(self.worst_case(), 2),
-            digits(self.rss(), 2)
-        )?;
+        write!(f, "{name} ({} {unit}{when}): ", digits(self.nominal, 4))?;
+        self.headline(f)?;
+        writeln!(f, " ± {} RSS.", digits(self.rss(), 2))?;
         let longest = self.contributions.iter().map(|one| one.name.chars().count()).max().unwrap_or(0);
         for one in &self.contributions {
             let off = digits(one.off(), 2);
@@ -69,18 +69,82 @@ impl fmt::Display for Tolerance {
         if let Some(proved) = self.proved.as_ref().filter(|proved| !proved.trusted.is_empty()) {
             write!(f, "\n  Proved trusting the bounds of {}.", proved.trusted.join(", "))?;
         }
-        match (self.corners, self.misled()) {
-            ([Some(low), Some(high)], Some(misled)) if misled > MISLED => write!(
+        self.beyond_the_stack(f)?;
+        self.looked(f)
+    }
+}
+
+impl Tolerance {
+    /// "± 0.00041 worst case,"; where the stack does not say how far the measure is off, both sides of it;
+    /// none where a part of the box cannot be assembled.
+    fn headline(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(place) = &self.looked_at.unassembled {
+            return write!(
                 f,
-                "\n  At the worst corners it is off by {} and +{}: the stack misleads by {:.0} %.",
-                digits(low - self.nominal, 2),
-                digits(high - self.nominal, 2),
-                100.0 * misled
-            ),
-            ([Some(_), Some(_)], _) => Ok(()),
-            _ => {
-                write!(f, "\n  At a corner that the stack calls the worst the mechanism cannot be assembled.")
+                "no worst case, because the mechanism cannot be assembled where {};",
+                self.place(place)
+            );
+        }
+        let stack = digits(self.worst_case(), 2);
+        match self.corners {
+            [Some(low), Some(high)] if self.is_misled() => {
+                let [low, high] = [low, high].map(|value| digits(value - self.nominal, 2));
+                write!(f, "{low} to +{high} worst case (linear stack ± {stack}")?;
             }
+            _ => write!(f, "± {stack} worst case")?,
+        }
+        let proved = self.proved.as_ref().map(|proved| above(proved.off(self.nominal), 2));
+        match (proved, self.is_misled()) {
+            (Some(off), true) => write!(f, "; proved: {off}),"),
+            (None, true) => write!(f, "),"),
+            (Some(off), false) => write!(f, " (proved: {off}),"),
+            (None, false) => write!(f, ","),
+        }
+    }
+
+    /// True if the measure is farther off than the stack says, by more than rounding.
+    fn is_misled(&self) -> bool {
+        let rounding = 16.0 * f64::EPSILON * self.nominal.abs();
+        self.attained().is_some_and(|off| off > (1.0 + MISLED) * self.worst_case() + rounding)
+    }
+
+    /// "b is off by -0.02, …"
+    fn place(&self, place: &[Off]) -> String {
+        let unit = |name: &str| {
+            let own = self.contributions.iter().find(|one| one.name == name);
+            own.map_or(String::new(), |one| format!(" {}", one.unit))
+        };
+        let told = |off: &Off| format!("`{}` is off by {}{}", off.name, digits(off.by, 4), unit(&off.name));
+        let mut all: Vec<String> = place.iter().take(TOLD).map(told).collect();
+        if place.len() > TOLD {
+            all.push(format!("{} more are off by their tolerances", place.len() - TOLD));
+        }
+        all.join(", ")
+    }
+
+    fn beyond_the_stack(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ([Some(low), Some(high)], true) = (self.corners, self.is_misled()) else { return Ok(()) };
+        let [low, high] = [low, high].map(|value| digits(value - self.nominal, 2));
+        write!(f, "\n  At the worst places it is off by {low} and +{high}: ")?;
+        match self.misled().filter(|misled| *misled < VANISHING) {
+            Some(misled) => write!(f, "the stack misleads by {:.0} %.", 100.0 * misled),
+            None => write!(f, "the slopes vanish here, and the stack says nothing."),
+        }
+    }
+
+    /// "Looked at all 8 corners of the box of tolerances and 3 places inside."
+    fn looked(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let LookedAt { corners, all_corners, inside, unassembled, .. } = &self.looked_at;
+        let of = self.contributions.len();
+        match (all_corners, unassembled) {
+            (true, _) => write!(f, "\n  Looked at all {corners} corners of the box of tolerances")?,
+            (false, Some(_)) => return write!(f, "\n  Looked no further than that place."),
+            (false, None) => write!(f, "\n  Looked at {corners} corners of the box of {of} tolerances")?,
+        }
+        write!(f, " and {inside} places inside")?;
+        match all_corners {
+            true => write!(f, "."),
+            false => write!(f, "; a corner that was left out may be worse."),
         }
     }
 }

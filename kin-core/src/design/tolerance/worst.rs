@@ -1,46 +1,332 @@
-//! The corner of the box of tolerances at which a measure is worst.
+//! The places of the box of tolerances at which a measure is worst: its corners, and places on faces and
+//! inside, where the second order says that a measure turns round.
 
 use super::super::feature::Followed;
+use super::second::SecondOrder;
 use super::source::Source;
 use crate::ask::measure::Measure;
+use crate::numbers::random::Random;
 
-/// Corners that are tried one after the other.
-const CORNERS: usize = 12;
+/// Dimensions up to which all corners are looked at: 2⁸ mechanisms.
+const ALL: usize = 8;
 
-/// The value at the corner that the derivatives call the largest (`side` 1) or the smallest (−1); on from
-/// there as long as the derivatives at a corner call another one worse and it is. `None` where the mechanism
-/// cannot be assembled at the first of them.
-pub(super) fn corner<M: Measure>(
+/// Directions in which the play of a clearance is looked at, where all corners are.
+const DIRECTIONS: usize = 8;
+
+/// Mechanisms that are looked at, at the most.
+const MOST: usize = 600;
+
+/// Rounds in which one dimension after the other is changed.
+const ROUNDS: usize = 16;
+
+/// Random corners from which the second order is climbed.
+const STARTS: usize = 8;
+
+/// Steps from a worst place to a worse one, by the derivatives there.
+const STEPS: usize = 12;
+
+/// By how much a dimension is off.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Off {
+    /// The dimension; of a clearance one of its two.
+    pub name: String,
+    /// How far it is from its value.   \[unit of the dimension\]
+    pub by: f64,
+}
+
+/// Where in the box of tolerances the mechanism itself was looked at, beside its centre.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LookedAt {
+    /// How many corners. Of a clearance each direction counts.
+    pub corners: usize,
+    /// True if those are all corners, of clearances in eight directions; else they are those to which the
+    /// derivatives and the second order lead, and those to which the change of one dimension leads from there.
+    pub all_corners: bool,
+    /// How many places on faces and inside.
+    pub inside: usize,
+    /// The place with the smallest value; empty of the centre.
+    pub lowest: Vec<Off>,
+    /// The place with the largest value; empty of the centre.
+    pub highest: Vec<Off>,
+    /// A place at which the mechanism cannot be assembled; `None` if it can wherever it was looked at.
+    pub unassembled: Option<Vec<Off>>,
+}
+
+/// The least and the largest value that were found, `None` where a part of the box does not close, and where
+/// they were looked for.
+pub(super) fn worst<M: Measure>(
     followed: &Followed<'_, M>,
     sources: &[Source],
     names: &[String],
     slopes: &[f64],
-    side: f64,
-) -> Option<f64> {
-    let at = |slopes: &[f64]| -> Vec<f64> {
-        let mut moved = vec![0.0; names.len()];
-        let worst = sources.iter().flat_map(|source| source.worst(slopes));
-        worst.for_each(|(k, by)| moved[k] = side * by);
-        moved
+    second: Option<&SecondOrder>,
+) -> ([Option<f64>; 2], LookedAt) {
+    let n = names.len();
+    let bent = second.map(|second| second.hessian.clone());
+    let centre = || Place { off: vec![0.0; n], value: followed.nominal };
+    let mut walk = Walk {
+        followed,
+        sources,
+        names,
+        second: bent.unwrap_or_else(|| vec![vec![0.0; n]; n]),
+        seen: vec![vec![0.0; n]],
+        corners: 0,
+        worst: [centre(), centre()],
+        unassembled: None,
     };
-    let value = |moved: &[f64]| {
-        let system = followed.system.off(names.iter().zip(moved.iter().copied()))?;
-        followed.value(&system).filter(|value| value.is_finite()).map(|value| (value, system))
-    };
-    let mut moved = at(slopes);
-    let (mut best, mut system) = value(&moved)?;
-    for _ in 0..CORNERS {
-        let Ok(Some(slopes)) = followed.gradient(&system, names) else { break };
-        let next = at(&slopes);
-        if next == moved {
-            break;
+    walk.by_the_model(slopes);
+    let all_corners = sources.len() <= ALL && walk.every_corner(slopes);
+    if !all_corners {
+        walk.one_by_one();
+    }
+    walk.onward();
+    walk.told(all_corners)
+}
+
+/// A place, by how much each dimension is off, and the value there.
+struct Place {
+    off: Vec<f64>,
+    value: f64,
+}
+
+/// The places that have been looked at.
+struct Walk<'a, M> {
+    followed: &'a Followed<'a, M>,
+    sources: &'a [Source],
+    names: &'a [String],
+    /// The second derivatives at the centre; zero where they are not known.
+    second: Vec<Vec<f64>>,
+    seen: Vec<Vec<f64>>,
+    corners: usize,
+    /// The places with the smallest and the largest value.
+    worst: [Place; 2],
+    unassembled: Option<Vec<f64>>,
+}
+
+/// The sign of each of the two.
+const SIDES: [f64; 2] = [-1.0, 1.0];
+
+impl<M: Measure> Walk<'_, M> {
+    /// True if no more is to be looked at.
+    fn is_over(&self) -> bool {
+        self.unassembled.is_some() || self.seen.len() > MOST
+    }
+
+    /// Looks at a place, if that has not been done.
+    fn look(&mut self, off: Vec<f64>) {
+        if self.is_over() || self.seen.contains(&off) {
+            return;
         }
-        match value(&next) {
-            Some((better, there)) if side * better > side * best => {
-                (best, system, moved) = (better, there, next);
+        self.corners += usize::from(self.is_corner(&off));
+        self.seen.push(off.clone());
+        let moved = self.names.iter().zip(off.iter().copied());
+        let value = self.followed.system.off(moved).and_then(|system| self.followed.value(&system));
+        match value.filter(|value| value.is_finite()) {
+            None => self.unassembled = Some(off),
+            Some(value) => {
+                for (worst, side) in self.worst.iter_mut().zip(SIDES) {
+                    if side * value > side * worst.value {
+                        *worst = Place { off: off.clone(), value };
+                    }
+                }
             }
-            _ => break,
         }
     }
-    Some(best)
+
+    fn is_corner(&self, off: &[f64]) -> bool {
+        self.sources.iter().all(|source| {
+            let far = source.parts.iter().map(|k| off[*k].powi(2)).sum::<f64>().sqrt();
+            far >= (1.0 - 1e-9) * source.tolerance
+        })
+    }
+
+    /// The places to which first and second order lead from the centre, from the corner that the signs of
+    /// the derivatives call the worst, and from some at random.
+    fn by_the_model(&mut self, slopes: &[f64]) {
+        let mut random = Random::new(1);
+        let mut starts = vec![vec![0.0; self.names.len()]];
+        for _ in 0..STARTS {
+            let direction: Vec<f64> = self.names.iter().map(|_| random.number()).collect();
+            starts.push(self.corner(&direction, 1.0));
+        }
+        for side in SIDES {
+            self.look(self.corner(slopes, side));
+            for start in starts.clone() {
+                let place = self.climbed(slopes, start, side);
+                self.look(place);
+            }
+        }
+    }
+
+    /// The corner in the direction of these slopes, times the side.
+    fn corner(&self, slopes: &[f64], side: f64) -> Vec<f64> {
+        let mut off = vec![0.0; self.names.len()];
+        let worst = self.sources.iter().flat_map(|source| source.worst(slopes));
+        worst.for_each(|(k, by)| off[k] = side * by);
+        off
+    }
+
+    /// The place to which s·d + ½ dᵀ H d leads uphill, or downhill, one dimension after the other, from a
+    /// start.
+    fn climbed(&self, slopes: &[f64], mut d: Vec<f64>, side: f64) -> Vec<f64> {
+        for _ in 0..ROUNDS {
+            let before = d.clone();
+            for source in self.sources {
+                let parts = &source.parts;
+                let bend = |i: usize, j: usize| side * self.second[parts[i]][parts[j]];
+                let slope = |i: usize| {
+                    let others = (0..d.len()).filter(|j| !parts.contains(j));
+                    side * (slopes[parts[i]] + others.map(|j| self.second[parts[i]][j] * d[j]).sum::<f64>())
+                };
+                let here: Vec<f64> = parts.iter().map(|k| d[*k]).collect();
+                let own: Vec<f64> = (0..parts.len()).map(slope).collect();
+                let value = |d: &[f64]| {
+                    let bent = |i: usize| (0..d.len()).map(|j| bend(i, j) * d[j]).sum::<f64>();
+                    (0..d.len()).map(|i| d[i] * (own[i] + 0.5 * bent(i))).sum::<f64>()
+                };
+                let mut best = (here.clone(), value(&here));
+                for place in source.places(&own, bend) {
+                    let there = value(&place);
+                    if there > best.1 {
+                        best = (place, there);
+                    }
+                }
+                parts.iter().zip(best.0).for_each(|(k, x)| d[*k] = x);
+            }
+            if d == before {
+                break;
+            }
+        }
+        d
+    }
+
+    /// All corners; false if they are too many.
+    fn every_corner(&mut self, slopes: &[f64]) -> bool {
+        let choices: Vec<Vec<Vec<f64>>> = self.sources.iter().map(|source| source.ends(slopes)).collect();
+        let count = choices.iter().try_fold(1_usize, |count, own| count.checked_mul(own.len()));
+        let Some(count) = count.filter(|count| *count <= 1 << ALL) else { return false };
+        for mut number in 0..count {
+            let mut off = vec![0.0; self.names.len()];
+            for (source, own) in self.sources.iter().zip(&choices) {
+                let end = &own[number % own.len()];
+                source.parts.iter().zip(end).for_each(|(k, x)| off[*k] = *x);
+                number /= own.len();
+            }
+            self.look(off);
+        }
+        true
+    }
+
+    /// From the worst corners on by turning one dimension after the other round, as long as that is worse.
+    fn one_by_one(&mut self) {
+        for (which, side) in SIDES.into_iter().enumerate() {
+            for _ in 0..ROUNDS {
+                let before = self.worst[which].value;
+                for k in 0..self.sources.len() {
+                    let mut off = self.worst[which].off.clone();
+                    let parts = &self.sources[k].parts;
+                    match parts.iter().all(|k| off[*k] == 0.0) {
+                        true => off[parts[0]] = side * self.sources[k].tolerance,
+                        false => parts.iter().for_each(|k| off[*k] = -off[*k]),
+                    }
+                    self.look(off);
+                }
+                if side * self.worst[which].value <= side * before || self.is_over() {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// From the worst places on by the exact derivatives there, with the second order of the centre.
+    fn onward(&mut self) {
+        for (which, side) in SIDES.into_iter().enumerate() {
+            for _ in 0..STEPS {
+                let Place { off, value } = &self.worst[which];
+                let (off, before) = (off.clone(), *value);
+                let moved = self.names.iter().zip(off.iter().copied());
+                let Some(system) = self.followed.system.off(moved) else { break };
+                let Ok(Some(slopes)) = self.followed.gradient(&system, self.names) else { break };
+                self.look(self.corner(&slopes, side));
+                // s at the centre of the model that has these slopes here
+                let at_centre = |(row, slope): (&Vec<f64>, &f64)| {
+                    slope - row.iter().zip(&off).map(|(bend, d)| bend * d).sum::<f64>()
+                };
+                let slopes: Vec<f64> = self.second.iter().zip(&slopes).map(at_centre).collect();
+                let place = self.climbed(&slopes, off, side);
+                self.look(place);
+                if side * self.worst[which].value <= side * before || self.is_over() {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn told(self, all_corners: bool) -> ([Option<f64>; 2], LookedAt) {
+        let off = |off: &Vec<f64>| -> Vec<Off> {
+            let moved = self.names.iter().zip(off).filter(|(_, by)| **by != 0.0);
+            moved.map(|(name, by)| Off { name: name.clone(), by: *by }).collect()
+        };
+        let [low, high] = &self.worst;
+        let looked_at = LookedAt {
+            corners: self.corners,
+            all_corners: all_corners && self.unassembled.is_none(),
+            inside: self.seen.len() - 1 - self.corners,
+            lowest: off(&low.off),
+            highest: off(&high.off),
+            unassembled: self.unassembled.as_ref().map(off),
+        };
+        let closes = self.unassembled.is_none();
+        ([low.value, high.value].map(|value| closes.then_some(value)), looked_at)
+    }
+}
+
+impl Source {
+    /// Its ends: both of a dimension, some around the disc of a clearance, the first one in the direction of
+    /// the slopes.
+    fn ends(&self, slopes: &[f64]) -> Vec<Vec<f64>> {
+        let worst: Vec<f64> = self.worst(slopes).into_iter().map(|(_, by)| by).collect();
+        match worst[..] {
+            [x, y] => self.around(x.atan2(y), DIRECTIONS),
+            _ => vec![vec![-self.tolerance], vec![self.tolerance]],
+        }
+    }
+
+    /// Places around the disc, the first one at (sin, cos) of the angle.
+    fn around(&self, angle: f64, count: usize) -> Vec<Vec<f64>> {
+        let place = |k: usize| {
+            let (sin, cos) = (angle + std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
+            vec![self.tolerance * sin, self.tolerance * cos]
+        };
+        (0..count).map(place).collect()
+    }
+
+    /// Places of this source alone at which s·d + ½ dᵀ H d may be largest.
+    fn places(&self, slopes: &[f64], bend: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+        let inside = |d: &Vec<f64>| d.iter().map(|x| x * x).sum::<f64>() < self.tolerance * self.tolerance;
+        match *slopes {
+            [x, y] => {
+                let mut all = self.around(x.atan2(y), 4 * DIRECTIONS);
+                let (xx, xy, yy) = (bend(0, 0), bend(0, 1), bend(1, 1));
+                let determinant = xx * yy - xy * xy;
+                all.push(vec![(xy * y - yy * x) / determinant, (xy * x - xx * y) / determinant]);
+                all.retain(|d| d.iter().all(|x| x.is_finite()));
+                let last = all.len() - 1;
+                if last == 4 * DIRECTIONS && !inside(&all[last]) {
+                    all.pop();
+                }
+                all
+            }
+            [x] => {
+                let turn = vec![-x / bend(0, 0)];
+                let ends = [-self.tolerance, self.tolerance].map(|end| vec![end]);
+                ends.into_iter()
+                    .chain(Some(turn).filter(|turn| turn[0].is_finite() && inside(turn)))
+                    .collect()
+            }
+            _ => Vec::new(),
+        }
+    }
 }
