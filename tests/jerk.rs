@@ -315,3 +315,59 @@ fn users_functions_and_the_dual_route() {
         assert!(off < 1e-8, "{which}: {off:.1e}");
     }
 }
+
+/// y is a step of x, steep and smooth.      [m]
+#[constraint]
+fn logistic(x: Coord, y: Coord, steep: f64) -> f64 {
+    y - 1.0 / (1.0 + (-steep * x).exp())
+}
+
+/// The same with another number behind the exponential.      [m]
+#[constraint]
+fn soft_minimum(x: Coord, y: Coord, steep: f64) -> f64 {
+    y + ((-steep * x).exp() + (steep * x).exp()).ln() / steep
+}
+
+/// The tangents of the exponential are too large for a number before it is itself.
+#[test]
+fn the_jerk_of_a_steep_step_is_a_number_wherever_it_is_smooth() {
+    let (speed, steep) = (1.0, 800.0);
+    // Of the minimum the exponential itself must be a number, its third derivative is none.
+    let begin = |is_step: bool| if is_step { -1.0 } else { -0.885 };
+    let built = |is_step: bool| {
+        let from = begin(is_step);
+        let mut m = Mechanism::new("step");
+        let (x, y) = (m.length("x", from).unwrap(), m.length("y", if is_step { 0.0 } else { from }).unwrap());
+        m.add("drive", drive(x, Law::linear(from, speed))).unwrap();
+        match is_step {
+            true => m.add("step", logistic(x, y, steep)).unwrap(),
+            false => m.add("step", soft_minimum(x, y, steep)).unwrap(),
+        };
+        m.build().unwrap()
+    };
+    for is_step in [true, false] {
+        let from = begin(is_step);
+        let times = linspace(0.0, -2.0 * from, 4001);
+        let by = |engine| built(is_step).run_with(&times, &Options { engine, ..with_jerk() }).unwrap();
+        let motions = [kin::Engine::Plain, kin::Engine::Compiled].map(by);
+        for (motion, k) in motions.iter().flat_map(|motion| (0..motion.len()).map(move |k| (motion, k))) {
+            let x = from + speed * times[k];
+            // s (1 − s) is symmetric, and small where s is nearly 0 or 1.
+            let e = (-steep * x.abs()).exp();
+            let s = 1.0 / (1.0 + e);
+            let exact = if is_step {
+                let d = e * s * s;
+                steep.powi(3) * d * (1.0 - 6.0 * d)
+            } else {
+                // −ln(2 cosh u)/c, u = c x: its third derivative is 2 c² sech² u tanh u.
+                let square = (2.0 * e / (1.0 + e * e)).powi(2);
+                2.0 * steep.powi(2) * square * (steep * x).tanh()
+            };
+            let found = motion.qddd(k)[1];
+            assert!(
+                (found - exact).abs() <= 1e-6 * exact.abs() + 1e-9 * steep.powi(2),
+                "{x}: {found} {exact}"
+            );
+        }
+    }
+}

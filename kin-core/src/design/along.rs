@@ -11,7 +11,8 @@ use crate::model::error::Result;
 use crate::model::formula::{Given, Outside};
 use crate::model::no_derivative::NoDerivative;
 use crate::numbers::real::{Dual2_64, Dual3_64, Real};
-use crate::numbers::rounded::{Rounded, WithRate};
+use crate::numbers::rounded::Rounded;
+use crate::numbers::with_rate::WithRate;
 use crate::system::System;
 
 type Number = Real<Dual2_64>;

@@ -9,5 +9,7 @@ pub(crate) mod padded;
 pub(crate) mod random;
 pub mod real;
 pub(crate) mod rounded;
+pub(crate) mod wide;
+pub(crate) mod with_rate;
 
 pub use offsets::Offsets;

@@ -47,16 +47,17 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     let h = 1e-6 * (to - from);
     let (mut lines, mut worst) = (Vec::new(), 0.0_f64);
     let sizes = sizes(law, from, to);
-    for k in 0..200 {
-        let x = from + (to - from) * (f64::from(k) + 0.5) / 200.0;
-        if breaks.iter().any(|b| (b.x - x).abs() <= 2.0 * h) {
-            continue;
-        }
+    let all = (0..200).map(|k| from + (to - from) * (f64::from(k) + 0.5) / 200.0);
+    let places: Vec<f64> = all.filter(|x| breaks.iter().all(|b| (b.x - x).abs() > 2.0 * h)).collect();
+    let noise = Noise::of(law, &places, h);
+    for (k, &x) in places.iter().enumerate() {
         let (at, before, after) = (law.jet(x), law.jet(x - h), law.jet(x + h));
         for order in 0..3 {
             let slope = (after[order] - before[order]) / (2.0 * h);
-            let difference =
-                (slope - at[order + 1]).abs() / (sizes[order + 1] + sizes[order] * 1e-3 / (to - from));
+            let rounding = noise.at(k, order) / h + noise.at(k, order + 1);
+            let off = ((slope - at[order + 1]).abs() - rounding).max(0.0);
+            let off = if slope.is_nan() || at[order + 1].is_nan() { f64::NAN } else { off };
+            let difference = off / (sizes[order + 1] + sizes[order] * 1e-3 / (to - from));
             worst = worst.max(difference);
             if difference.is_nan() || difference > 1e-6 {
                 lines.push(format!(
@@ -71,6 +72,56 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     lines.extend(super::bounds::of_law(law, from, to, &sizes));
     lines.truncate(16);
     if lines.is_empty() { Ok(worst) } else { Err(LawMismatch { kind: law.kind().to_owned(), lines }) }
+}
+
+/// How far rounding moves a law and its derivatives at each of some places: where terms cancel, all that a law
+/// has is rounding, and beside that no number is large.
+struct Noise {
+    places: Vec<[f64; 4]>,
+    /// Three places of four have no more.
+    usual: [f64; 4],
+}
+
+impl Noise {
+    /// Units in the last place that arguments are moved by.
+    const MOVED: [f64; 6] = [-11.0, -3.0, -1.0, 1.0, 4.0, 9.0];
+
+    /// The rounding of a central difference, in what was seen.
+    const ALLOWED: f64 = 4.0;
+
+    fn of(law: &Law, places: &[f64], h: f64) -> Noise {
+        let places: Vec<[f64; 4]> = places
+            .iter()
+            .map(|x| {
+                let around = [x - h, *x, x + h].map(|x| Noise::around(law, x));
+                std::array::from_fn(|order| around.iter().fold(0.0, |m, own| f64::max(m, own[order])))
+            })
+            .collect();
+        let usual = std::array::from_fn(|order| {
+            let mut all: Vec<f64> = places.iter().map(|own| own[order]).collect();
+            all.sort_by(f64::total_cmp);
+            all.get(3 * all.len() / 4).copied().unwrap_or(0.0)
+        });
+        Noise { places, usual }
+    }
+
+    /// How far the law is from its tangent where the argument is moved by some units in the last place.
+    fn around(law: &Law, x: f64) -> [f64; 4] {
+        let (at, mut most) = (law.jet(x), [0.0_f64; 4]);
+        for units in Noise::MOVED {
+            let near = x + units * f64::EPSILON * x.abs();
+            let there = law.jet(near);
+            for order in 0..4 {
+                let slope = at.get(order + 1).copied().unwrap_or(0.0);
+                most[order] = most[order].max((there[order] - at[order] - slope * (near - x)).abs());
+            }
+        }
+        most
+    }
+
+    fn at(&self, place: usize, order: usize) -> f64 {
+        Noise::ALLOWED * self.places[place][order].max(self.usual[order])
+    }
 }
 
 /// The largest of each derivative, so far as 100 places show it.

@@ -7,8 +7,13 @@ use super::{Given, Outside, jet_of_law};
 use crate::model::coordinates::Argument;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Dual3_64, Real};
+use crate::numbers::wide::Wide;
+use crate::numbers::with_rate::WithRate;
 
 type Number = Real<Dual3_64>;
+
+/// The same numbers, whose exponents know no bounds.
+type Unbounded = WithRate<WithRate<WithRate<Wide>>>;
 
 /// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula is
 /// evaluated with.
@@ -71,15 +76,41 @@ impl<'a> Along<'a> {
 
     /// The value of a node and its first three derivatives by s.
     pub(crate) fn of(&self, formula: &Formula, node: Node) -> [f64; 4] {
-        let y = evaluate(&formula.graph, &[node], self).number(node);
-        y.map_or([f64::NAN; 4], |Real(y)| [y.re, y.v1, y.v2, y.v3])
+        let y = evaluate::<Number>(&formula.graph, &[node], self).number(node);
+        let y = y.map_or([f64::NAN; 4], |Real(y)| [y.re, y.v1, y.v2, y.v3]);
+        if y.iter().all(|y| y.is_finite()) || !y[0].is_finite() {
+            return y;
+        }
+        self.unbounded(formula, &[node])
+            .first()
+            .copied()
+            .filter(|y| y.iter().all(|y| y.is_finite()))
+            .unwrap_or(y)
+    }
+
+    /// The values of nodes, each with its first three derivatives by s, by numbers whose exponents know no
+    /// bounds: the tangents of an exponential may be too large for an f64 though it is not itself, and what
+    /// is made of it is small.
+    #[cold]
+    fn unbounded(&self, formula: &Formula, nodes: &[Node]) -> Vec<[f64; 4]> {
+        let results = evaluate::<Unbounded>(&formula.graph, nodes, self);
+        let jet = |node: &Node| results.number(*node).map_or([f64::NAN; 4], |number| jet(&number));
+        nodes.iter().map(jet).collect()
     }
 
     /// −g‴(0) of each row.
     pub(crate) fn jerk_rhs(&self, formula: &Formula, rhs: &mut [f64]) {
-        let results = evaluate(&formula.graph, &formula.rows, self);
+        let results = evaluate::<Number>(&formula.graph, &formula.rows, self);
         for (place, row) in rhs.iter_mut().zip(&formula.rows) {
             *place = results.number(*row).map_or(f64::NAN, |number| -number.0.v3);
+        }
+        if rhs.iter().any(|x| !x.is_finite()) {
+            let unbounded = self.unbounded(formula, &formula.rows);
+            for (place, [.., third]) in rhs.iter_mut().zip(unbounded) {
+                if !place.is_finite() && third.is_finite() {
+                    *place = -third;
+                }
+            }
         }
     }
 }
@@ -109,5 +140,59 @@ impl Source<Number> for Along<'_> {
     /// Calls stand in formulas as values of the user's program.
     fn leaf(&self, _: LeafUse, _: Vec<Number>) -> Number {
         Number::from(f64::NAN)
+    }
+}
+
+/// The number with derivatives whose exponents know no bounds; a constant stays one.
+fn widened(Real(x): Number) -> Unbounded {
+    if x.is_constant() {
+        return kin_graph::Number::constant(x.re);
+    }
+    moving([x.re, x.v1, x.v2, x.v3])
+}
+
+fn moving(jet: [f64; 4]) -> Unbounded {
+    let once = |k: usize| WithRate { x: Wide::new(jet[k]), rate: Some(Wide::new(jet[k + 1])) };
+    let twice = |k: usize| WithRate { x: once(k), rate: Some(once(k + 1)) };
+    WithRate { x: twice(0), rate: Some(twice(1)) }
+}
+
+/// The value and its derivatives; those of a constant are zero.
+fn jet(number: &Unbounded) -> [f64; 4] {
+    let first = number.rate.as_ref();
+    let second = first.and_then(|first| first.rate.as_ref());
+    let third = second.and_then(|second| second.rate.as_ref());
+    let value = |x: Option<Wide>| x.map_or(0.0, Wide::value);
+    [
+        number.x.x.x.value(),
+        value(first.map(|first| first.x.x)),
+        value(second.map(|second| second.x)),
+        value(third.copied()),
+    ]
+}
+
+impl Source<Unbounded> for Along<'_> {
+    fn input(&self, input: Input) -> Unbounded {
+        widened(Source::<Number>::input(self, input))
+    }
+
+    fn law(&self, law: usize, x: Unbounded, order: u8) -> Unbounded {
+        let f = jet_of_law(self.outside, law, x.x.x.x.value(), order).map(Wide::new);
+        let once = |k: usize| x.x.x.chain(f[k], || f[k + 1]);
+        let twice = |k: usize| x.x.chain(once(k), || once(k + 1));
+        x.chain(twice(0), || twice(1))
+    }
+
+    fn opaque(&self, number: usize, component: usize, operands: Vec<Unbounded>) -> Unbounded {
+        let narrow = |x: &Unbounded| {
+            let [re, v1, v2, v3] = jet(x);
+            Real(if x.rate.is_some() { Dual3_64::new(re, v1, v2, v3) } else { Dual3_64::from_re(re) })
+        };
+        let operands: Vec<Number> = operands.iter().map(narrow).collect();
+        widened(Source::<Number>::opaque(self, number, component, operands))
+    }
+
+    fn leaf(&self, _: LeafUse, _: Vec<Unbounded>) -> Unbounded {
+        kin_graph::Number::constant(f64::NAN)
     }
 }

@@ -42,7 +42,7 @@ pub(crate) fn are_rows(formula: &Formula, laws: &[(usize, Node)]) -> bool {
 pub(crate) fn slopes(formula: &Formula, laws: &[(usize, Node)], still: &Along<'_>) -> Vec<Vec<f64>> {
     let known = evaluate(&formula.graph, &formula.rows, still);
     let along = |(_, law): &(usize, Node)| {
-        let value = known.number(*law).map_or(f64::NAN, |value| value.0.re);
+        let value = known.number(*law).map_or(f64::NAN, |value: Real<Dual3_64>| value.0.re);
         let moving = |node: Node| (node == *law).then(|| Real(Dual3_64::new(value, 1.0, 0.0, 0.0)));
         let moved = evaluate_beyond(&formula.graph, &formula.rows, moving, &known, still);
         formula.rows.iter().map(|row| moved.number(*row).map_or(f64::NAN, |slope| slope.0.v1)).collect()
