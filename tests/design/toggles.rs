@@ -111,6 +111,11 @@ fn there_is_no_gradient_through_a_change_of_branch() {
         let change = motion.singular_positions().last().expect("a change point");
         let told = system.toggle_by(change, ["P.u_i.x"]).expect_err("an error").to_string();
         assert!(told.contains("no derivative by `P.u_i.x`") && told.contains("a change point"), "{told}");
+        // Called a toggle it has none either: no driver pushes what is singular there.
+        let mut called = change.clone();
+        called.kind = kin::SingularKind::TurningPoint;
+        let told = system.toggle_by(&called, ["P.u_i.x"]).expect_err("an error").to_string();
+        assert!(told.contains("no driver pushes the parts that are singular"), "{told}");
     }
 }
 

@@ -14,8 +14,9 @@ use crate::system::System;
 /// Singular values below this share of the largest vanish.   \[-\]
 const VANISHES: f64 = 1e-7;
 
-/// The drivers have to push with this share of what they could; less is a change point.   \[-\]
-const PUSHES: f64 = 1e-9;
+/// The drivers have to push with this share of what they could; less is a change point, whose place a run knows
+/// to some 1e-8 of its sizes.   \[-\]
+const PUSHES: f64 = 1e-6;
 
 impl System {
     /// How the time t* of a toggle changes with parameters and dimensions: exact. At a toggle one
@@ -73,14 +74,15 @@ impl System {
         let mut pose = Motion::new(self, 1);
         pose.append(t, [q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
         smooth::check(self, &pose, by)?;
-        let Some(lambda) = self.combination(q, t)? else {
+        let Some(Combination { lambda, norms }) = self.combination(q, t)? else {
             return refused(format!("at t = {t} {s} several parts are singular at once"));
         };
         let dot = |all: &[f64]| lambda.iter().zip(all).map(|(l, x)| l * x).sum::<f64>();
         let c_t = self.c_t(q, t)?;
-        let size: f64 = lambda.iter().zip(&c_t).map(|(l, x)| (l * x).abs()).sum();
+        // In rows of order 1 no entry of λ is above 1.
+        let could: f64 = norms.iter().zip(&c_t).map(|(norm, x)| (x / norm).abs()).sum();
         let pushes = dot(&c_t);
-        if pushes.abs() <= PUSHES * size || size == 0.0 {
+        if pushes.abs() <= PUSHES * could {
             return refused(format!("at t = {t} {s} no driver pushes the parts that are singular"));
         }
         let along = Prepared::new(self, &names)?.at(t, [q, &still, &still]);
@@ -93,7 +95,7 @@ impl System {
     }
 
     /// λ with λᵀ C_q = 0; `None` where there are several, or none.
-    fn combination(&self, q: &[f64], t: f64) -> Result<Option<Vec<f64>>> {
+    fn combination(&self, q: &[f64], t: f64) -> Result<Option<Combination>> {
         let measures = self.model().measure(q, t);
         let mut c_q: DMatrix<f64> = self.jacobian(q, t)?;
         c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);
@@ -104,6 +106,13 @@ impl System {
         let vanish = values.iter().filter(|value| **value <= VANISHES * values.max()).count();
         let Some(u) = svd.u.as_ref().filter(|_| vanish == 1) else { return Ok(None) };
         let column = u.column(values.imin());
-        Ok(Some(column.iter().zip(&norms).map(|(l, norm)| l / norm).collect()))
+        let lambda = column.iter().zip(&norms).map(|(l, norm)| l / norm).collect();
+        Ok(Some(Combination { lambda, norms }))
     }
+}
+
+/// λ with λᵀ C_q = 0; times the norms of the rows its length is 1.
+struct Combination {
+    lambda: Vec<f64>,
+    norms: Vec<f64>,
 }

@@ -125,6 +125,8 @@ impl Rubbing {
             Shape::Slide { length, width } => {
                 let mut all = ends(length);
                 if self.seat.holds_turn {
+                    // Its size alone counts, in friction and in what is unique: with the other sign all of
+                    // it is mirrored, and no result changes.
                     all.push(h * (2.0 * h.dot(held.torque) / width));
                 }
                 all
