@@ -3,6 +3,7 @@
 
 #[path = "../data/engines.rs"]
 mod engines;
+mod coarse;
 mod happened;
 mod set_since;
 

@@ -120,8 +120,9 @@ impl<'a> Beside<'a> {
                 beside.append(t, [&q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
                 residuals.push(system.residual(&q, t)?);
             }
-            system.note_kinks(&mut beside);
-            kink(&beside, t, by)?;
+            let mut passed = beside.clone();
+            system.note_kinks_along(&beside, &mut passed);
+            kink(&passed, t, by)?;
             let apart = residuals[0].iter().zip(&residuals[1]).map(|(a, b)| (a - b).abs());
             if let Some(row) = apart.zip(&measures.norms).position(|(apart, norm)| apart > JUMP * norm) {
                 let (s, row) = (motion.unit_words().time(), system.equations().equation(row));

@@ -22,8 +22,13 @@ impl System {
     /// The pose at t next to q, with its rates: a motion of that time alone. Nothing that is preferred is
     /// asked for.
     pub(crate) fn next_to(&self, t: f64, q: &[f64]) -> Result<Motion> {
+        self.pose_near(t, q, false)
+    }
+
+    /// The same, with the jerk if that is asked for.
+    pub(super) fn pose_near(&self, t: f64, q: &[f64], jerk: bool) -> Result<Motion> {
         let mut pose = Motion::new(self, 1);
-        self.append_solved(t, q, false, &mut pose)?;
+        self.append_solved(t, q, jerk, &mut pose)?;
         Ok(pose)
     }
 

@@ -7,7 +7,7 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 
 /// A motion whose first and last value and rate differ by less than this share of the largest comes back to
-/// its start.   \[-\]
+/// its start; values that differ by less are one dead centre, and a smaller rate at an end is none.   \[-\]
 const CLOSED: f64 = 1e-9;
 
 /// A place where a measure turns round, or the end of a run where it is largest or smallest.
@@ -30,6 +30,8 @@ pub struct Extremes {
     all: Vec<Extreme>,
     /// Time and value at the first time and at the last.
     ends: [(f64, f64); 2],
+    /// True of an end at which the measure rests.
+    rests: [bool; 2],
     closed: bool,
 }
 
@@ -37,13 +39,18 @@ impl System {
     /// Where a measure of a motion turns round, its rate being zero, with times and values as exact as poses
     /// can be solved. Of an output these are its dead centres: `system.extremes(&motion, rocker.theta())?`.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). Two extremes within one step
-    /// of the grid are found where rates and second rates at its ends show them; where the measure rests
-    /// before it turns round, the first time of the rest on the grid is told.
+    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be coarse: where
+    /// its times do not show all that happens between them (a law that goes out and comes back, a crank that
+    /// turns several times), Kin solves poses in between, until quintic polynomials through neighbouring
+    /// poses follow the motion. Wiggles of less than a millionth of what the measure moves may be missed.
+    /// Where the measure rests before it turns round, the extreme is at the beginning of the rest.
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`].
+    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than can be
+    /// followed.
     pub fn extremes(&self, motion: &Motion, what: impl Measure) -> Result<Extremes> {
-        let search = Search::new(self, motion, &what, Zero::Rate)?;
+        self.own_as_it_is(motion)?;
+        let fine = self.fine(motion, Some(&what))?;
+        let search = Search::new(self, &fine, &what, Zero::Rate)?;
         let extreme = |Root { t, x, rises }: Root| Extreme { t, value: x, is_max: !rises };
         let all = search.all()?.into_iter().map(extreme).collect();
         let (x, rate) = (search.grid.value.values(), search.grid.rate.values());
@@ -53,11 +60,14 @@ impl System {
             let size = all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
             matches!(all, [first, .., last] if (first - last).abs() <= CLOSED * size)
         };
+        let fastest = rate.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let rests = end(rate).map(|rate| rate.abs() <= CLOSED * fastest);
         Ok(Extremes {
             name: search.grid.value.name().to_string(),
             unit: search.grid.value.unit().to_string(),
             all,
             ends: [(times[0], values[0]), (times[1], values[1])],
+            rests,
             closed: comes_back(x) && comes_back(rate),
         })
     }
@@ -94,22 +104,46 @@ impl Extremes {
         self.max().value - self.min().value
     }
 
-    /// How much longer the slower stroke takes than the quicker one, at least 1; `None` where the motion does
-    /// not show both strokes.
+    /// The time of the slower stroke over the time of the quicker one, over one whole cycle: at least 1;
+    /// `None` where the run shows no whole cycle.   \[-\]
     ///
-    /// Where the run comes back to its start (one period), both strokes are those between the largest and the
-    /// smallest value; else the ones between the first three extremes.
+    /// One stroke leads from the largest to the smallest value, the other one back, each to where the value
+    /// is reached first; a rest belongs to the stroke that follows it. A whole cycle is there where the run
+    /// reaches the largest, the smallest and the largest value again (or the smallest, the largest, the
+    /// smallest), an end at which the measure rests counting too, or where the run comes back to its start in
+    /// value and rate. Of several cycles the first whole one counts.
     pub fn time_ratio(&self) -> Option<f64> {
         let [(from, _), (to, _)] = self.ends;
-        let (one, other) = match self.all[..] {
-            [_, _, ..] if self.closed => {
-                let one = (self.max().t - self.min().t).abs();
-                (one, (to - from).abs() - one)
+        let centres = self.dead_centres();
+        let strokes = match centres[..] {
+            // The value of the first centre may have been reached before the run began.
+            [_, a, b, c, ..] | [a, b, c] => [(b.t - a.t).abs(), (c.t - b.t).abs()],
+            [a, b] if self.closed => {
+                let one = (b.t - a.t).abs();
+                [one, (to - from).abs() - one]
             }
-            [a, b, c, ..] => ((b.t - a.t).abs(), (c.t - b.t).abs()),
             _ => return None,
         };
+        let [one, other] = strokes;
         Some(one.max(other) / one.min(other)).filter(|ratio| ratio.is_finite())
+    }
+
+    /// The largest and the smallest value by turns, each where it is reached first after the other one.
+    fn dead_centres(&self) -> Vec<Extreme> {
+        let (max, min) = (self.max().value, self.min().value);
+        let same = CLOSED * (max - min) + 1e-12 * max.abs().max(min.abs());
+        let end = |k: usize| self.rests[k].then_some(self.ends[k]);
+        let all = self.all.iter().map(|extreme| (extreme.t, extreme.value));
+        let all = end(0).into_iter().chain(all).chain(end(1));
+        let mut found: Vec<Extreme> = Vec::new();
+        for (t, value) in all {
+            let is_max = value >= max - same;
+            let is_dead = (is_max || value <= min + same) && max - min > 2.0 * same;
+            if is_dead && found.last().is_none_or(|last| last.is_max != is_max) {
+                found.push(Extreme { t, value, is_max });
+            }
+        }
+        found
     }
 
     /// The one that no other is better than.
@@ -130,7 +164,8 @@ mod tests {
     fn extremes(all: &[(f64, f64)], ends: [(f64, f64); 2], closed: bool) -> Extremes {
         let all =
             all.iter().map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 }).collect();
-        Extremes { name: "slide".to_string(), unit: "m".to_string(), all, ends, closed }
+        let rests = [false; 2];
+        Extremes { name: "slide".to_string(), unit: "m".to_string(), all, ends, rests, closed }
     }
 
     /// Value and time.
@@ -179,14 +214,28 @@ mod tests {
             let open = |all: &[(f64, f64)]| {
                 extremes(
                     &all.iter().map(|(t, x)| (at(*t), *x)).collect::<Vec<_>>(),
-                    [(at(0.0), 9.0), (at(20.0), -9.0)],
+                    [(at(0.0), 1.0), (at(20.0), -1.0)],
                     false,
                 )
             };
-            assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.0), (7.0, -3.0)]).time_ratio(), Some(4.0));
-            assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0), (9.0, 2.0)]).time_ratio(), Some(3.0));
+            assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.0)]).time_ratio(), Some(4.0));
+            assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0), (9.0, 2.0), (15.0, -2.0)]).time_ratio(), Some(3.0));
+            // Lesser extremes are on the way; a value that is reached again counts where it was first.
+            let lesser = [(1.0, 2.0), (2.0, -1.0), (3.0, 1.0), (5.0, -2.0), (6.0, 2.0)];
+            assert_eq!(open(&lesser).time_ratio(), Some(4.0));
+            let twice = [(1.0, 2.0), (2.0, 1.0), (3.0, 2.0), (5.0, -2.0), (6.0, 2.0)];
+            assert_eq!(open(&twice).time_ratio(), Some(4.0));
+            // Less than a cycle, values that drift, no time between two.
             assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0)]).time_ratio(), None);
+            assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.1), (7.0, -3.0)]).time_ratio(), None);
             assert_eq!(open(&[(1.0, 2.0), (1.0, -2.0), (9.0, 2.0)]).time_ratio(), None);
+            // Begun at a dead centre.
+            let mut begun = closed(1.0, 7.0, 0.5);
+            begun.all = vec![Extreme { t: at(2.0), value: -1.0, is_max: false }];
+            begun.ends = [(at(0.0), 1.0), (at(8.0), 1.0)];
+            assert_eq!(begun.time_ratio(), None);
+            begun.rests = [true; 2];
+            assert_eq!(begun.time_ratio(), Some(3.0));
         }
         assert_eq!(extremes(&[(1.0, 1.0)], [(0.0, 0.0), (8.0, 0.0)], true).time_ratio(), None);
     }

@@ -16,11 +16,21 @@ const PLACES: usize = 4;
 impl System {
     /// Tells the motion of each kink that it passes.
     pub(crate) fn note_kinks(&self, motion: &mut Motion) {
+        if self.switching().is_empty() {
+            return;
+        }
+        // Where the motion cannot be followed more finely, its own times tell what they can.
+        let fine = self.fine(motion, None).unwrap_or_else(|_| motion.clone());
+        self.note_kinks_along(&fine, motion);
+    }
+
+    /// The same of kinks that another motion passes between its times, along quintics.
+    pub(crate) fn note_kinks_along(&self, along: &Motion, motion: &mut Motion) {
         for &block in self.switching() {
             let block = &self.equations().blocks[block];
             let events = block.constraint.formula(|table, parameters, outside| {
                 let formula = table.formula();
-                Watched { system: self, block, table, formula, parameters, outside }.events(motion)
+                Watched { system: self, block, table, formula, parameters, outside }.events(along)
             });
             events.into_iter().flatten().for_each(|event| motion.add_event(event));
         }

@@ -57,7 +57,8 @@ fn event(limit: &Limit, t: f64, text: String) -> Event {
 
 fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>> {
     let (name, [from, to]) = (limit.name.as_str(), limit.ends);
-    let grid = system.measure(motion, name)?.value;
+    let fine = system.fine(motion, Some(&name))?;
+    let grid = system.measure(&fine, name)?.value;
     let (Some(&start), Some(&first)) = (motion.times().first(), grid.values().first()) else {
         return Ok(Vec::new());
     };
@@ -78,7 +79,7 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
         if end.is_infinite() || !comes_near(grid.values(), end) {
             continue;
         }
-        for Root { t, rises, .. } in Search::new(system, motion, &name, Zero::Value(end))?.all()? {
+        for Root { t, rises, .. } in Search::new(system, &fine, &name, Zero::Value(end))?.all()? {
             let forwards = motion.times().last().is_none_or(|last| *last >= start);
             let leaves = (rises == forwards) == (side == "upper");
             let way = if leaves { "passes" } else { "comes back from beyond" };

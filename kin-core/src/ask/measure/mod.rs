@@ -8,6 +8,7 @@ mod assemblies;
 mod between;
 mod condition;
 mod extremes;
+mod fine;
 mod joint;
 pub(crate) mod kinks;
 mod limits;

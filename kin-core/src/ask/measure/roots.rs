@@ -3,12 +3,17 @@
 
 use super::Measure;
 use super::between::step_of;
+use super::fine::quintic::{Quintic, derivative, is_simple, value, zeros};
 use crate::model::error::Result;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
 /// Numbers below this share of the largest are zero but for rounding.   \[-\]
 const ROUNDING: f64 = 1e-13;
+
+/// A quintic that comes to zero as near as this share of its size may stand for a function that crosses
+/// it.   \[-\]
+const NEAR: f64 = 1e-5;
 
 /// Steps of one search: Newton takes a handful, halving at most about sixty.
 const STEPS: usize = 100;
@@ -41,6 +46,7 @@ pub(super) struct Root {
 /// A measure of a motion, on the grid and between its times.
 pub(super) struct Search<'a, M> {
     system: &'a System,
+    /// With as many times as show all that happens between those of the grid.
     motion: &'a Motion,
     what: &'a M,
     pub grid: Quantity,
@@ -49,17 +55,18 @@ pub(super) struct Search<'a, M> {
     small: f64,
 }
 
-/// One end of an interval: the time, what is to be zero there, and its derivative.
+/// One end of an interval: the time, what is to be zero there, its derivative, and x, ẋ, ẍ.
 #[derive(Clone, Copy)]
 struct End {
     t: f64,
     f: f64,
     slope: f64,
+    orders: [f64; 3],
 }
 
 impl<'a, M: Measure> Search<'a, M> {
+    /// Between the times of a motion that [`System::fine`] has made.
     pub(super) fn new(system: &'a System, motion: &'a Motion, what: &'a M, zero: Zero) -> Result<Self> {
-        system.own_as_it_is(motion)?;
         let grid = what.of(system, motion)?;
         let [x, rates, ..] = grid.orders();
         let largest = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -81,16 +88,13 @@ impl<'a, M: Measure> Search<'a, M> {
                 continue;
             }
             match last {
-                Some((before, from)) if from.f.signum() != end.f.signum() => match k - before {
-                    1 | 2 => roots.push(self.root(from, end)?),
-                    _ => roots.push(self.found_at(
-                        self.on_grid(before + 1).t,
-                        from,
-                        self.grid.value.values()[before + 1],
-                    )),
-                },
+                // Of a rest the first time counts.
+                Some((before, from)) if k - before > 2 && from.f.signum() != end.f.signum() => {
+                    let (first, x) = (self.on_grid(before + 1).t, self.grid.value.values()[before + 1]);
+                    roots.push(self.found_at(first, from, x));
+                }
                 // Also beside a time of the grid at which it is zero.
-                Some((_, from)) => roots.extend(self.hidden(from, end)?.into_iter().flatten()),
+                Some((_, from)) => self.within(from, end, &mut roots)?,
                 None => {}
             }
             last = Some((k, end));
@@ -104,10 +108,11 @@ impl<'a, M: Measure> Search<'a, M> {
         self.end(self.motion.times()[k], [at(x), at(rate), at(second)])
     }
 
-    fn end(&self, t: f64, [x, rate, second]: [f64; 3]) -> End {
+    fn end(&self, t: f64, orders: [f64; 3]) -> End {
+        let [x, rate, second] = orders;
         match self.zero {
-            Zero::Value(level) => End { t, f: x - level, slope: rate },
-            Zero::Rate => End { t, f: rate, slope: second },
+            Zero::Value(level) => End { t, f: x - level, slope: rate, orders },
+            Zero::Rate => End { t, f: rate, slope: second, orders },
         }
     }
 
@@ -126,17 +131,34 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok([last(x) + turned, last(rate), last(second)])
     }
 
-    /// Two zeros between two times over which the sign stays: where the cubic through values and slopes at
-    /// the ends dips to the other side, and so does the pose solved there.
-    fn hidden(&self, from: End, to: End) -> Result<Option<[Root; 2]>> {
-        let h = to.t - from.t;
-        let Some(s) = dip([from.f, h * from.slope], [to.f, h * to.slope]) else { return Ok(None) };
-        let t = from.t + s * h;
-        let middle = self.end(t, self.between(t)?);
-        if middle.f.abs() <= self.small || middle.f.signum() == from.f.signum() {
-            return Ok(None);
+    /// All zeros between two times, neither of which is one. Where the quintic through both ends has more of
+    /// them than the signs there tell, or comes near one, the poses at which it turns round are solved.
+    fn within(&self, from: End, to: End, roots: &mut Vec<Root>) -> Result<()> {
+        let level = match self.zero {
+            Zero::Value(level) => Some(level),
+            Zero::Rate => None,
+        };
+        let c = Quintic::between([from.t, to.t], [from.orders, to.orders]).coefficients(level);
+        let mut last = from;
+        if !is_simple(&c, NEAR) {
+            let largest = c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+            for u in zeros(&derivative(&c)) {
+                let turned = value(&c, u);
+                if turned.signum() == last.f.signum() && turned.abs() > NEAR * largest {
+                    continue;
+                }
+                let t = from.t + u * (to.t - from.t);
+                let middle = self.end(t, self.between(t)?);
+                if middle.f.abs() > self.small && middle.f.signum() != last.f.signum() {
+                    roots.push(self.root(last, middle)?);
+                    last = middle;
+                }
+            }
         }
-        Ok(Some([self.root(from, middle)?, self.root(middle, to)?]))
+        if last.f.signum() != to.f.signum() {
+            roots.push(self.root(last, to)?);
+        }
+        Ok(())
     }
 
     /// The zero between two times with different signs.
@@ -165,29 +187,20 @@ impl<'a, M: Measure> Search<'a, M> {
     }
 }
 
-/// Where the cubic with these values and slopes at s = 0 and s = 1, the values of one sign, has its dip
-/// towards zero, if it crosses it.
-fn dip([f0, g0]: [f64; 2], [f1, g1]: [f64; 2]) -> Option<f64> {
-    let sign = f0.signum();
-    let [f0, g0, f1, g1] = [f0, g0, f1, g1].map(|x| sign * x);
-    let cubic = 2.0 * (f0 - f1) + g0 + g1;
-    let square = 3.0 * (f1 - f0) - 2.0 * g0 - g1;
-    // 3 c s² + 2 b s + g0 = 0, where the slope grows: by the form in which nothing cancels
-    let root = (square * square - 3.0 * cubic * g0).sqrt();
-    let s = if square > 0.0 { -g0 / (square + root) } else { (root - square) / (3.0 * cubic) };
-    let value = f0 + s * (g0 + s * (square + s * cubic));
-    ((0.0..1.0).contains(&s) && value < 0.0).then_some(s)
-}
-
 impl System {
     /// The times at which a measure of a motion passes a value, as exactly as poses can be solved, in the
     /// order of the motion.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). Two crossings within one step
-    /// of the grid are found where values and rates at its ends show them. Errors: those of
-    /// [`System::measure`] and [`System::at`].
+    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be coarse: where
+    /// its times do not show all that happens between them, Kin solves poses in between (see
+    /// [`System::extremes`]).
+    ///
+    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than can be
+    /// followed.
     pub fn crossings(&self, motion: &Motion, what: impl Measure, value: f64) -> Result<Vec<Crossing>> {
-        let roots = Search::new(self, motion, &what, Zero::Value(value))?.all()?;
+        self.own_as_it_is(motion)?;
+        let fine = self.fine(motion, Some(&what))?;
+        let roots = Search::new(self, &fine, &what, Zero::Value(value))?.all()?;
         Ok(roots.into_iter().map(|Root { t, rises, .. }| Crossing { t, rises }).collect())
     }
 }

@@ -64,6 +64,16 @@ impl<'a> Stepper<'a> {
         motion.misfit = position.misfit;
         Ok(())
     }
+
+    /// Appends the pose at time t to `motion`, reached from time k of a known motion.
+    pub(super) fn go_from(&mut self, known: &Motion, k: usize, t: f64, motion: &mut Motion) -> Result<()> {
+        let (system, options, start) = (self.system, self.options, known.q(k));
+        let (position, _) = Position::near(system, options, known.times()[k], start)?;
+        let position = self.position.insert(position);
+        let outcome = position.advance(t)?;
+        motion.append(t, position.rows(), outcome, position.worst);
+        Ok(())
+    }
 }
 
 /// Position, velocity and acceleration at one time; from the guess, or from a start that is near.

@@ -104,6 +104,20 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
+    /// Appends the pose at time t to `motion`, reached by judged steps from time k of a known motion: it is
+    /// on the branch of that time. Errors: those of a run from there to t.
+    pub(crate) fn go_from(&mut self, known: &Motion, k: usize, t: f64, motion: &mut Motion) -> Result<()> {
+        match &mut self.stepper {
+            AnyStepper::Redundant(stepper) => stepper.go_from(known, k, t, motion),
+            AnyStepper::Plain(stepper) => {
+                stepper.begin_at(known, k)?;
+                let outcome = stepper.reach(t)?;
+                motion.push(t, &stepper.newton, outcome);
+                Ok(())
+            }
+        }
+    }
+
     /// The system that runs.
     pub(super) fn system(&self) -> &'a System {
         self.system

@@ -94,6 +94,18 @@ impl<'a> Position<'a> {
         Self::found(system, options, t, found, (start, Some(explain)))
     }
 
+    /// From a position that is known to be met at that time, or nearly.
+    pub(super) fn near(
+        system: &'a System,
+        options: &'a Options,
+        t: f64,
+        start: &[f64],
+    ) -> Result<(Self, Outcome)> {
+        let (model, steps) = (system.model_within(options.closure), options.search.steps);
+        let found = search::descend(model, start, t, &|_| true, false, steps);
+        Self::found(system, options, t, found, (start, None))
+    }
+
     fn found(
         system: &'a System,
         options: &'a Options,

@@ -1,6 +1,7 @@
 //! Plain steps that go on where a program has come to.
 
-use super::Stepper;
+use super::{Stepper, Steps, first_position};
+use crate::model::error::Result;
 use crate::solve::follow::Span;
 use crate::solve::motion::Motion;
 use crate::system::evaluate::Instant;
@@ -46,5 +47,17 @@ impl Stepper<'_> {
         self.last = Some(times[last]);
         self.untouched = false;
         self.check.iter_mut().for_each(|check| check.go_on(pivot));
+    }
+
+    /// The next step begins at time k of a motion, whatever was done before. Errors: C_q is singular there.
+    pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
+        self.predictor.forget();
+        self.passed.clear();
+        self.newton.q.copy_from_slice(motion.q(k));
+        first_position::from_start(&mut self.newton, motion.times()[k], Steps::Near)?;
+        self.check.iter_mut().for_each(|check| check.accept(&self.newton));
+        self.newton.linear.confirm();
+        (self.last, self.untouched) = (Some(motion.times()[k]), true);
+        Ok(())
     }
 }

@@ -1,0 +1,324 @@
+//! A motion with as many times as its path needs: between two of them all coordinates, and what is asked,
+//! follow the quintics through values, velocities and accelerations at both ends.
+//!
+//! A grid of times may be coarse. What happens between two of its times shows in three ways. *Time*: laws and
+//! other functions of time are known by their bounds and breaks ([`clock`]). *Profiles*: laws of coordinates
+//! are compared with quintics over the stretch that their argument moves through. *Path*: the pose in the
+//! middle of a step is compared with the quintics, in value and rate, and no body turns by more than
+//! [`REACH`]. A step that fails is halved. Where the times of the grid themselves show all of it, which a
+//! fine grid does, no pose is solved.
+
+mod clock;
+pub(super) mod quintic;
+
+use super::Measure;
+use crate::model::error::{Error, Result};
+use crate::model::law::Law;
+use crate::model::units::Unit;
+use crate::solve::follow::REACH;
+use crate::solve::motion::{Motion, Quantity};
+use crate::solve::newton::run::Run;
+use crate::solve::newton::{Options, Outcome};
+use crate::system::System;
+use clock::Clock;
+use quintic::Quintic;
+
+/// Quintics may miss by this share of how far a coordinate, or what is asked, moves in the whole motion, and
+/// rates over a step by so many times that.   \[-\]
+const MISS: f64 = 1e-6;
+const RATES: f64 = 30.0;
+
+/// The same of a law of a coordinate, beside what the law changes.   \[-\]
+const PROFILE: f64 = 1e-5;
+
+/// A number that moves by less than this share of its largest value stands still.   \[-\]
+const STILL: f64 = 1e-9;
+
+/// No step is cut into parts shorter than this share of it.   \[-\]
+const SHORTEST: f64 = 1e-7;
+
+/// Times that are added at most.
+const MOST: usize = 100_000;
+const TOO_MANY: &str = "what happens between two times of the motion would need a hundred thousand times more to be followed: run it at times that are nearer to one another";
+
+impl System {
+    /// The motion with as many times more as show all that happens between its own.
+    ///
+    /// Errors: those of the measure and of a run; too many times.
+    pub(super) fn fine(&self, motion: &Motion, what: Option<&dyn Measure>) -> Result<Motion> {
+        let options = Options { jerk: motion.has_jerk(), ..Options::default() };
+        let mut refining = Refining::new(self, motion, what, &options)?;
+        let mut fine = Motion::new(self, motion.len());
+        for k in 0..motion.len() {
+            match k.checked_sub(1) {
+                None => add(&rows(self, motion, 0..1), &mut fine),
+                Some(before) => refining.step(before, &mut fine)?,
+            }
+        }
+        Ok(fine)
+    }
+}
+
+/// A motion on its way to be refined.
+struct Refining<'a> {
+    system: &'a System,
+    motion: &'a Motion,
+    what: Option<&'a dyn Measure>,
+    /// The measure at the times of the motion.
+    grid: Option<Quantity>,
+    run: Run<'a>,
+    clock: Clock<'a>,
+    /// How far each coordinate moves, and at last what is asked.
+    sizes: Vec<f64>,
+    profiles: Vec<Profile>,
+    added: usize,
+}
+
+/// A law of a coordinate.
+struct Profile {
+    block: usize,
+    /// Which of the laws of the block, and by how much it changes.
+    number: usize,
+    size: f64,
+}
+
+impl<'a> Refining<'a> {
+    fn new(
+        system: &'a System,
+        motion: &'a Motion,
+        what: Option<&'a dyn Measure>,
+        options: &'a Options,
+    ) -> Result<Self> {
+        let grid = what.map(|what| what.of(system, motion)).transpose()?;
+        let mut refining = Refining {
+            system,
+            motion,
+            what,
+            grid,
+            run: Run::new(system, options, None)?,
+            clock: Clock::new(system, motion),
+            sizes: Vec::new(),
+            profiles: profiles(system, motion),
+            added: 0,
+        };
+        let count = system.n_coordinates() + usize::from(what.is_some());
+        refining.sizes =
+            (0..count).map(|j| size((0..motion.len()).map(|k| refining.on_grid(k, j)[0]))).collect();
+        Ok(refining)
+    }
+
+    /// x, ẋ and ẍ of a coordinate, or of what is asked, at a time of the motion.
+    fn on_grid(&self, k: usize, j: usize) -> [f64; 3] {
+        orders(self.motion, self.grid.as_ref(), k, j)
+    }
+
+    /// Appends all times after time k of the motion, up to the next one.
+    fn step(&mut self, k: usize, fine: &mut Motion) -> Result<()> {
+        let next = rows(self.system, self.motion, k + 1..k + 2);
+        if self.clock.is_plain(k) && self.is_seen(k) {
+            add(&next, fine);
+            return Ok(());
+        }
+        let shortest = SHORTEST * (self.motion.times()[k + 1] - self.motion.times()[k]).abs();
+        let mut from = rows(self.system, self.motion, k..k + 1);
+        for t in self.clock.cuts(k)? {
+            let to = self.between(&from, &next, t)?;
+            self.fill(&from, &to, shortest, fine)?;
+            from = to;
+        }
+        self.fill(&from, &next, shortest, fine)
+    }
+
+    /// True if the times of the motion beside a step show that quintics follow it.
+    fn is_seen(&self, k: usize) -> bool {
+        let times = self.motion.times();
+        if !self.is_short(self.motion, [k, k + 1]) {
+            return false;
+        }
+        let fits = |first: usize| {
+            let at = |place: usize, j: usize| self.on_grid(first + place, j);
+            first + 2 < times.len() && self.fits([times[first], times[first + 1], times[first + 2]], &at)
+        };
+        fits(k) || k.checked_sub(1).is_some_and(fits)
+    }
+
+    /// Appends what is needed between two poses, and the later one.
+    fn fill(&mut self, from: &Motion, to: &Motion, shortest: f64, fine: &mut Motion) -> Result<()> {
+        let (a, b) = (from.times()[0], to.times()[0]);
+        let resolution = 64.0 * f64::EPSILON * a.abs().max(b.abs());
+        if (b - a).abs() <= shortest.max(resolution) {
+            add(to, fine);
+            return Ok(());
+        }
+        self.added += 1;
+        if self.added > MOST {
+            return Err(too_many(self.motion, a));
+        }
+        // A pose in the middle may be singular, one beside it is not.
+        let places = [0.5, 0.461, 0.573].map(|share| a + share * (b - a));
+        let middle = match self.between(from, to, places[0]) {
+            Ok(middle) => middle,
+            Err(_) => self.between(from, to, places[1]).or_else(|_| self.between(from, to, places[2]))?,
+        };
+        let three = joined(self.system, [from, &middle, to]);
+        let grid = self.what.map(|what| what.of(self.system, &three)).transpose()?;
+        let at = |place: usize, j: usize| orders(&three, grid.as_ref(), place, j);
+        (0..self.sizes.len()).for_each(|j| {
+            let moved = (at(1, j)[0] - at(0, j)[0]).abs().max((at(2, j)[0] - at(0, j)[0]).abs());
+            self.sizes[j] = self.sizes[j].max(if moved.is_finite() { moved } else { 0.0 });
+        });
+        let times = [a, middle.times()[0], b];
+        if self.is_short(&three, [0, 1]) && self.is_short(&three, [1, 2]) && self.fits(times, &at) {
+            add(&middle, fine);
+            add(to, fine);
+            return Ok(());
+        }
+        self.fill(from, &middle, shortest, fine)?;
+        self.fill(&middle, to, shortest, fine)
+    }
+
+    /// True if the pose at the time in the middle is where quintics through the others lead.
+    fn fits(&self, [a, middle, b]: [f64; 3], at: &dyn Fn(usize, usize) -> [f64; 3]) -> bool {
+        self.sizes.iter().enumerate().all(|(j, size)| {
+            let curve = Quintic::between([a, b], [at(0, j), at(2, j)]);
+            let (u, [x, rate, _]) = ((middle - a) / (b - a), at(1, j));
+            let (value, slope) = (curve.at(u), curve.slope(u));
+            // A number that is none cannot be followed better.
+            let off = |miss: f64, allowed: f64| miss > allowed;
+            !off((value - x).abs(), MISS * size) && !off((slope - (b - a) * rate).abs(), RATES * MISS * size)
+        })
+    }
+
+    /// True if nothing turns far between two times of a motion, and laws of coordinates are followed there.
+    fn is_short(&self, motion: &Motion, [k, next]: [usize; 2]) -> bool {
+        let h = motion.times()[next] - motion.times()[k];
+        let units = &self.system.layout().units;
+        let turns = units.iter().enumerate().filter(|(_, unit)| **unit != Unit::Metre).all(|(j, _)| {
+            let by_rates = (h * motion.qd(k)[j]).abs().max((h * motion.qd(next)[j]).abs());
+            (motion.q(next)[j] - motion.q(k)[j]).abs() <= REACH && by_rates <= 2.0 * REACH
+        });
+        turns && (self.profiles.is_empty() || self.follows_profiles(motion, [k, next]))
+    }
+
+    fn follows_profiles(&self, motion: &Motion, ends: [usize; 2]) -> bool {
+        let [from, to] = ends.map(|k| arguments(self.system, motion, k, &self.profiles));
+        self.profiles.iter().zip(from.into_iter().zip(to)).all(|(profile, ((law, a), (_, b)))| {
+            let (jets, h) = ([law.jet(a), law.jet(b)], b - a);
+            let curve = Quintic::between([a, b], jets.map(|[f, f1, f2, _]| [f, f1, f2]));
+            h == 0.0 || places(7).all(|u| (curve.at(u) - law.at(a + u * h)).abs() <= PROFILE * profile.size)
+        })
+    }
+
+    /// The pose at a time between two poses, on their branch.
+    fn between(&mut self, from: &Motion, to: &Motion, t: f64) -> Result<Motion> {
+        let mut tried = |known: &Motion| {
+            let mut pose = Motion::new(self.system, 1);
+            self.run.go_from(known, 0, t, &mut pose).map(|()| pose)
+        };
+        tried(from).or_else(|_| tried(to)).or_else(|_| {
+            let h = t - from.times()[0];
+            let along = from.q(0).iter().zip(from.qd(0).iter().zip(from.qdd(0)));
+            let q: Vec<f64> = along.map(|(q, (qd, qdd))| q + h * (qd + 0.5 * h * qdd)).collect();
+            self.system.pose_near(t, &q, from.has_jerk())
+        })
+    }
+}
+
+/// The laws whose arguments move with coordinates.
+fn profiles(system: &System, motion: &Motion) -> Vec<Profile> {
+    let Some(last) = motion.len().checked_sub(1) else { return Vec::new() };
+    let (t, q) = (motion.times()[0], motion.q(0));
+    let equations = system.equations();
+    let moved: Vec<f64> = q.iter().zip(places(q.len())).map(|(q, u)| q + 0.1 + 0.1 * u).collect();
+    let instants = [q, &moved].map(|q| equations.instant_at(t, q));
+    let mut found = Vec::new();
+    for (block, known) in equations.blocks.iter().enumerate() {
+        let [mut here, mut there] = [Vec::new(), Vec::new()];
+        for (all, instant) in [&mut here, &mut there].into_iter().zip(&instants) {
+            known.constraint.laws(&equations.at(known, instant), &mut |_, _, x| all.push(x));
+        }
+        let differs = here.iter().zip(&there).enumerate().filter(|(_, (a, b))| a != b);
+        found.extend(differs.map(|(number, _)| Profile { block, number, size: 0.0 }));
+    }
+    if found.is_empty() {
+        return found;
+    }
+    let mut reach = vec![[f64::INFINITY, f64::NEG_INFINITY]; found.len()];
+    for k in 0..=last {
+        for ([low, high], (_, x)) in reach.iter_mut().zip(arguments(system, motion, k, &found)) {
+            (*low, *high) = (low.min(x), high.max(x));
+        }
+    }
+    let laws = arguments(system, motion, 0, &found);
+    for ((profile, (law, _)), [low, high]) in found.iter_mut().zip(laws).zip(reach) {
+        profile.size = size(places(64).map(|u| law.at(low + u * (high - low))));
+    }
+    found
+}
+
+/// Those laws with their arguments at a time of a motion.
+fn arguments(system: &System, motion: &Motion, k: usize, profiles: &[Profile]) -> Vec<(Law, f64)> {
+    let equations = system.equations();
+    let instant = equations.instant_at(motion.times()[k], motion.q(k));
+    let mut all = Vec::new();
+    for profile in profiles {
+        let (block, mut number) = (&equations.blocks[profile.block], 0);
+        block.constraint.laws(&equations.at(block, &instant), &mut |_, law, x| {
+            if number == profile.number {
+                all.push((law.clone(), x));
+            }
+            number += 1;
+        });
+    }
+    all
+}
+
+/// Places between 0 and 1 that follow no pattern (multiples of the golden ratio).
+fn places(count: usize) -> impl Iterator<Item = f64> {
+    (1..=count).map(|k| (k as f64 * 0.618_033_988_749_894_9).fract())
+}
+
+/// How far a number moves; never zero, so that rounding does not count.
+fn size(all: impl Iterator<Item = f64>) -> f64 {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    all.filter(|x| x.is_finite()).for_each(|x| (low, high) = (low.min(x), high.max(x)));
+    (high - low).max(STILL * low.abs().max(high.abs())).max(f64::MIN_POSITIVE)
+}
+
+/// x, ẋ and ẍ of coordinate j, or of what is asked.
+fn orders(motion: &Motion, asked: Option<&Quantity>, k: usize, j: usize) -> [f64; 3] {
+    match (motion.q(k).get(j), asked) {
+        (Some(q), _) => [*q, motion.qd(k)[j], motion.qdd(k)[j]],
+        (None, Some(asked)) => {
+            let [x, rate, second, _] = asked.orders();
+            [x, rate, second].map(|all| all.get(k).copied().unwrap_or(f64::NAN))
+        }
+        (None, None) => [0.0; 3],
+    }
+}
+
+/// Some times of a motion alone.
+fn rows(system: &System, motion: &Motion, range: std::ops::Range<usize>) -> Motion {
+    let mut found = Motion::new(system, range.len());
+    for k in range {
+        let outcome = Outcome { iterations: motion.iterations()[k], residual: motion.residuals()[k] };
+        found.append(motion.times()[k], motion.orders(k, 0..system.n_coordinates()), outcome, 0);
+    }
+    found
+}
+
+/// Appends a pose.
+fn add(pose: &Motion, to: &mut Motion) {
+    let outcome = Outcome { iterations: pose.iterations()[0], residual: pose.residuals()[0] };
+    to.append(pose.times()[0], [pose.q(0), pose.qd(0), pose.qdd(0), pose.qddd(0)], outcome, 0);
+}
+
+fn joined(system: &System, poses: [&Motion; 3]) -> Motion {
+    let mut all = Motion::new(system, poses.len());
+    poses.into_iter().for_each(|pose| add(pose, &mut all));
+    all
+}
+
+fn too_many(motion: &Motion, t: f64) -> Error {
+    Error::CannotFollow { t, units: motion.unit_words().clone(), reason: TOO_MANY, motion: None }
+}
