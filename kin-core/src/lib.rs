@@ -58,7 +58,7 @@ pub use forces::library as loads;
 pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};
 pub use joints::spatial;
 pub use kin_macros::{constraint, force, helper, law, potential};
-pub use law::{Break, Ends, Law};
+pub use law::{Beyond, Break, Ends, Law, LawRange};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
     ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Mechanism, Pose, Preferred,

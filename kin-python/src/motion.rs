@@ -185,6 +185,12 @@ impl Motion {
             .collect()
     }
 
+    /// Each event that is a warning, as a sentence with its time.
+    fn warnings(&self) -> Vec<String> {
+        let events = self.0.events().iter();
+        events.filter(|event| event.kind.is_warning()).map(ToString::to_string).collect()
+    }
+
     /// Singular positions as JSON.
     fn singular_positions(&self) -> PyResult<String> {
         serde_json::to_string(self.0.singular_positions()).map_err(|error| unreadable(&error))

@@ -1,10 +1,11 @@
 //! Measures of mechanisms, against closed forms: angular velocities, angles, slides, dead centres, limits,
 //! instant centres.
 
+mod coarse;
 #[path = "../data/engines.rs"]
 mod engines;
-mod coarse;
 mod happened;
+mod ranges;
 mod set_since;
 
 use kin::prelude::*;

@@ -29,7 +29,9 @@ pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
         add_measure(&system, &mut motion, name).map_err(Fault::asked)?;
     }
     say.note(&motion.summary());
-    motion.events().iter().for_each(|event| say.note(&event.to_string()));
+    // The summary tells warnings.
+    let events = motion.events().iter().filter(|event| !event.kind.is_warning());
+    events.for_each(|event| say.note(&event.to_string()));
     let why = early.as_ref().and_then(Fault::message).unwrap_or_default();
     written(asked, &motion, &scene, &why)?;
     early.map_or(Ok(()), Err)

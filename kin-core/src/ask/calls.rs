@@ -111,6 +111,7 @@ impl System {
     fn note(&self, motion: &mut Motion) {
         self.note_limits(motion);
         self.note_kinks(motion);
+        self.note_ranges(motion);
     }
 
     /// The same of a part of a run, from the end of the part before on.
@@ -120,7 +121,8 @@ impl System {
         self.note(&mut whole);
         // The part before has told of events at its last time, which is where this one begins.
         let found = whole.events().iter().filter(|event| {
-            matches!(event.kind, EventKind::Limit | EventKind::Kink) && Some(event.t) != start
+            matches!(event.kind, EventKind::Limit | EventKind::Kink | EventKind::BeyondRange)
+                && Some(event.t) != start
         });
         found.for_each(|event| part.add_event(event.clone()));
     }

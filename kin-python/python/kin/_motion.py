@@ -361,7 +361,7 @@ class Motion:
 
     @property
     def events(self) -> list[Event]:
-        """What happened on the way: ends of slots, limits, toggles, change points, kinks."""
+        """What happened on the way: ends of slots, limits, toggles, change points, kinks, ends of tables that the run goes beyond."""
         return [Event(*one) for one in self._native.events()]
 
     @property

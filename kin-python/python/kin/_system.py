@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
 import numpy as np
@@ -105,12 +106,18 @@ class System:
         (numbers of change points), `closure`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
         `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
 
+        Warns (`warnings.warn`) where the run asks a law beyond its table or sequence; `motion.events` says so too.
+
         Raises `kin.Error`; its `.motion` is what was computed before.
         """
         if progress is None:
-            return Motion(self._native.run(as_bytes(times), options or None))
-        with _Bar(progress, self.name) as told:
-            return Motion(self._native.run(as_bytes(times), options or None, told))
+            native = self._native.run(as_bytes(times), options or None)
+        else:
+            with _Bar(progress, self.name) as told:
+                native = self._native.run(as_bytes(times), options or None, told)
+        for text in native.warnings():
+            warnings.warn(text, stacklevel=2)
+        return Motion(native)
 
     def position(self, t: float, q: Any = None, **options: Any) -> Solution:
         """Position, velocity and acceleration at one time, assembled from the guess; from q, where it is given: after `compile()` by the

@@ -152,6 +152,10 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
         ));
     }
     let left = (0..4).find(|&k| jump(k, &at, &after))?;
+    // At the end of its range a law is what it is before.
+    if law.range().is_some_and(|range| x >= range.to) && !(0..4).any(|k| jump(k, &at, &before)) {
+        return None;
+    }
     Some(format!(
         "at the break x = {x} derivative {left} is {:e}, not that of the right side, {:e}",
         at[left], after[left]

@@ -14,6 +14,7 @@ pub(crate) mod kinks;
 mod limits;
 mod own;
 mod passed;
+mod ranges;
 mod roots;
 
 pub(crate) use between::quintic;

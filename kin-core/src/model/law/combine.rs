@@ -5,8 +5,8 @@ use std::ops::{Add, Mul};
 use kin_graph::{Graph, Node};
 
 use super::breaks::{MOST_BREAKS, Samples, left_jet, merged, sharpest};
-use super::parts::{by_part, set, show, slope};
-use super::{Break, Law, LawFunction, trusted_parts};
+use super::parts::{by_part, range_of_composed, set, show, slope};
+use super::{Break, Law, LawFunction, LawRange, trusted_parts};
 use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::Series;
 
@@ -74,6 +74,10 @@ macro_rules! two_parts {
 
         fn is_smooth(&self) -> bool {
             self.$first.is_smooth() && self.$second.is_smooth()
+        }
+
+        fn range(&self) -> Option<LawRange> {
+            LawRange::common(self.$first.range(), self.$second.range())
         }
 
         fn refusal(&self) -> Option<String> {
@@ -238,6 +242,10 @@ impl LawFunction for Multiple {
         self.law.is_smooth()
     }
 
+    fn range(&self) -> Option<LawRange> {
+        self.law.range()
+    }
+
     fn refusal(&self) -> Option<String> {
         self.law.refusal()
     }
@@ -276,7 +284,8 @@ impl Composed {
     /// that of x.
     fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
         let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
-        if falls && !self.outer.breaks(g, g).is_empty() {
+        let begins = || self.outer.range().is_some_and(|range| range.from == g);
+        if falls && !self.outer.breaks(g, g).is_empty() && !begins() {
             return left_jet(&self.outer, g, 1e-9 * g.abs().max(1e-3));
         }
         self.outer.jet(g)
@@ -356,6 +365,10 @@ impl LawFunction for Composed {
 
     fn is_smooth(&self) -> bool {
         self.inner.is_smooth() && self.outer.is_smooth()
+    }
+
+    fn range(&self) -> Option<LawRange> {
+        range_of_composed(&self.outer, &self.inner)
     }
 
     fn refusal(&self) -> Option<String> {

@@ -15,7 +15,7 @@ mod shapes;
 mod spline;
 
 pub(crate) use breaks::MOST_BREAKS;
-pub use jump::Break;
+pub use jump::{Beyond, Break, LawRange};
 pub use points::Ends;
 
 use std::fmt;
@@ -73,6 +73,11 @@ pub trait LawFunction: Send + Sync {
     /// True if there is no break anywhere.
     fn is_smooth(&self) -> bool {
         true
+    }
+
+    /// The arguments that it is made for; `None` (default) where it is made for all.
+    fn range(&self) -> Option<LawRange> {
+        None
     }
 
     /// Why its parameters make no sense, if so: what uses the law is refused with these words.
@@ -265,6 +270,16 @@ impl Law {
     /// True if no derivative up to the third jumps anywhere.
     pub fn is_smooth(&self) -> bool {
         self.0.is_smooth()
+    }
+
+    /// The arguments that the law is made for, such as those of its table; `None` where it is made for all.
+    pub fn range(&self) -> Option<LawRange> {
+        self.0.range()
+    }
+
+    /// True if it is a table alone, whose ends depend on no parameter.
+    pub(crate) fn is_table(&self) -> bool {
+        matches!(self.kind(), "spline" | "quintic_spline")
     }
 
     /// Why its parameters make no sense, if so.

@@ -3,7 +3,7 @@
 use std::ops::{Mul, Neg, Sub};
 
 use super::combine::Multiple;
-use super::{Law, LawFunction};
+use super::{Law, LawFunction, LawRange};
 use crate::model::dimension::Dimension;
 
 /// Shows the parameters of a part under its own name.
@@ -26,6 +26,17 @@ pub(super) fn by_part(law: &Law, part: &str, name: &str) -> Option<Law> {
 /// f′ as a law.
 pub(super) fn slope(law: &Law) -> Law {
     Law::new(Slope(law.clone()))
+}
+
+/// The range of f(g(x)): that of g, and where g is a straight line the arguments that it takes into that of
+/// f.
+pub(super) fn range_of_composed(outer: &Law, inner: &Law) -> Option<LawRange> {
+    let [c0, c1, ..] = inner.jet(0.0);
+    let is_line = matches!(inner.kind(), "linear" | "ramp" | "polynomial")
+        && c1 != 0.0
+        && [1.0, 2.0].iter().all(|x| inner.jet(*x) == [c0 + c1 * x, c1, 0.0, 0.0]);
+    let of_outer = outer.range().filter(|_| is_line).map(|range| range.before(c0, c1));
+    LawRange::common(of_outer, inner.range())
 }
 
 struct Slope(Law);

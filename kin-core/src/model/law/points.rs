@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::Law;
 use super::sequence::within;
+use super::{Beyond, Law, LawRange};
 use crate::model::dimension::{Bindings, IntoNumber};
 use crate::model::error::{Error, Result};
 
@@ -31,13 +31,13 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Width of interval k, and the rise over it.
     /// The table, of which the values may hang on dimensions.
     pub fn new(table: &[(f64, impl IntoNumber)], ends: Ends, to: &mut Bindings) -> Points {
         let y = to.list("y", 0, table.iter().map(|(_, y)| *y));
         Points { table: table.iter().map(|(x, _)| *x).zip(y).collect(), ends }
     }
 
+    /// Width of interval k, and the rise over it.
     pub fn step(&self, k: usize) -> (f64, f64) {
         let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
         (x1 - x0, y1 - y0)
@@ -49,13 +49,21 @@ impl Points {
         (width, rise / width)
     }
 
-    /// x brought into the table, and where it is there: interval, or outside of it.
+    /// The first and the last x of a table that does not repeat.
+    pub fn range(&self) -> Option<LawRange> {
+        let ((from, _), (to, _)) = (self.table.first()?, self.table.last()?);
+        let range = LawRange { from: *from, to: *to, beyond: Beyond::Line };
+        (self.ends != Ends::Periodic).then_some(range)
+    }
+
+    /// x brought into the table, and where it is there: interval, or outside of it. The last x is in the last
+    /// interval.
     pub fn place(&self, x: f64) -> (f64, usize) {
         let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
         let turned = || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
         let x = if self.ends == Ends::Periodic { turned() } else { x };
         let after = self.table.partition_point(|(knot, _)| *knot <= x);
-        (x, after)
+        (x, if x == last { self.table.len() - 1 } else { after })
     }
 
     /// Why no spline goes through them, in the name of that law.

@@ -5,7 +5,7 @@ use std::path::Path;
 use nalgebra::{Matrix2, Matrix2x3, Vector2};
 
 use super::points::{self, Ends, Points};
-use super::{Break, Law, LawFunction, trusted_parts};
+use super::{Break, Law, LawFunction, LawRange, trusted_parts};
 use crate::model::dimension::IntoNumber;
 use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
@@ -284,6 +284,10 @@ impl LawFunction for Quintic {
 
     fn is_smooth(&self) -> bool {
         self.points.ends == Ends::Periodic
+    }
+
+    fn range(&self) -> Option<LawRange> {
+        self.points.range()
     }
 
     fn refusal(&self) -> Option<String> {

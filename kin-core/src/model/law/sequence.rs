@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::breaks::{self, Seam, Sizes, merged, sharpest};
-use super::{Break, Law, LawFunction, trusted_parts};
+use super::{Beyond, Break, Law, LawFunction, LawRange, trusted_parts};
 use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
 
@@ -126,15 +126,16 @@ impl Sequence {
         })
     }
 
-    /// The part at x, or the value that is held.
+    /// The part at x, or the value that is held. The end of the last part is its own.
     fn part(&self, x: f64) -> Result<(f64, &Law), f64> {
         let mut held = f64::NAN;
-        for (begin, length, law) in self.placed() {
+        let last = self.parts.len().saturating_sub(1);
+        for (k, (begin, length, law)) in self.placed().enumerate() {
             // Before the first part: each other one begins where the one before has ended.
             if x < begin {
                 return Err(law.at(0.0));
             }
-            if x < begin + length {
+            if x < begin + length || (k == last && x == begin + length) {
                 return Ok((begin, law));
             }
             held = law.at(length);
@@ -199,6 +200,11 @@ impl LawFunction for Sequence {
 
     fn is_smooth(&self) -> bool {
         false
+    }
+
+    fn range(&self) -> Option<LawRange> {
+        let (begin, length, _) = self.placed().last()?;
+        Some(LawRange { from: self.start, to: begin + length, beyond: Beyond::Held })
     }
 
     fn refusal(&self) -> Option<String> {

@@ -6,7 +6,7 @@ use std::ops::Deref;
 use std::path::Path;
 
 use super::points::{self, Ends, Points};
-use super::{Break, Law, LawFunction, breaks, trusted_parts};
+use super::{Break, Law, LawFunction, LawRange, breaks, trusted_parts};
 use crate::model::dimension::IntoNumber;
 use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
@@ -284,6 +284,10 @@ impl LawFunction for Spline {
 
     fn is_smooth(&self) -> bool {
         false
+    }
+
+    fn range(&self) -> Option<LawRange> {
+        self.points.range()
     }
 
     fn refusal(&self) -> Option<String> {

@@ -20,6 +20,16 @@ pub enum EventKind {
     /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other
     /// side. Derivatives there are those of one side. Of constraints on the dual route kinks are not known.
     Kink,
+    /// A law is asked beyond the arguments that it is made for ([`crate::Law::range`]): the run goes on after
+    /// the end of a table or of a sequence.
+    BeyondRange,
+}
+
+impl EventKind {
+    /// True if the event is a warning: what comes after it may not be meant.
+    pub fn is_warning(self) -> bool {
+        matches!(self, EventKind::BeyondRange)
+    }
 }
 
 impl std::fmt::Display for EventKind {
@@ -29,6 +39,7 @@ impl std::fmt::Display for EventKind {
             EventKind::TurningPoint => "turning point",
             EventKind::Bifurcation => "bifurcation",
             EventKind::Kink => "kink",
+            EventKind::BeyondRange => "beyond range",
         })
     }
 }

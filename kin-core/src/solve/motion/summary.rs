@@ -33,7 +33,8 @@ impl Motion {
     /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the largest
     /// residual in one line; then the engine, where a program has computed times or there could be none
     /// ([`Motion::engine`], [`Motion::why_plain`]); then how far the first position is from the drawn one,
-    /// where it is, the worst first ([`Motion::displaced`]), with a hint where a slip is likely.
+    /// where it is, the worst first ([`Motion::displaced`]), with a hint where a slip is likely; and warnings
+    /// among the events ([`crate::EventKind::is_warning`]).
     pub fn summary(&self) -> String {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
@@ -41,6 +42,9 @@ impl Motion {
         let told: Vec<String> = displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
         if !told.is_empty() {
             text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
+        }
+        for warning in self.events().iter().filter(|event| event.kind.is_warning()).take(SHOWN) {
+            text += &format!("\n  warning: {warning}");
         }
         let begun = self.beyond_a_turn.iter().map(|(driver, angle)| {
             format!("`{driver}` begins at {angle:.1} rad, more than a turn: angles are radians, `deg({angle:.1})` makes them of degrees.")

@@ -110,12 +110,19 @@ fn between(
 ) -> Result<Vec<Break>, Break> {
     let all = if room > 0 { law.breaks(from, to) } else { Vec::new() };
     let full = room == 0 || all.len() >= MOST_BREAKS;
-    let here = all.iter().filter(|b| b.x != from);
+    let range = if all.is_empty() && !full { None } else { law.range() };
+    // At the ends of its range a law is what it is within.
+    let passed = |b: &Break| match range {
+        Some(range) if b.x == range.to => from.min(to) <= b.x && b.x < from.max(to),
+        Some(range) if b.x == range.from => from.min(to) < b.x && b.x <= from.max(to),
+        _ => b.x != from,
+    };
+    let here = all.iter().filter(|b| passed(b));
     // The one that is met first.
     let mut jump =
         if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
     if jump.is_none() && full {
-        jump = law.sharpest_break(from, to).filter(|b| b.x != from && stops(b));
+        jump = law.sharpest_break(from, to).filter(|b| passed(b) && stops(b));
     }
     jump.map_or_else(|| Ok(here.take(room).copied().collect()), Err)
 }
