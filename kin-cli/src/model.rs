@@ -47,8 +47,14 @@ pub fn mechanism(file: &str) -> Result<Mechanism, Fault> {
     })
 }
 
-/// The system of a file, with what is set in it.
+/// The system of a file, with what is set in it. Errors: a name that is set twice.
 pub fn system(model: &Model) -> Result<System, Fault> {
+    let all = &model.settings;
+    let again = |k: &usize| all[..*k].iter().any(|before| before.name == all[*k].name);
+    if let Some(k) = (0..all.len()).find(again) {
+        let name = &all[k].name;
+        return Err(Fault::Usage(format!("`--set` names `{name}` twice: leave one of the two out")));
+    }
     let mut system = mechanism(&model.file)?.build()?;
     model.settings.iter().try_for_each(|setting| set(&mut system, setting)).map_err(not_set)?;
     Ok(system)

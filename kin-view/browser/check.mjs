@@ -78,6 +78,31 @@ const compare = async (page, motion, index) => {
   return compared;
 };
 
+// Everything of the mechanism is within the stage, and there is something.
+const within = async (page, index) => {
+  const outside = await page.evaluate(() => {
+    const stage = document.getElementById("stage").getBoundingClientRect();
+    const seen = [...document.querySelectorAll("#stage :is(.plate, .bar, .slot, .rod, .barrel, .pin)")].filter((e) => e.getAttribute("visibility") !== "hidden");
+    const out = (b) => b.left < stage.left - 1 || b.right > stage.right + 1 || b.top < stage.top - 1 || b.bottom > stage.bottom + 1;
+    return seen.length ? seen.filter((e) => out(e.getBoundingClientRect())).map((e) => e.dataset.name) : ["all: the stage is empty"];
+  });
+  assert.deepEqual(outside, [], `outside of the stage at frame ${index}`);
+};
+
+// The page of a run that ended early says so, and why, before anything else; others say nothing.
+const checkEnded = async (page, isEarly, wide) => {
+  const note = await page.$("#ended");
+  assert.equal(note !== null, isEarly, "a note on a run that ended early");
+  if (!note) return;
+  const box = await note.boundingBox();
+  assert.ok(box.y < 200 && box.height > 30 && box.x >= 0 && box.x + box.width <= wide, `the note is at ${JSON.stringify(box)}`);
+  const before = box.height;
+  await page.click("#ended summary");
+  assert.ok((await note.boundingBox()).height > before, "the note opens");
+  await page.click("#ended summary");
+  assert.match(await note.innerText(), /The run ended early: .* up to t = \S+ .*\n.*\S/s);
+};
+
 const checkPage = async (browser, folder) => {
   const motion = motionOf(folder);
   let compared = 0;
@@ -91,6 +116,7 @@ const checkPage = async (browser, folder) => {
     assert.equal(bright, look.colorScheme === "light", `background ${dark} for ${look.colorScheme}`);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= look.viewport.width, `wider than the window: ${wide}`);
+    await checkEnded(page, folder.endsWith("ended_early"), look.viewport.width);
 
     const seen = new Set([await picture(page)]);
     for (const share of SHARES) {
@@ -98,10 +124,14 @@ const checkPage = async (browser, folder) => {
       await moveTo(page, index);
       seen.add(await picture(page));
       compared += await compare(page, motion, index);
+      await within(page, index);
     }
     assert.equal(seen.size, SHARES.length + 1, "the slider moves the picture");
     const drawn = await page.evaluate(() => [...document.querySelectorAll("svg")].map((svg) => svg.outerHTML).join());
     assert.ok(!/NaN|Infinity|undefined/.test(drawn), "something drawn is not a number");
+
+    await moveTo(page, last);
+    await within(page, last);
 
     await moveTo(page, 0);
     await page.keyboard.press("ArrowRight");
@@ -197,7 +227,7 @@ const checkIndex = async (browser, folder, pages) => {
   await context.close();
 };
 
-// Every SVG under the folder is XML and has no NaN.
+// Every SVG under the folder is XML, has no NaN, and shows the first pose where a viewer shows no motion.
 const checkPictures = async (browser, folder) => {
   const files = readdirSync(folder, { recursive: true }).filter((name) => name.endsWith(".svg"));
   const page = await browser.newPage();
@@ -205,6 +235,11 @@ const checkPictures = async (browser, folder) => {
     const svg = readFileSync(join(folder, file), "utf8");
     const fault = await page.evaluate((svg) => new DOMParser().parseFromString(svg, "image/svg+xml").querySelector("parsererror")?.textContent, svg);
     assert.equal(fault, undefined, `${file}: ${fault}`);
+    const resting = await page.evaluate((svg) => {
+      const moved = [...new DOMParser().parseFromString(svg, "image/svg+xml").querySelectorAll("animate, animateTransform")];
+      return moved.filter((e) => !e.parentElement.hasAttribute(e.getAttribute("attributeName"))).length;
+    }, svg);
+    assert.equal(resting, 0, `${file}: where nothing moves ${resting} things have no place`);
     assert.ok(!/NaN|inf/.test(svg.replace(/<(title|text)[^]*?<\/\1>/g, "")), `${file} has a number that is none`);
   }
   return files.length;

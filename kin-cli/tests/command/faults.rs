@@ -37,6 +37,8 @@ fn a_command_line_that_makes_no_sense_is_usage() {
     fails(&["run", m, "--times", "0:1"], 2, "write FROM:TO:COUNT");
     fails(&["run", m, "--times", "0,1,0.5"], 2, "times");
     fails(&["run", m, "--times", "0:1:3", "--set", "O.u_k.x=1"], 2, "there is no parameter `O.u_k.x`");
+    let twice = ["run", m, "--times", "0:1:3", "--set", "O.u_i.x=0", "--set", "O.u_i.x=1"];
+    fails(&twice, 2, "`--set` names `O.u_i.x` twice: leave one of the two out");
     let all = "and 9 more; `kin check FILE --names` lists all";
     fails(&["run", m, "--times", "0:1:3", "--set", "crank=1"], 2, all);
     fails(&["run", m, "--times", "0:1:3", "--point", "P=cuppler:0,0"], 2, "there is no body `cuppler`");
@@ -103,6 +105,9 @@ fn files_that_are_missing_or_none_are_told() {
     );
     let short = file("short.csv", "O.u_i.x,O.u_i.y\n0.1,0.2\n0.1\n");
     fails(&["sweep", m, &short, "--times", "0:1:3"], 5, "line 3 has 1 numbers, where the first line names 2");
+    let text = std::fs::read_to_string(m).expect("readable");
+    let text = text.replacen("\"u_i\":", "\"u_i\": [5.0, 5.0], \"u_i\":", 1);
+    fails(&["check", &file("key_twice.json", &text)], 5, "the key `u_i` stands twice");
     let twice = file("twice.csv", "O.u_i.x,O.u_i.x\n0.1,0.2\n");
     fails(&["sweep", m, &twice, "--times", "0:1:3"], 5, "its first line names `O.u_i.x` twice");
     let cases = file("none.csv", "O.u_i.x\n0.1\nblue\n");

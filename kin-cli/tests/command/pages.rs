@@ -81,6 +81,27 @@ fn every_command_line_of_the_guide_does_what_it_says() {
     assert!(count > 15, "only {count} lines");
 }
 
+/// The page shows what was reached, and says in words that it is not all and why.
+#[test]
+fn the_page_of_a_run_that_ended_early_says_why() {
+    let page = folder("early").join("out/early.html");
+    let line =
+        format!("kin run examples/mechanisms/04_four_bar.json --set C.u_i.x=5.7 --page {}", page.display());
+    let ran = |times: &str| {
+        let output = shell(&format!("{line} --times {times}"), &folder("early")).output().expect("a shell");
+        (output.status.code(), std::fs::read_to_string(&page).expect("a page"))
+    };
+    let (code, html) = ran("0:1:91");
+    assert_eq!(code, Some(3));
+    let note = html.split_once("<aside id=\"ended\" role=\"note\">").expect("a note").1;
+    let note = note.split_once("</aside>").expect("its end").0;
+    assert!(note.contains("up to t = 0.38889 s, of 1 s that were asked for"), "{note}");
+    assert!(note.contains("a toggle: beyond this time there is no position"), "{note}");
+    assert!(html.contains("\"frames\":36,"), "the page has the times that were reached");
+    let (code, html) = ran("0:0.3:31");
+    assert!(code == Some(0) && !html.contains("<aside"), "{code:?}");
+}
+
 #[test]
 fn every_ready_mechanism_runs() {
     for entry in std::fs::read_dir(format!("{ROOT}/examples/mechanisms")).expect("the ready mechanisms") {

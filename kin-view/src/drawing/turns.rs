@@ -101,7 +101,7 @@ fn eye_along(normal: Vec3) -> (f64, f64) {
 }
 
 impl Samples {
-    /// True if a body turns about a direction in it, beyond what it takes for the direction to point elsewhere.
+    /// True if a body turns about a direction in it, and farther than this direction swings.
     pub(super) fn turns_about(&self, track: usize, along: Vec3) -> bool {
         let across = perpendicular(along);
         let Some(first) = self.frame(track, 0) else { return false };
@@ -112,9 +112,12 @@ impl Samples {
             // g swung along by the least turn that takes h to where it points now.
             let (v, c) = (h.cross(to), h.dot(to));
             let swung = g * c + v.cross(g) + v * (v.dot(g) / (1.0 + c));
-            Some(to.dot(swung.cross(now)).atan2(swung.dot(now)).abs())
+            Some([to.dot(swung.cross(now)).atan2(swung.dot(now)).abs(), v.norm().atan2(c)])
         };
-        (1..self.len()).filter_map(twist).any(|angle| angle > SEEN)
+        let all = (1..self.len()).filter_map(twist);
+        let [turned, swung] =
+            all.fold([SEEN, 0.0], |most, [a, b]: [f64; 2]| [most[0].max(a), most[1].max(b)]);
+        turned > SEEN && turned > swung
     }
 
     /// The direction in a body about which it turns, as far as it keeps to one.

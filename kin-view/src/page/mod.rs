@@ -152,10 +152,14 @@ impl Page {
             return String::new();
         };
         let time = self.drawing.units.time();
-        let why = if self.why.is_empty() { String::new() } else { format!("<p>{}</p>", escaped(&self.why)) };
+        let (first, rest) = self.why.split_once('\n').unwrap_or((&self.why, ""));
+        let more = "<details><summary>more</summary><p>";
+        let rest =
+            if rest.is_empty() { String::new() } else { format!("{more}{}</p></details>", escaped(rest)) };
+        let why = if first.is_empty() { String::new() } else { format!("<p>{}</p>", escaped(first)) };
         format!(
             "<aside id=\"ended\" role=\"note\"><b>The run ended early: the page shows it up to t = {} {time}, of {} {time} \
-             that were asked for.</b>{why}</aside>",
+             that were asked for.</b>{why}{rest}</aside>",
             digits(*last),
             digits(asked),
             time = escaped(time)

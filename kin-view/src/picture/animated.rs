@@ -4,7 +4,7 @@ use kin::{Vec2, Vec3, vec2};
 
 use super::svg::{SUPPORT, Svg, flipped, list, path_data, short};
 use super::view::View;
-use super::{Style, ground, shape_of};
+use super::{Style, ground, line_width, shape_of};
 use crate::drawing::{Drawing, LEAP, Mark, Shape, Track};
 
 /// How many poses are shown, at least and at most. Between them everything moves straight, unless bodies turn
@@ -167,7 +167,10 @@ impl Animation<'_> {
                 format!("fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"", shape.color),
                 "polygon",
             ),
-            _ => (format!("fill=\"none\" stroke=\"{}\" stroke-width=\"6\"", shape.color), "polyline"),
+            style => {
+                let (color, width) = (&shape.color, line_width(style));
+                (format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\""), "polyline")
+            }
         };
         self.points(&all, &style, tag)
     }

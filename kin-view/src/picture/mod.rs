@@ -155,9 +155,17 @@ fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
 fn shape_of(points: &[kin::Vec2], style: Style, color: &str, svg: &mut Svg) {
     match style {
         Style::Plate => svg.polygon(points, color),
-        Style::Bar => svg.line(points, color, 6.0),
-        Style::Slot => svg.line(points, color, 2.0),
-        Style::Guide => svg.line(points, color, 2.5),
+        _ => svg.line(points, color, line_width(style)),
+    }
+}
+
+/// How wide the line or edge of a shape is.   [px]
+fn line_width(style: Style) -> f64 {
+    match style {
+        Style::Plate => 1.6,
+        Style::Bar => 6.0,
+        Style::Slot => 2.0,
+        Style::Guide => 2.5,
     }
 }
 

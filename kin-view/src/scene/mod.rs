@@ -22,8 +22,8 @@ pub(crate) use outline::{OutlineKind, circle};
 /// two are a bar, more are a plate. Where points of two bodies stay together there is a pin; where a point
 /// runs along a path in another body, that path is drawn as a slot (or, if it is closed, as a disc of that
 /// shape); two points without a direction between them are held by a rod. Gears, belts, wheels on racks and
-/// tracks, cams and their rollers and faces have the shapes that their joints know. Bodies that stand still
-/// look like the ground.
+/// tracks, cams and their rollers and faces have the shapes that their joints know. What turns about its own
+/// length has a disc with a spoke. Bodies that stand still look like the ground.
 ///
 /// A told body of another mechanism, and a colour that is none, change nothing.
 #[derive(Clone)]

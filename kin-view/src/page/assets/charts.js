@@ -38,6 +38,8 @@ class Chart {
     let low = Infinity, high = -Infinity;
     for (const { values } of this.chart.series) for (const x of values) if (Number.isFinite(x)) { low = Math.min(low, x); high = Math.max(high, x); }
     if (low > high) [low, high] = [0, 1];
+    // Differences that are rounding alone are none.
+    if (high - low < 1e-9 * Math.max(Math.abs(low), Math.abs(high))) low = high = (low + high) / 2;
     const room = (high - low) * 0.06 || Math.abs(high) * 0.1 || 1;
     Object.assign(this, { low: low - room, high: high + room, first: this.times[0] ?? 0, last: this.times[this.times.length - 1] ?? 1 });
     if (this.first === this.last) this.last = this.first + 1;

@@ -84,7 +84,7 @@ class Stage {
     const middle = this.data.planar ? [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2]
       : this.project([0, 1, 2].map((axis) => (low[axis] + high[axis]) / 2));
     const wide = this.data.planar ? Math.max(...xs) - Math.min(...xs) : this.data.size;
-    const tall = this.data.planar ? Math.max(...ys) - Math.min(...ys) : this.data.size * 0.8;
+    const reach = Math.max(...ys) - Math.min(...ys), tall = this.data.planar ? reach : Math.max(reach, this.data.size * 0.8);
     const box = this.svg.getBoundingClientRect(), room = 60;
     this.unit = Math.max(wide / Math.max(box.width - room, 40), tall / Math.max(box.height - room, 40), this.data.size * 1e-6) / this.zoom;
     const [w, h] = [box.width * this.unit, box.height * this.unit];
