@@ -71,6 +71,7 @@ pub use model::loads::{
 };
 pub use model::no_derivative::NoDerivative;
 pub use model::not_unique::NotUnique;
+pub use model::surface::Surface;
 pub use model::units::Units;
 pub use motion::{
     Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series,

@@ -18,7 +18,7 @@ mod recorded;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use echelon::{Echelon, RANK, Sparse, reduced};
+pub(crate) use echelon::{Echelon, RANK, Sparse, dense, reduced};
 pub(crate) use independent::Independent;
 
 use std::sync::Arc;

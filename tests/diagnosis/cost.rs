@@ -104,3 +104,33 @@ fn redundant_step_takes_at_most_twice_a_square_one() {
     println!("{ratio:.2} of {ratios:.2?}");
     assert!(ratio < if cfg!(debug_assertions) { 4.0 } else { 2.0 }, "{ratios:.2?}");
 }
+
+/// Bodies that nothing holds.
+fn free_bodies(count: usize) -> (kin::diagnosis::Diagnosis, Duration) {
+    let mut m = Mechanism::new("heap");
+    for k in 0..count {
+        m.planar(&format!("body {k}"), pose(0.1 * k as f64, 0.0, 0.0)).unwrap();
+    }
+    let begun = now();
+    let found = m.diagnose(0.0).unwrap();
+    (found, now() - begun)
+}
+
+/// The text tells a few and how many more there are; the fields have all of them.
+#[test]
+fn diagnosis_of_many_free_bodies_is_short_to_print() {
+    let (found, time) = free_bodies(3000);
+    let text = found.to_string();
+    println!("{} characters in {time:?}", text.len());
+    assert!(text.len() < 3000 && text.contains("2994 more"), "{text}");
+    assert_eq!((found.freedoms.len(), found.changes.len()), (9000, 3000));
+    assert!(time.as_secs_f64() < if cfg!(debug_assertions) { 30.0 } else { 1.0 }, "{time:?}");
+}
+
+#[test]
+fn twenty_thousand_free_bodies_are_diagnosed_in_time() {
+    let (found, time) = free_bodies(20_000);
+    println!("{time:?}");
+    assert!(found.to_string().len() < 3000 && found.freedoms.len() == 60_000);
+    assert!(time.as_secs_f64() < if cfg!(debug_assertions) { 60.0 } else { 5.0 }, "{time:?}");
+}

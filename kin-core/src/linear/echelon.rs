@@ -95,32 +95,41 @@ impl Echelon {
 
     /// x with A x = 0, one for each free column, which is 1 in its own and 0 in the others'.
     pub(crate) fn null_space(&self) -> Vec<Sparse> {
-        self.free_columns.iter().map(|free| self.null_vector(*free)).collect()
+        let mut x = vec![0.0; self.shape.1];
+        self.free_columns.iter().map(|free| self.null_vector(*free, &mut x)).collect()
     }
 
-    fn null_vector(&self, free: usize) -> Sparse {
-        let mut x = vec![0.0; self.shape.1];
+    /// The vector of one free column. The buffer `x` is zero before and after.
+    fn null_vector(&self, free: usize, x: &mut [f64]) -> Sparse {
         x[free] = 1.0;
+        let mut touched = vec![free];
         for step in self.steps.iter().rev() {
             let sum: f64 = step.upper.iter().map(|(column, value)| value * x[*column]).sum();
-            x[step.column] = -sum / step.pivot;
+            if sum != 0.0 {
+                x[step.column] = -sum / step.pivot;
+                touched.push(step.column);
+            }
         }
-        sparse(&x)
+        taken(x, touched)
     }
 
     /// y with yᵀ A = 0, one for each free row, which is 1 in its own and 0 in the others'.
     pub(crate) fn left_null_space(&self) -> Vec<Sparse> {
-        self.free_rows.iter().map(|free| self.left_null_vector(*free)).collect()
+        let mut y = vec![0.0; self.shape.0];
+        self.free_rows.iter().map(|free| self.left_null_vector(*free, &mut y)).collect()
     }
 
-    fn left_null_vector(&self, free: usize) -> Sparse {
-        let mut y = vec![0.0; self.shape.0];
+    fn left_null_vector(&self, free: usize, y: &mut [f64]) -> Sparse {
         y[free] = 1.0;
+        let mut touched = vec![free];
         for step in self.steps.iter().rev() {
             let sum: f64 = step.lower.iter().map(|(row, factor)| factor * y[*row]).sum();
-            y[step.row] = -sum;
+            if sum != 0.0 {
+                y[step.row] = -sum;
+                touched.push(step.row);
+            }
         }
-        sparse(&y)
+        taken(y, touched)
     }
 }
 
@@ -139,10 +148,19 @@ fn odd(permutation: &[usize]) -> bool {
     odd
 }
 
+/// A share of the largest entry below this is rounding.   \[-\]
+const SHARE: f64 = 1e-8;
+
+/// The entries at these indices that are more than rounding; leaves zeros there.
+fn taken(x: &mut [f64], mut touched: Vec<usize>) -> Sparse {
+    touched.sort_unstable();
+    let largest = touched.iter().fold(0.0_f64, |m, k| m.max(x[*k].abs()));
+    let all = touched.into_iter().map(|k| (k, std::mem::take(&mut x[k])));
+    all.filter(|(_, x)| x.abs() > SHARE * largest).collect()
+}
+
 /// The entries of a dense vector that are more than rounding.
 fn sparse(x: &[f64]) -> Sparse {
-    /// A share of the largest entry below this is rounding.   \[-\]
-    const SHARE: f64 = 1e-8;
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     x.iter().copied().enumerate().filter(|(_, x)| x.abs() > SHARE * largest).collect()
 }
@@ -285,9 +303,10 @@ pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(
     const LARGEST: usize = 300;
     /// A share below this is no pivot.   \[-\]
     const PIVOT: f64 = 1e-5;
-    let first =
-        |vector: &Sparse| order.iter().copied().find(|k| vector.binary_search_by_key(k, |(k, _)| *k).is_ok());
     if space.len() > LARGEST {
+        let mut places = vec![usize::MAX; size];
+        order.iter().enumerate().for_each(|(place, k)| places[*k] = place);
+        let first = |vector: &Sparse| vector.iter().map(|(k, _)| *k).min_by_key(|k| places[*k]);
         return space.into_iter().filter_map(|vector| Some((first(&vector)?, vector))).collect();
     }
     let mut open: Vec<Vec<f64>> = space.iter().map(|vector| dense(vector, size)).collect();

@@ -203,8 +203,12 @@ impl Layout {
 
     /// The item that coordinate `column` belongs to.
     pub(crate) fn owner(&self, column: usize) -> Option<&Item> {
-        let after = self.items.partition_point(|item| item.first <= column);
-        self.items.get(after.checked_sub(1)?)
+        self.items.get(self.owner_index(column)?)
+    }
+
+    /// The index of that item.
+    pub(crate) fn owner_index(&self, column: usize) -> Option<usize> {
+        self.items.partition_point(|item| item.first <= column).checked_sub(1)
     }
 }
 

@@ -1,5 +1,7 @@
 //! The pose to look at, and what cannot be met there.
 
+mod singular;
+
 use super::cure::lengths;
 use super::cure::slips::{self, Slip};
 use super::cure::trial::Trial;
@@ -53,7 +55,7 @@ pub(super) fn place(
     let search = Search { model, t, options, clock };
     let found = if found.met { found } else { search.off_saddles(found) };
     if found.met {
-        let q = search.polished(&found);
+        let q = singular::settled(&model, search.polished(&found), t, &found.measures);
         return Ok(Placed { q, measures: found.measures, gaps: Vec::new(), cures: Vec::new() });
     }
     let mut placed = search.suspected(found, drawn);
@@ -209,11 +211,26 @@ impl Search<'_> {
         if !named.is_empty() {
             return self.best_of(found, open, &named);
         }
-        if let Some(driver) = self.driver(found, open, part.iter().copied().filter(|block| drives(block))) {
+        let mut drivers: Vec<usize> = part.iter().copied().filter(|block| drives(block)).collect();
+        if drivers.is_empty() {
+            drivers = self.in_line(open);
+        }
+        if let Some(driver) = self.driver(found, open, drivers.into_iter()) {
             return Some(driver);
         }
         let joints: Vec<usize> = part.iter().copied().filter(|block| !drives(block)).collect();
         self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
+    }
+
+    /// The drivers where there are several: one that holds a body in line with others takes no part in what is
+    /// missing along that line, although it is what keeps the body from giving way.
+    fn in_line(&self, open: &[usize]) -> Vec<usize> {
+        let model = &self.model;
+        let block_of = |row: usize| model.equations.block_index(row);
+        let rows = order::of_rows(model).into_iter().filter(|row| model.drives(*row));
+        let mut all: Vec<usize> = rows.filter_map(block_of).filter(|block| !open.contains(block)).collect();
+        all.dedup();
+        if (2..=TRIED).contains(&all.len()) { all } else { Vec::new() }
     }
 
     /// The driver that asks for what cannot be: without it the rest can be met, and it had something to
@@ -235,6 +252,11 @@ impl Search<'_> {
                 Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
             let own: Vec<usize> = equations.blocks[block].rows().collect();
             let Some(next) = self.without(found, open, block) else { continue };
+            // Where bodies stand in line, nothing says to which side they are to give way without it.
+            let next = match next.met {
+                true => next,
+                false => trial.closed_beside(&next.place.q).unwrap_or(next),
+            };
             if !next.met {
                 // One of several drivers too many: the joints must close without any, and leave this one
                 // something to drive.
@@ -296,6 +318,9 @@ impl Search<'_> {
     }
 }
 
+/// Constraints that are tried at most.
+const TRIED: usize = 24;
+
 /// A constraint that is let go is reported only if the sum of squares loses at least this share.   \[-\]
 const HELPS: f64 = 0.1;
 
@@ -318,8 +343,6 @@ fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
 
 /// The constraints that take part in what cannot be met, the first that is called superfluous first.
 fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
-    /// Constraints that are tried at most.
-    const TRIED: usize = 24;
     let shares: Vec<f64> =
         found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
     let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);

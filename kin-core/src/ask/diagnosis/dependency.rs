@@ -1,21 +1,22 @@
 //! Equations that depend on one another: minimal sets, with coefficients.
 
-use crate::model::verdict::{Class, Dependency, Level, Term};
+use crate::model::verdict::{Class, Dependency, Level, Persistence, Term};
 
 use super::examined::{Examined, Side};
 use super::freedom;
 use crate::linear::{LeastSquares, Sparse};
+use crate::solve::newton::redundant::{ALLOWED, CONSISTENT};
 
 /// A coefficient below this, in units of the norms of its rows, is nothing where a gap is open.   \[-\]
 const OPEN: f64 = 1e-4;
 
 /// All dependencies at the pose.
-pub(super) fn all(examined: &Examined<'_>) -> Vec<Dependency> {
+pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Dependency> {
     if examined.here.dependent.is_empty() {
         return Vec::new();
     }
     let rates = Rates::new(examined);
-    let blocked = freedom::infinitesimal(examined);
+    let blocked = freedom::infinitesimal(examined, persistence);
     let found = examined.here.dependent.iter().enumerate();
     found.map(|(k, (row, vector))| dependency(examined, &rates, &blocked, k, *row, vector)).collect()
 }
@@ -79,7 +80,9 @@ fn class(
         (Level::Velocity, &rates.velocity, fastest),
         (Level::Acceleration, &rates.acceleration, fastest / examined.measures().time),
     ] {
-        let residual = left_over(rhs, combination, size);
+        // A run allows the same, so that both have one opinion.
+        let share = CONSISTENT.max(ALLOWED * examined.model().closure);
+        let residual = beyond(rhs, combination, size, share);
         if residual != 0.0 {
             return Class::Contradictory { level, residual };
         }
@@ -89,11 +92,14 @@ fn class(
 
 /// Σ coefficient · rhs_i, zero where that is rounding of its terms or of what is usual there.
 fn left_over(rhs: &[f64], combination: &Sparse, size: f64) -> f64 {
-    /// Rounding, as a share of the terms.   \[-\]
-    const ROUNDING: f64 = 1e-8;
+    beyond(rhs, combination, size, CONSISTENT)
+}
+
+/// The same, zero where that is at most this share of its terms.
+fn beyond(rhs: &[f64], combination: &Sparse, size: f64, share: f64) -> f64 {
     let terms = || combination.iter().filter_map(|(row, z)| Some(z * rhs.get(*row)?));
     let (sum, sizes) = terms().fold((0.0, size), |(sum, sizes), term| (sum + term, sizes + term.abs()));
-    if sum.abs() > ROUNDING * sizes { sum } else { 0.0 }
+    if sum.abs() > share * sizes { sum } else { 0.0 }
 }
 
 /// C, C_t and −Q_d at the pose; what is not finite or not determined is empty.

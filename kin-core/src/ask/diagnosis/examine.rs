@@ -1,7 +1,7 @@
 //! The examination of a mechanism from pose to verdict.
 
 use super::cure::change;
-use super::examined::{Examined, Side};
+use super::examined::{Examined, Side, acting};
 use super::generic::{Nearby, Walk};
 use super::options::DiagnosisOptions;
 use super::rank::{Orders, ranked};
@@ -41,16 +41,27 @@ pub(crate) fn diagnose(
         }
         None => here,
     };
-    Ok(Examined { walk, q, t, here, nearby: nearby.as_ref(), gaps: &place.gaps, cures: &place.cures }
-        .diagnosis(full))
+    let acting = acting(&model);
+    let examined = Examined {
+        walk,
+        q,
+        t,
+        here,
+        nearby: nearby.as_ref(),
+        gaps: &place.gaps,
+        cures: &place.cures,
+        acting,
+    };
+    Ok(examined.diagnosis(full))
 }
 
 impl Examined<'_> {
     fn diagnosis(&self, full: bool) -> Diagnosis {
         let model = self.model();
-        let dependencies = dependency::all(self);
+        let persistence = freedom::persistences(self);
+        let dependencies = dependency::all(self, &persistence);
         let gaps = self.lasting(&dependencies);
-        let freedoms = freedom::all(self);
+        let freedoms = freedom::all(self, &persistence);
         let changes = change::least(self, &gaps, &dependencies, &freedoms);
         let drivers = (0..model.m()).filter(|row| model.drives(*row)).count();
         Diagnosis {

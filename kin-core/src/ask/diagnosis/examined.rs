@@ -2,6 +2,7 @@
 
 use super::generic::{Nearby, Walk};
 use super::rank::Ranked;
+use crate::model::layout::Place;
 use crate::model::verdict::{Change, Gap};
 use crate::system::scaled::{Measures, Model};
 
@@ -15,6 +16,23 @@ pub(super) struct Examined<'a> {
     pub gaps: &'a [Gap],
     /// Changes that would close the gaps, tried.
     pub cures: &'a [Change],
+    /// The constraints that act on each body or bare coordinate, norms of Euler parameters left out.
+    pub acting: Vec<Vec<usize>>,
+}
+
+/// The constraints that act on each body or bare coordinate, norms of Euler parameters left out.
+pub(super) fn acting(model: &Model<'_>) -> Vec<Vec<usize>> {
+    let mut acting = vec![Vec::new(); model.layout.items.len()];
+    let blocks = model.equations.blocks.iter().enumerate();
+    for (k, block) in blocks.filter(|(_, block)| block.constraint.facts().kind != "euler_norm") {
+        for argument in block.constraint.arguments() {
+            if let Some(Place::Own { item, .. }) = model.layout.place(&argument.target) {
+                acting[item].push(k);
+            }
+        }
+    }
+    acting.iter_mut().for_each(|blocks: &mut Vec<usize>| blocks.dedup());
+    acting
 }
 
 impl<'a> Examined<'a> {

@@ -1,6 +1,6 @@
 //! The diagnosis that the error of a failed run carries.
 
-use super::{DiagnosisOptions, diagnose};
+use super::{Diagnosis, DiagnosisOptions, diagnose};
 use crate::model::error::Error;
 use crate::solve::explain::{Explain, Start};
 use crate::solve::newton::Options;
@@ -15,8 +15,32 @@ pub(crate) const EXPLAIN: Explain = Explain { cannot_be_driven, explained };
 
 fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {
     match diagnose(model, start, t, &DiagnosisOptions::searching(&options.search)) {
+        // An error never carries the verdict that there is none.
+        Ok(diagnosis) if diagnosis.can_be_driven() => unsolved(model, start, t, diagnosis),
         Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
         Err(error) => error,
+    }
+}
+
+/// The error of a position that the solver has not found although the diagnosis sees nothing wrong.
+fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Diagnosis) -> Error {
+    let (Start::Guess(q) | Start::Pose(q)) = start;
+    let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();
+    let rows = c.iter().map(|c| c.abs()).enumerate();
+    let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+    let block = model.equations.block_of(worst);
+    let (constraint, row) =
+        block.map(|(block, local)| (block.name.clone(), block.row(local).to_string())).unwrap_or_default();
+    Error::NoConvergence {
+        t,
+        units: model.layout.words.clone(),
+        iterations: 0,
+        constraint,
+        row,
+        residual,
+        last: None,
+        diagnosis: Some(Box::new(diagnosis)),
+        motion: None,
     }
 }
 

@@ -1,8 +1,11 @@
 //! The freedoms that are left: which bodies move, and how.
 
+mod second_order;
+
 use crate::model::verdict::{BodyMotion, Freedom, How, Persistence};
 
 use super::examined::{Examined, Side};
+use crate::linear::{Sparse, dense};
 use crate::model::constraint::{Attached, Attachment};
 use crate::model::layout::{Item, Kind, Place};
 use crate::model::state::SpatialState;
@@ -14,19 +17,29 @@ const STILL: f64 = 1e-6;
 /// Freedoms beyond this many are not looked at one by one.
 const LOOKED_AT: usize = 24;
 
-/// All freedoms at the pose.
-pub(super) fn all(examined: &Examined<'_>) -> Vec<Freedom> {
-    let found = examined.here.free.iter().enumerate();
+/// Directions are kept as long as all of them together take at most so many numbers.
+const KEPT: usize = 1 << 22;
+
+/// All freedoms at the pose, with what is known of their persistence.
+pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Freedom> {
+    let (n, free) = (examined.model().n(), &examined.here.free);
+    let keeps = n.saturating_mul(free.len()) <= KEPT;
+    let found = free.iter().zip(persistence).enumerate();
     found
-        .map(|(k, (column, _))| {
+        .map(|(k, ((column, _), persistence))| {
             let direction = direction(examined, k);
-            let motions = motions(examined, &direction);
+            let (items, motions) = motions(examined, &direction);
+            let play = match persistence {
+                Persistence::Infinitesimal => second_order::play(examined, &dense(&direction, n)),
+                _ => None,
+            };
             Freedom {
-                persistence: persistence(examined, k, &direction),
-                idle: is_idle(examined, &motions),
+                persistence: *persistence,
+                idle: is_idle(examined, &items, &motions),
                 motions,
                 coordinate: examined.model().layout.names[*column].clone(),
-                direction,
+                direction: if keeps { dense(&direction, n) } else { Vec::new() },
+                play,
             }
         })
         .collect()
@@ -34,18 +47,22 @@ pub(super) fn all(examined: &Examined<'_>) -> Vec<Freedom> {
 
 /// True if a motion is a turn of one body, or of several as one, about a line through all points by which
 /// others hold them.
-fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
-    let [BodyMotion { names, how: How::Screws { point, axis, pitch, .. } }] = motions else { return false };
+fn is_idle(examined: &Examined<'_>, items: &[usize], motions: &[BodyMotion]) -> bool {
+    let [BodyMotion { how: How::Screws { point, axis, pitch, .. }, .. }] = motions else { return false };
     let model = examined.model();
     let (point, axis) = (Vec3::new(point[0], point[1], point[2]), Vec3::new(axis[0], axis[1], axis[2]));
     let length = examined.measures().sizes[0];
-    let moves = |item: usize| names.contains(&model.layout.items[item].name);
+    let mut acting: Vec<usize> =
+        items.iter().flat_map(|item| examined.acting[*item].iter().copied()).collect();
+    acting.sort_unstable();
+    acting.dedup();
     let mut holds = 0;
-    for block in model.equations.blocks.iter().filter(|block| block.constraint.facts().kind != "euler_norm") {
+    for block in acting.into_iter().map(|block| &model.equations.blocks[block]) {
         let arguments = block.constraint.arguments();
         let places: Vec<Option<Place>> =
             arguments.iter().map(|argument| model.layout.place(&argument.target)).collect();
-        let of_it = |k: usize| matches!(places.get(k), Some(Some(Place::Own { item, .. })) if moves(*item));
+        let of_it =
+            |k: usize| matches!(places.get(k), Some(Some(Place::Own { item, .. })) if items.contains(item));
         let moving = (0..places.len()).filter(|k| of_it(*k)).count();
         if moving == 0 || moving == places.len() {
             continue;
@@ -71,54 +88,88 @@ fn is_idle(examined: &Examined<'_>, motions: &[BodyMotion]) -> bool {
 }
 
 /// Motions that are possible to first order only.
-pub(super) fn infinitesimal(examined: &Examined<'_>) -> Vec<Vec<f64>> {
-    let all = (0..examined.here.free.len()).map(|k| (k, direction(examined, k)));
-    all.filter(|(k, v)| persistence(examined, *k, v) == Persistence::Infinitesimal).map(|(_, v)| v).collect()
+pub(super) fn infinitesimal(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Vec<f64>> {
+    let all = persistence.iter().enumerate();
+    let stiff = all.filter(|(_, persistence)| **persistence == Persistence::Infinitesimal);
+    stiff.map(|(k, _)| dense(&direction(examined, k), examined.model().n())).collect()
 }
 
-fn persistence(examined: &Examined<'_>, k: usize, direction: &[f64]) -> Persistence {
-    if !examined.persists(k, Side::Columns) {
-        return Persistence::OnlyHere;
-    }
-    let v: Vec<f64> =
-        direction.iter().zip(&examined.measures().sizes).map(|(v, size)| v / size).chain([0.0]).collect();
-    if k >= LOOKED_AT || examined.walk.moves(examined.q, examined.t, &v) {
-        Persistence::Always
-    } else {
-        Persistence::Infinitesimal
-    }
+/// The persistence of each freedom.
+///
+/// What nothing holds at nearby poses of higher rank either is a freedom to first order at least. The
+/// second-order test shows which of these are no more than that; where it decides nothing, a step along the
+/// freedom and back onto C = 0 does.
+pub(super) fn persistences(examined: &Examined<'_>) -> Vec<Persistence> {
+    let free = &examined.here.free;
+    let lasting: Vec<usize> = (0..free.len()).filter(|k| examined.persists(*k, Side::Columns)).collect();
+    let n = examined.model().n();
+    let looked_at = lasting.iter().take(LOOKED_AT);
+    let directions: Vec<Vec<f64>> = looked_at.map(|k| dense(&direction(examined, *k), n)).collect();
+    let is_stiff = lasting.len() <= LOOKED_AT && second_order::holds(examined, &directions);
+    let of = |k: usize| {
+        if !examined.persists(k, Side::Columns) {
+            return Persistence::OnlyHere;
+        }
+        if is_stiff {
+            return Persistence::Infinitesimal;
+        }
+        let sizes = &examined.measures().sizes;
+        let moves = |v: &Vec<f64>| {
+            let v: Vec<f64> = v.iter().zip(sizes).map(|(v, size)| v / size).chain([0.0]).collect();
+            examined.walk.moves(examined.q, examined.t, &v)
+        };
+        let nothing_holds = free[k].1.iter().all(|(column, _)| {
+            examined.model().layout.owner_index(*column).is_some_and(|item| examined.acting[item].is_empty())
+        });
+        let looked_at = lasting.iter().position(|other| *other == k).and_then(|at| directions.get(at));
+        match looked_at.filter(|_| !nothing_holds) {
+            Some(v) if !moves(v) => Persistence::Infinitesimal,
+            _ => Persistence::Always,
+        }
+    };
+    (0..free.len()).map(of).collect()
 }
 
 /// The k-th vector in coordinates, the largest scaled entry 1.
-fn direction(examined: &Examined<'_>, k: usize) -> Vec<f64> {
+fn direction(examined: &Examined<'_>, k: usize) -> Sparse {
     let vector = &examined.here.free[k].1;
     let largest = vector.iter().fold(0.0_f64, |m, (_, x)| m.max(x.abs()));
-    let mut v = vec![0.0; examined.model().n()];
-    vector.iter().for_each(|(column, x)| v[*column] = x / largest * examined.measures().sizes[*column]);
-    v
+    let sizes = &examined.measures().sizes;
+    vector.iter().map(|(column, x)| (*column, x / largest * sizes[*column])).collect()
 }
 
-/// The motion of each body; bodies that move as one stand together.
-fn motions(examined: &Examined<'_>, v: &[f64]) -> Vec<BodyMotion> {
-    let length = examined.model().layout.items.iter().find_map(|item| match item.kind {
-        Kind::Planar | Kind::Spatial | Kind::Length => Some(examined.measures().sizes[item.first]),
+/// The bodies and coordinates that move, and the motion of each; bodies that move as one stand together.
+fn motions(examined: &Examined<'_>, v: &Sparse) -> (Vec<usize>, Vec<BodyMotion>) {
+    let (layout, sizes) = (examined.model().layout, &examined.measures().sizes);
+    let length = layout.items.iter().find_map(|item| match item.kind {
+        Kind::Planar | Kind::Spatial | Kind::Length => Some(sizes[item.first]),
         Kind::Angle => None,
     });
     let length = length.unwrap_or(1.0);
+    let mut touched: Vec<usize> = v.iter().filter_map(|(column, _)| layout.owner_index(*column)).collect();
+    touched.dedup();
     let mut all: Vec<BodyMotion> = Vec::new();
-    for item in &examined.model().layout.items {
+    let mut items = Vec::new();
+    for index in touched {
+        let item = &layout.items[index];
         let columns = item.first..item.first + item.kind.coordinates().len();
-        let share = columns.clone().map(|k| (v[k] / examined.measures().sizes[k]).abs()).fold(0.0, f64::max);
-        if share <= STILL {
+        let mut own = vec![0.0; columns.len()];
+        let of_it = v.iter().skip(v.partition_point(|(column, _)| *column < columns.start));
+        of_it
+            .take_while(|(column, _)| columns.contains(column))
+            .for_each(|(column, x)| own[column - item.first] = *x);
+        let share = own.iter().zip(&sizes[columns.clone()]).map(|(v, size)| (v / size).abs());
+        if share.fold(0.0, f64::max) <= STILL {
             continue;
         }
-        let how = how(item, &examined.q[columns.clone()], &v[columns], length);
+        items.push(index);
+        let how = how(item, &examined.q[columns], &own, length);
         match all.iter_mut().find(|known| same(&known.how, &how, length)) {
             Some(known) => known.names.push(item.name.clone()),
             None => all.push(BodyMotion { names: vec![item.name.clone()], how }),
         }
     }
-    all
+    (items, all)
 }
 
 fn how(item: &Item, q: &[f64], v: &[f64], length: f64) -> How {

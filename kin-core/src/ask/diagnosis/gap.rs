@@ -1,10 +1,11 @@
 //! Constraints that cannot be met, by how much, and the values that their drivers ask for.
 
-use crate::model::verdict::{Against, Asks, Gap};
+use crate::model::verdict::{Against, Asks, Gap, Step};
 
 use crate::model::layout::Layout;
 use crate::model::units::Unit;
 use crate::solve::assembly::search::Found;
+use crate::system::evaluate::Block;
 use crate::system::scaled::Model;
 
 pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts: usize) -> Gap {
@@ -19,7 +20,54 @@ pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts
         lasting: false,
         starts,
         against: against(model, found, t, block.name.as_str()),
+        can_jump: !model.equations.jumping().is_empty(),
+        steps: steps(model, found, t),
     }
+}
+
+/// Jumps of equations beside the pose: each constraint that can jump is looked at as one of its coordinates
+/// moves a little to either side.
+fn steps(model: &Model<'_>, found: &Found, t: f64) -> Vec<Step> {
+    /// Constraints that are looked at, at most.
+    const LOOKED_AT: usize = 8;
+    let blocks = model.equations.jumping().iter().take(LOOKED_AT);
+    blocks.filter_map(|block| step(model, found, t, &model.equations.blocks[*block])).collect()
+}
+
+/// The jump of one constraint, nearest to the pose.
+fn step(model: &Model<'_>, found: &Found, t: f64, block: &Block) -> Option<Step> {
+    /// How far coordinates move to either side, in units of their sizes.   \[-\]
+    const BESIDE: [f64; 8] = [1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
+    /// A jump is more than so many times what slopes account for, and than this share of the norm.   \[-\]
+    const STEEP: f64 = 30.0;
+    const LEAST: f64 = 1e-6;
+    let (q, sizes, norms) = (&found.place.q, &found.measures.sizes, &found.measures.norms);
+    let mut columns: Vec<usize> = model
+        .entries(&found.place.point.values)
+        .filter(|(row, ..)| block.rows().contains(row))
+        .map(|(_, column, _)| column)
+        .collect();
+    columns.sort_unstable();
+    columns.dedup();
+    let at = |column: usize, by: f64| {
+        let mut beside = q.clone();
+        beside[column] += by;
+        model.linearize(&beside, t).ok().map(|point| point.c)
+    };
+    for (beside, column) in
+        BESIDE.iter().flat_map(|beside| columns.iter().map(move |column| (beside, *column)))
+    {
+        let by = beside * sizes[column];
+        let (Some(below), Some(above)) = (at(column, -by), at(column, by)) else { continue };
+        let jumps =
+            |row: &usize| (above[*row] - below[*row]).abs() > norms[*row] * (STEEP * 2.0 * beside).max(LEAST);
+        if let Some(row) = block.rows().find(jumps) {
+            let (equation, coordinate) = (model.equations.equation(row), model.layout.names[column].clone());
+            let (constraint, at) = (block.name.clone(), q[column]);
+            return Some(Step { constraint, equation, coordinate, at, from: below[row], to: above[row] });
+        }
+    }
+    None
 }
 
 /// The drivers but one.

@@ -29,5 +29,5 @@ pub use options::DiagnosisOptions;
 
 pub use crate::model::verdict::{
     Against, Asks, BodyMotion, Change, Class, Dependency, Diagnosis, Elsewhere, Freedom, Gap, GlobalPoint,
-    How, Level, Persistence, Resize, Size, Term,
+    How, Level, Persistence, Play, Resize, Size, Step, Term,
 };

@@ -28,7 +28,9 @@ impl Orders {
     /// The same with these first.
     pub(super) fn after(&self, rows: &[usize], columns: &[usize]) -> Orders {
         let first = |first: &[usize], all: &[usize]| {
-            first.iter().chain(all.iter().filter(|k| !first.contains(k))).copied().collect()
+            let mut is_first = vec![false; all.len()];
+            first.iter().for_each(|k| is_first[*k] = true);
+            first.iter().chain(all.iter().filter(|k| !is_first[**k])).copied().collect()
         };
         Orders { rows: first(rows, &self.rows), columns: first(columns, &self.columns) }
     }

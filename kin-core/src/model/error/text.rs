@@ -1,6 +1,7 @@
 //! The sentences of error messages that depend on what is known.
 
 use crate::model::motion::Motion;
+use crate::model::surface::Surface;
 use crate::model::units::Units;
 use crate::model::verdict::Diagnosis;
 use crate::model::words::{at, bytes, count, list, row, time};
@@ -128,7 +129,8 @@ pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
     else {
         return String::new();
     };
-    format!("\n  The motion up to t = {} is in this error: `error.motion()`.", at(last, motion.unit_words()))
+    let until = at(last, motion.unit_words());
+    format!("\n  {}", Surface::chosen().motion_before(&until))
 }
 
 /// A sweep, or a run, which carries a motion.

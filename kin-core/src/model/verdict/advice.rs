@@ -3,8 +3,9 @@
 use std::fmt::{Display, Formatter, Result};
 
 use super::change::{Change, GlobalPoint, Resize, Size};
-use super::gap::Asks;
+use super::gap::{Asks, Step};
 use super::text::{SHOWN, number};
+use crate::model::surface::Surface;
 use crate::model::words::list;
 
 /// The cause that a change gives, where the change has been tried; it is told first.
@@ -18,7 +19,8 @@ pub(super) fn cause(change: &Change) -> Option<String> {
             Some(format!("one of these does not fit: {}.", all.join(", ")))
         }
         Change::Allow { closure } => Some(format!(
-            "nearly consistent: redundant equations contradict one another by no more than parts of ordinary accuracy do; `Options::closure({closure:e})` allows it."
+            "nearly consistent: redundant equations contradict one another by no more than parts of ordinary accuracy do; {} allows it.",
+            Surface::chosen().closure(*closure)
         )),
         Change::Pin { bodies: [a, b], .. } => Some(format!(
             "freedoms left: `{a}` and `{b}` are held by one joint each, and nothing drives them."
@@ -141,11 +143,18 @@ impl Display for Change {
             Change::Fit { constraint, missing, or_drop, of } => fit(f, constraint, *missing, or_drop, *of),
             Change::Limit { constraint, asks, or } => limit(f, constraint, asks.as_ref(), or),
             Change::Allow { closure } => {
-                write!(f, "allow it by `Options::closure({closure:e})`, a share of the mechanism's size")
+                let call = Surface::chosen().closure(*closure);
+                write!(f, "allow it by {call}, a share of the mechanism's size")
             }
             Change::Resize { any } => {
                 let all: Vec<String> = any.iter().map(ToString::to_string).collect();
                 f.write_str(&all.join(", or "))
+            }
+            Change::Smooth { step: Step { equation, coordinate, at, .. } } => {
+                write!(
+                    f,
+                    "put a smooth function in the place of the step of `{equation}`, or keep {coordinate} away from {at:.4}"
+                )
             }
             Change::Swap { constraint, bodies: [i, j], .. } => {
                 write!(
@@ -189,7 +198,12 @@ fn remove(f: &mut Formatter<'_>, constraint: &str, or: &[String]) -> Result {
     if or.is_empty() {
         return Ok(());
     }
-    write!(f, ", or {}, or replace one by a measurement", quoted(or.iter()))
+    write!(f, ", or {}", quoted(or.iter().take(SHOWN)))?;
+    match or.len().saturating_sub(SHOWN) {
+        0 => {}
+        more => write!(f, " or {more} more")?,
+    }
+    f.write_str(", or replace one by a measurement")
 }
 
 fn fit(f: &mut Formatter<'_>, constraint: &str, missing: f64, or_drop: &[String], of: usize) -> Result {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::gap::Asks;
+use super::gap::{Asks, Step};
 
 /// One thing to change in the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -70,6 +70,11 @@ pub enum Change {
         asks: Option<Asks>,
         /// Dimensions that could be others instead.
         or: Vec<Resize>,
+    },
+    /// Replace the step of an equation by a smooth function, or keep the coordinate away from it.
+    Smooth {
+        /// The step.
+        step: Step,
     },
     /// Leave some rows of a constraint out: a joint that holds less.
     Drop {

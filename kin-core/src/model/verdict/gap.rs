@@ -28,6 +28,32 @@ pub struct Gap {
     /// The other drivers, and what those of one coordinate ask for.
     #[serde(default)]
     pub against: Vec<Against>,
+    /// True if an equation of the mechanism can jump where coordinates move (`floor`, `%`, `signum`, an `if`),
+    /// or may do so for all that is known of it: then the residual is the one that was found, and a smaller
+    /// one, or none, may be near.
+    #[serde(default)]
+    pub can_jump: bool,
+    /// The jumps that were found beside the pose.
+    #[serde(default)]
+    pub steps: Vec<Step>,
+}
+
+/// A jump of an equation where one coordinate moves and all others stand still.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Step {
+    /// The constraint.
+    pub constraint: String,
+    /// The equation, such as `stair` or `B.x`.
+    pub equation: String,
+    /// The coordinate that moves.
+    pub coordinate: String,
+    /// Its value at the jump, nearly.   \[m or rad\]
+    pub at: f64,
+    /// The value of the equation just below.   \[unit of the row\]
+    pub from: f64,
+    /// The value just above.   \[unit of the row\]
+    pub to: f64,
 }
 
 /// Another driver where one cannot be met.

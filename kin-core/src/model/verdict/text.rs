@@ -1,5 +1,6 @@
 //! The report for people.
 
+use std::collections::HashSet;
 use std::fmt::{Display, Formatter, Result};
 
 use super::advice::cause;
@@ -7,8 +8,9 @@ use super::change::Change;
 use super::dependency::{Class, Dependency, Level, Term};
 use super::diagnosis::Diagnosis;
 use super::elsewhere::Elsewhere;
-use super::freedom::{BodyMotion, Freedom, How, Persistence};
-use super::gap::{Against, Asks, Gap};
+use super::freedom::{BodyMotion, Freedom, How, Persistence, Play};
+use super::gap::Asks;
+use super::gap_line::GapLine;
 use super::repeats;
 use crate::model::words::{count, list, time};
 
@@ -60,7 +62,8 @@ impl Diagnosis {
             self.special(f)?;
         }
         let told = |change: &&Change| !(self.gaps.is_empty() && matches!(change, Change::Resize { .. }));
-        self.changes.iter().filter(told).filter_map(cause).try_for_each(|cause| write!(f, "\n  {cause}"))?;
+        let causes: Vec<String> = self.changes.iter().filter(told).filter_map(cause).collect();
+        lines(f, &causes, "cause", "causes")?;
         self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
         if self.is_cured() {
             return self.advice(f);
@@ -75,8 +78,13 @@ impl Diagnosis {
         let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
         // Beside a gap only lasting freedoms are real: the others are there because the gap is the smallest.
+        let joined = self.joined();
+        let joins = |freedom: &Freedom| {
+            let mut names = freedom.motions.iter().flat_map(|motion| &motion.names);
+            names.all(|name| joined.contains(name.as_str()))
+        };
         let real = |freedom: &&Freedom| {
-            (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !self.joins(freedom)
+            (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !joins(freedom)
         };
         lines(f, &self.freedoms.iter().filter(real).collect::<Vec<_>>(), "freedom", "freedoms")?;
         self.advice(f)
@@ -104,18 +112,42 @@ impl Diagnosis {
                 None => write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?,
             }
         }
-        let stiff = self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
-        let names: Vec<String> =
-            stiff.flat_map(|freedom| &freedom.motions).flat_map(|motion| motion.names.clone()).collect();
-        if !names.is_empty() {
-            let (give, move_on) = if names.len() == 1 { ("gives", "moves") } else { ("give", "move") };
-            write!(
-                f,
-                "\n  special position: {} {give} a little, as bars in line do, and {move_on} no further.",
-                list(&names)
-            )?;
+        let stiff =
+            || self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
+        let mut names: Vec<String> = Vec::new();
+        for name in stiff().flat_map(|freedom| &freedom.motions).flat_map(|motion| &motion.names) {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
         }
-        Ok(())
+        if names.is_empty() {
+            return Ok(());
+        }
+        let (give, move_on) = if names.len() == 1 { ("gives", "moves") } else { ("give", "move") };
+        let all = list(&names);
+        write!(
+            f,
+            "\n  rigid, but shaky: {all} {give} a little, as bars in line do, and {move_on} no further"
+        )?;
+        let plays = stiff().filter_map(|freedom| freedom.play.as_ref());
+        match plays.reduce(|a, b| if b.moves > a.moves { b } else { a }) {
+            Some(play) => self.play(f, play),
+            None => f.write_str("."),
+        }
+    }
+
+    /// ": a play of 0.0001 m in the joints lets `b` move by 0.0071 m and turn by 0.0301 rad, …"
+    fn play(&self, f: &mut Formatter<'_>, Play { body, play, moves, turns }: &Play) -> Result {
+        let length = self.units.length();
+        write!(f, ": a play of {play} {length} in every joint lets `{body}` ")?;
+        match (*moves > 1e-3 * play, *turns > 0.0) {
+            (true, true) => {
+                write!(f, "move by {} {length} and turn by {} rad", number(*moves), number(*turns))?
+            }
+            (_, true) => write!(f, "turn by {} rad", number(*turns))?,
+            _ => write!(f, "move by {} {length}", number(*moves))?,
+        }
+        f.write_str("; a quarter of the play still gives half of that.")
     }
 
     /// True if a change has been tried with which everything closes and moves: its cause then explains all
@@ -127,17 +159,17 @@ impl Diagnosis {
             })
     }
 
-    /// True if the freedom is that of a body that no constraint holds, which a change already tells.
-    fn joins(&self, freedom: &Freedom) -> bool {
-        let names = freedom.motions.iter().flat_map(|motion| &motion.names);
-        let joined = |name: &String| {
-            self.changes.iter().any(|change| match change {
-                Change::Join { body } => body == name,
-                Change::Pin { bodies, .. } => bodies.contains(name),
-                _ => false,
-            })
-        };
-        names.into_iter().all(joined)
+    /// The bodies that no constraint holds, or one only, of which a change tells already.
+    fn joined(&self) -> HashSet<&str> {
+        let mut all = HashSet::new();
+        for change in &self.changes {
+            match change {
+                Change::Join { body } => all.extend([body.as_str()]),
+                Change::Pin { bodies, .. } => all.extend(bodies.iter().map(String::as_str)),
+                _ => {}
+            }
+        }
+        all
     }
 
     fn advice(&self, f: &mut Formatter<'_>) -> Result {
@@ -164,67 +196,6 @@ fn more(f: &mut Formatter<'_>, all: usize, one: &str, many: &str) -> Result {
         0 => Ok(()),
         1 => write!(f, " and 1 more {one}"),
         rest => write!(f, " and {rest} more {many}"),
-    }
-}
-
-/// A gap, with the constraints it is in conflict with.
-struct GapLine<'a>(&'a Gap, &'a Diagnosis);
-
-impl Display for GapLine<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let GapLine(gap, diagnosis) = self;
-        let sets = diagnosis
-            .dependencies
-            .iter()
-            .filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
-        let mut others: Vec<String> = Vec::new();
-        for name in sets.flat_map(|found| found.constraints()).filter(|name| *name != gap.constraint) {
-            if !others.iter().any(|known| known == name) {
-                others.push(name.to_string());
-            }
-        }
-        let with = match others.is_empty() {
-            true => "with all others met".to_string(),
-            false => format!("with {}", self.named(&others)),
-        };
-        let (name, what) = (&gap.constraint, if gap.lasting { "contradictory" } else { "out of reach" });
-        match &gap.asks {
-            Some(asks) => {
-                let (coordinate, [asked, stands]) = (&asks.coordinate, different(asks.asked, asks.stands));
-                let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
-                write!(
-                    f,
-                    "{what}: `{name}` asks for {coordinate} = {asked}{turn}; {with} it stands at {stands}."
-                )
-            }
-            None => write!(
-                f,
-                "{what}: `{name}` cannot be met; {with} it is off by {} at the least.",
-                number(gap.size())
-            ),
-        }?;
-        match gap.starts {
-            0 | 1 => Ok(()),
-            starts => write!(f, " (The nearest of {starts} starts.)"),
-        }
-    }
-}
-
-impl GapLine<'_> {
-    /// "`motor` (crank.theta = 1.0000), `O`, `A`": drivers first, with what they ask for.
-    fn named(&self, names: &[String]) -> String {
-        let asks = |name: &String| self.0.against.iter().find(|against| against.constraint == *name);
-        let drivers = names.iter().filter_map(asks).map(|Against { constraint, asks }| match asks {
-            Some(asks) => {
-                let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
-                format!("`{constraint}` ({} = {:.4}{turn})", asks.coordinate, asks.asked)
-            }
-            None => format!("`{constraint}`"),
-        });
-        let drivers: Vec<String> = drivers.collect();
-        let others: Vec<String> = names.iter().filter(|name| asks(name).is_none()).cloned().collect();
-        let others = if others.is_empty() { None } else { Some(list(&others)) };
-        drivers.into_iter().chain(others).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -346,10 +317,4 @@ pub(super) fn number(x: f64) -> String {
         }
         _ => format!("{x:.2e}"),
     }
-}
-
-/// Two numbers with as many decimals as tell them apart, four at least.
-fn different(a: f64, b: f64) -> [String; 2] {
-    let with = |decimals: usize| [format!("{a:.decimals$}"), format!("{b:.decimals$}")];
-    (4..12).map(with).find(|[a, b]| a != b).unwrap_or_else(|| with(12))
 }

@@ -30,8 +30,8 @@ pub(crate) use solver::solved;
 
 /// Equations at a solution may differ by this share of their terms in velocities; where their positions may,
 /// by so many times that.   \[-\]
-const CONSISTENT: f64 = 1e-8;
-const ALLOWED: f64 = 30.0;
+pub(crate) const CONSISTENT: f64 = 1e-8;
+pub(crate) const ALLOWED: f64 = 30.0;
 
 /// A run of such a mechanism from time to time.
 pub(crate) struct Stepper<'a> {

@@ -92,6 +92,9 @@ fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> C
         or.retain(|name| can_go(examined, name));
         return Change::Remove { or, constraint };
     }
+    if let Some(step) = gap.steps.iter().find(|step| step.constraint == gap.constraint) {
+        return Change::Smooth { step: step.clone() };
+    }
     let own =
         |found: &&Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
     let mut rows: Vec<usize> = sets.iter().filter_map(own).collect();

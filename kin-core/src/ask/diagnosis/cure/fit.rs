@@ -89,7 +89,8 @@ impl Fit<'_> {
         let Some(found) = self.closed(value, from) else { return false };
         let (t, without, steps) = (self.t, self.without, self.steps);
         self.with(value, |model| {
-            Trial { model, t, without, steps }.moves(&found, &drivers(&model, without)).then_some(())
+            let trial = Trial { model, t, without, steps };
+            (trial.moves(&found, &drivers(&model, without)) && trial.goes_on(&found)).then_some(())
         })
         .is_some()
     }

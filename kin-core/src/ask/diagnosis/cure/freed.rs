@@ -1,6 +1,8 @@
 //! The changes that take a freedom away: a joint, a pin, a drive, something that holds the body, or a longer
 //! body.
 
+use std::collections::HashSet;
+
 use super::super::examined::Examined;
 use super::super::order;
 use super::dimension::{self, Of};
@@ -14,15 +16,27 @@ use crate::system::scaled::Model;
 /// holds it.
 pub(crate) fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
-    for freedom in freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always) {
+    let mut known: HashSet<(u8, String)> = HashSet::new();
+    let mut moved = vec![0_usize; examined.model().n()];
+    for freedom in freedoms {
+        let columns = freedom.direction.iter().enumerate().filter(|(_, v)| **v != 0.0);
+        columns.for_each(|(column, _)| moved[column] += 1);
+    }
+    let all = examined.here.free.iter().map(|(column, _)| *column).zip(freedoms);
+    for (column, freedom) in all.filter(|(_, freedom)| freedom.persistence == Persistence::Always) {
         let moves: Vec<String> =
             freedom.motions.iter().flat_map(|motion| motion.names.iter().cloned()).collect();
-        let change = match &moves[..] {
-            [body] if !is_held(examined, body) => Change::Join { body: body.clone() },
-            _ if freedom.idle => Change::HoldIdle { bodies: moves },
-            _ => drive(examined, freedom, freedoms, moves),
+        let owner = examined.model().layout.owner_index(column);
+        let is_held = owner.is_some_and(|item| !examined.acting[item].is_empty());
+        let (key, change) = match &moves[..] {
+            [body] if !is_held => ((0, body.clone()), Change::Join { body: body.clone() }),
+            _ if freedom.idle => ((1, format!("{moves:?}")), Change::HoldIdle { bodies: moves }),
+            _ => {
+                let change = drive(examined, (column, freedom), &moved, moves);
+                ((2, format!("{change:?}")), change)
+            }
         };
-        if !changes.contains(&change) {
+        if known.insert(key) {
             changes.push(change);
         }
     }
@@ -68,22 +82,16 @@ fn hangs(examined: &Examined<'_>, name: &str) -> bool {
     planar && model.equations.blocks.iter().filter(speaks).count() == 1
 }
 
-/// True if any constraint but the norm of its Euler parameters acts on a body or coordinate.
-fn is_held(examined: &Examined<'_>, name: &str) -> bool {
-    let model = examined.model();
-    let of_it =
-        |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
-    let blocks = model.equations.blocks.iter().filter(|block| block.constraint.facts().kind != "euler_norm");
-    blocks
-        .flat_map(|block| block.constraint.arguments())
-        .any(|argument| model.layout.place(&argument.target).is_some_and(of_it))
-}
-
-/// The coordinate to drive; where its body turns, its angle, and of a spatial body its turn.
-fn drive(examined: &Examined<'_>, freedom: &Freedom, all: &[Freedom], moves: Vec<String>) -> Change {
+/// The coordinate to drive; where its body turns, its angle, and of a spatial body its turn. `moved` says in
+/// how many freedoms each coordinate changes.
+fn drive(
+    examined: &Examined<'_>,
+    (column, freedom): (usize, &Freedom),
+    moved: &[usize],
+    moves: Vec<String>,
+) -> Change {
     let layout = examined.model().layout;
-    let column = layout.names.iter().position(|known| *known == freedom.coordinate);
-    let item = column.and_then(|column| layout.owner(column));
+    let item = layout.owner(column);
     let motion =
         item.and_then(|item| freedom.motions.iter().find(|motion| motion.names.contains(&item.name)));
     let turns =
@@ -93,10 +101,8 @@ fn drive(examined: &Examined<'_>, freedom: &Freedom, all: &[Freedom], moves: Vec
         Some((item, Kind::Spatial)) if turns => turn = Some(item.name.clone()),
         Some((item, Kind::Planar)) if turns => {
             let theta = item.first + 2;
-            let own = all
-                .iter()
-                .all(|other| other.coordinate == freedom.coordinate || other.direction[theta] == 0.0);
-            if own && freedom.direction[theta] != 0.0 {
+            let own = freedom.direction.get(theta).is_some_and(|v| *v != 0.0) && moved[theta] == 1;
+            if own {
                 coordinate.clone_from(&layout.names[theta]);
             }
         }

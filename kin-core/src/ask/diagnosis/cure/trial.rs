@@ -12,6 +12,7 @@ use crate::system::scaled::{Measures, Model};
 const BESIDE: usize = 12;
 
 /// A mechanism with something changed or left out, to be put together.
+#[derive(Clone, Copy)]
 pub(crate) struct Trial<'a> {
     pub model: Model<'a>,
     pub t: f64,
@@ -62,6 +63,32 @@ impl Trial<'_> {
         let beside = free.iter().take(BESIDE).filter_map(|v| walk.beside(q, self.t, v));
         let poses: Vec<Vec<f64>> = beside.collect();
         drivers.iter().all(|row| poses.iter().any(|q| self.drives(q, measures, *row)))
+    }
+
+    /// True if drivers that are more than the joints leave freedoms agree a little later too. Without this a
+    /// length could be told that fits at the moment looked at, and at no other.
+    pub(crate) fn goes_on(&self, found: &Found) -> bool {
+        /// Times at which they are asked, in units of the time in which the fastest driver moves something by
+        /// one.   \[-\]
+        const LATER: [f64; 3] = [0.03, 0.3, 1.0];
+        let (model, measures, q) = (&self.model, &found.measures, &found.place.q);
+        let count = drivers(model, self.without).len();
+        if count < 2 {
+            return true;
+        }
+        let walk = Walk { model, measures, open: &[], without: self.without, steps: self.steps };
+        let here = free(model, measures, &found.place.point.values, self.without);
+        // At a change point the joints leave more than elsewhere.
+        let beside = here.iter().take(BESIDE).filter_map(|v| walk.beside(q, self.t, v));
+        let left = beside.filter_map(|q| model.linearize(&q, self.t).ok());
+        let least = left.map(|point| free(model, measures, &point.values, self.without).len()).min();
+        if count <= least.unwrap_or(here.len()).min(here.len()) {
+            return true;
+        }
+        LATER.iter().map(|later| self.t + later * measures.time).all(|t| {
+            let later = Trial { t, ..*self };
+            model.linearize(q, t).is_err() || later.closed(q).is_some()
+        })
     }
 
     /// True if a driver's equation changes along a motion of the joints.

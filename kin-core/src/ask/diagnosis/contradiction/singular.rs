@@ -1,0 +1,151 @@
+//! The singular position that a solution cannot be told from.
+//!
+//! Where two solutions coincide, C = 0 holds to rounding at half the digits of q already, so the pose at hand
+//! can have full rank although the solution has not.
+
+use crate::linear::{Echelon, LeastSquares, Sparse, dense};
+use crate::system::scaled::{Measures, Model, Point};
+
+/// By so much of their norms, and of each of their terms, rows may be off at the singular position, beyond
+/// the closure error that is allowed: rounding.   \[-\]
+const ROUNDING: f64 = 4e-15;
+
+/// Pivots below this are looked at, and below 30 times the root of the closure error that is allowed: a
+/// solution that is off by ε from a double one has a pivot of about √ε.   \[-\]
+const NEAR: f64 = 1e-5;
+
+/// Vectors of either side that are looked at, at most.
+const LOOKED_AT: usize = 8;
+
+/// The pose, or the singular pose of lower rank beside it at which C = 0 holds as well.
+///
+/// With l and n the nearly null vectors of C_q, the coordinates s for which l · C_q(q + Σ s n) n = 0 are those
+/// of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then met again.
+pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measures) -> Vec<f64> {
+    let tolerance = ROUNDING.max(model.closure);
+    let near = NEAR.max(30.0 * model.closure.sqrt());
+    let Ok(point) = model.linearize(&q, t) else { return q };
+    let echelon = |point: &Point, least: f64| {
+        Echelon::new(model.scaled(&point.values, measures, &|_| true), model.n(), least)
+    };
+    let found = echelon(&point, crate::linear::RANK);
+    if found.smallest > near {
+        return q;
+    }
+    let (rank, mut here, mut at) = (found.rank(), q.clone(), point);
+    for _ in 0..4 {
+        let close = echelon(&at, near);
+        let (free, dependent) = (close.null_space(), close.left_null_space());
+        if free.is_empty() || dependent.is_empty() || free.len().max(dependent.len()) > LOOKED_AT {
+            return q;
+        }
+        let Some(moved) = onto(model, (&here, &at), t, measures, [&free, &dependent]) else { return q };
+        let Some((next, point)) = met_again(model, moved, t, measures, near) else { return q };
+        (here, at) = (next, point);
+    }
+    let mut allowed: Vec<f64> = measures.norms.iter().map(|norm| tolerance * norm).collect();
+    for (row, column, value) in model.entries(&at.values) {
+        allowed[row] += ROUNDING * (value * here[column]).abs();
+    }
+    let is_met = at.c.iter().zip(&allowed).all(|(c, allowed)| c.abs() <= *allowed);
+    let beside =
+        here.iter().zip(&q).zip(&measures.sizes).all(|((a, b), size)| (a - b).abs() <= 10.0 * near * size);
+    if is_met && beside && echelon(&at, crate::linear::RANK).rank() < rank { here } else { q }
+}
+
+/// q + Σ s n with l · C_q n = 0 there, to first order.
+fn onto(
+    model: &Model<'_>,
+    (q, at): (&[f64], &Point),
+    t: f64,
+    measures: &Measures,
+    [free, dependent]: [&[Sparse]; 2],
+) -> Option<Vec<f64>> {
+    let (n, m) = (model.n(), model.m());
+    let unit = |vector: &Sparse, size: usize| {
+        let largest = vector.iter().fold(f64::MIN_POSITIVE, |m, (_, x)| m.max(x.abs()));
+        dense(vector, size).into_iter().map(|x| x / largest).collect::<Vec<f64>>()
+    };
+    let free: Vec<Vec<f64>> = free.iter().map(|v| unit(v, n)).collect();
+    let dependent: Vec<Vec<f64>> = dependent.iter().map(|y| unit(y, m)).collect();
+    // (C_q v)_q v of shares v, rows of order 1.
+    let curvature = |v: &[f64]| -> Option<Vec<f64>> {
+        let v: Vec<f64> = v.iter().zip(&measures.sizes).map(|(v, size)| v * size).collect();
+        let rhs = model.second_order(q, t, &v, 0.0).ok()?;
+        Some(rhs.iter().zip(&measures.norms).map(|(x, norm)| -x / norm).collect())
+    };
+    let along = |v: &[f64]| -> Vec<f64> {
+        let mut c = vec![0.0; m];
+        for (row, column, value) in model.entries(&at.values) {
+            c[row] += value * measures.sizes[column] / measures.norms[row] * v[column];
+        }
+        c
+    };
+    let own = free.iter().map(|v| curvature(v)).collect::<Option<Vec<_>>>()?;
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let (mut matrix, mut rhs) = (Vec::new(), Vec::new());
+    for (b, v) in free.iter().enumerate() {
+        let mixed = free
+            .iter()
+            .enumerate()
+            .map(|(j, u)| {
+                if j == b {
+                    return Some(own[b].clone());
+                }
+                let sum: Vec<f64> = u.iter().zip(v).map(|(u, v)| u + v).collect();
+                let whole = curvature(&sum)?;
+                Some(whole.iter().zip(&own[j]).zip(&own[b]).map(|((w, x), y)| 0.5 * (w - x - y)).collect())
+            })
+            .collect::<Option<Vec<Vec<f64>>>>()?;
+        let stretched = along(v);
+        for y in &dependent {
+            matrix.extend(mixed.iter().map(|mixed| dot(y, mixed)));
+            rhs.push(-dot(y, &stretched));
+        }
+    }
+    let s = shortest(rhs.len(), free.len(), &matrix, &rhs)?;
+    let mut moved = q.to_vec();
+    for (s, v) in s.iter().zip(&free) {
+        moved.iter_mut().zip(v).zip(&measures.sizes).for_each(|((q, v), size)| *q += s * v * size);
+    }
+    Some(moved)
+}
+
+/// The least squares solution of a small dense system, row after row.
+fn shortest(rows: usize, columns: usize, matrix: &[f64], rhs: &[f64]) -> Option<Vec<f64>> {
+    let places: Vec<Option<(usize, usize)>> =
+        (0..rows).flat_map(|row| (0..columns).map(move |column| Some((row, column)))).collect();
+    let mut solver = LeastSquares::new(rows, columns, &places);
+    if !solver.factor(matrix.iter().copied(), 1e-12) {
+        return None;
+    }
+    let s = solver.solve(rhs.iter().copied()).to_vec();
+    s.iter().all(|s| s.is_finite()).then_some(s)
+}
+
+/// The pose brought back onto C = 0 without moving along what is nearly free.
+fn met_again(
+    model: &Model<'_>,
+    mut q: Vec<f64>,
+    t: f64,
+    Measures { sizes, norms, .. }: &Measures,
+    near: f64,
+) -> Option<(Vec<f64>, Point)> {
+    const STEPS: usize = 3;
+    let mut solver = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
+    let mut point = model.linearize(&q, t).ok()?;
+    for _ in 0..STEPS {
+        let scale =
+            |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+        let entries = model.equations.entries.iter().zip(&point.values);
+        let values: Vec<f64> = entries.map(|(entry, value)| scale(entry) * value).collect();
+        // The damping, of squares, is far above those of what is nearly free and far below all others.
+        if !solver.factor(values.into_iter(), near) {
+            return None;
+        }
+        let y = solver.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm));
+        q.iter_mut().zip(y).zip(sizes).for_each(|((q, y), size)| *q += y * size);
+        point = model.linearize(&q, t).ok()?;
+    }
+    Some((q, point))
+}
