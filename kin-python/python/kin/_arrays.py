@@ -7,6 +7,7 @@ from typing import Any, Callable
 import numpy as np
 
 from . import _functions, _mistakes
+from ._number import Number
 from ._place import users_line
 
 
@@ -22,7 +23,7 @@ def _vector(x: Any) -> Any:
 
 
 def _sum(x: Any, *_: Any, **__: Any) -> Any:
-    return sum(x, 0)
+    return x if isinstance(x, Number) else sum(x, 0)
 
 
 def _norm(x: Any, *_: Any, **__: Any) -> Any:
@@ -30,6 +31,8 @@ def _norm(x: Any, *_: Any, **__: Any) -> Any:
 
 
 def _dot(a: Any, b: Any) -> Any:
+    if isinstance(a, Number) or isinstance(b, Number):
+        return a * b
     return a @ b if hasattr(a, "_N") else _vector(a).dot(b)
 
 

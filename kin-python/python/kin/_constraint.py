@@ -231,7 +231,9 @@ def law(function: Callable[[Any], Any]) -> Law:
     if len(parameters) != 1:
         _mistakes.at(place, f"a law is a function of one variable; `{name}` has {len(parameters)}")
     trace, argument = Trace(name), Argument(parameters[0], "f64")
-    rows, _ = _flat(function(Expr(trace, trace.atom(argument.written, "f64"))), place)
+    with _mistakes.tracing(trace, name, place):
+        result = function(Expr(trace, trace.atom(argument.written, "f64")))
+    rows, _ = _flat(result, place)
     if len(rows) != 1:
         _mistakes.at(place, f"a law gives one number, not {len(rows)}")
     if not isinstance(rows[0], Expr):
@@ -338,26 +340,19 @@ def _stand_in(trace: Trace, argument: Argument, name: str) -> Any:
     return vector._of(trace, trace.atom(name, kind))
 
 
-_open: list[Trace] = []
-
-
 def _trace(self: Traced, counts: dict[str, Any]) -> Equation:
     """Calls the function with stand-ins, and reads the text of what it did."""
     trace = Trace(self.name)
     given: dict[str, Any] = dict(counts)
     kept = [one for one in self._arguments if one.kind != "count"]
+    trace.moving = {one.written for one in kept if one.is_body or one.kind in ("Time", "Rate")}
     for one in kept:
         if one.count is None:
             given[one.name] = _stand_in(trace, one, one.written)
         else:
             given[one.name] = [_stand_in(trace, one, f"{one.written}[{k}]") for k in range(one.count)]
-    _open.append(trace)
-    try:
+    with _mistakes.tracing(trace, self.name, self._place):
         result = self.function(**given)
-    except RecursionError:
-        _mistakes.at(self._place, f"`{self.name}` calls itself without end: a condition cannot end it")
-    finally:
-        _open.pop()
     rows, shape = _flat(result, self._place)
     nodes = [trace.number(row) for row in rows]
     trace.over = True
@@ -439,9 +434,10 @@ def _told(self: Traced, text: str, places: list[tuple[str, int]], mistakes: list
 
 
 def _innermost(what: str) -> Trace:
-    if not _open:
+    if not _mistakes.OPEN.traces:
         raise ConstraintError(f"kin.{what} belongs inside of a function under @kin.constraint")
-    return _open[-1]
+    found: Trace = _mistakes.OPEN.traces[-1]
+    return found
 
 
 def require(condition: Any, why: str) -> None:
@@ -455,7 +451,7 @@ def require(condition: Any, why: str) -> None:
 
 def branch(condition: Any, wrong: str) -> None:
     """What tells the pose that is meant from its mirror image, where the equation cannot; `wrong` says what is wrong."""
-    if not _open and isinstance(condition, (bool, np.bool_)):
+    if not _mistakes.OPEN.traces and isinstance(condition, (bool, np.bool_)):
         return  # the function runs on plain numbers
     trace = _innermost("branch")
     if not isinstance(condition, Condition):
@@ -466,7 +462,7 @@ def branch(condition: Any, wrong: str) -> None:
 def measure(name: str, value: Any, unit: str) -> None:
     """Something that can be asked of the constraint by name, `system.measure(motion, "slot.slide")`; its rates are
     Kin's."""
-    if not _open and isinstance(value, (int, float)):
+    if not _mistakes.OPEN.traces and isinstance(value, (int, float)):
         return  # the function runs on plain numbers
     trace = _innermost("measure")
     node = trace.number(value)

@@ -10,7 +10,8 @@ import numpy as np
 from . import _mistakes
 from ._number import Number
 from ._place import users_line
-from ._scalars import Condition, Expr, Scalar, _two
+from ._scalars import Condition, Expr, Scalar
+from ._ufunc import itemwise, two
 
 if TYPE_CHECKING:
     from ._dimension import Dimension
@@ -36,6 +37,8 @@ def _one(name: str, numpys: str, formula: str) -> Function:
     def function(x: Any) -> Any:
         if isinstance(x, Number):
             return getattr(x, numpys)()
+        if isinstance(x, np.ndarray) and x.dtype == object:
+            return itemwise(function, x)
         made = plain(x)
         return float(made) if isinstance(x, (int, float)) else made
 
@@ -76,27 +79,27 @@ degrees = _one("degrees", "degrees", "radians as degrees")
 
 def atan2(y: Scalar, x: Scalar) -> Any:
     """The angle of (x, y) from the x-axis, in (−π, π].   [rad]"""
-    return _two(y, x, "arctan2")
+    return two("arctan2", y, x)
 
 
 def hypot(x: Scalar, y: Scalar) -> Any:
     """√(x² + y²)"""
-    return _two(x, y, "hypot")
+    return two("hypot", x, y)
 
 
 def maximum(a: Scalar, b: Scalar, *more: Scalar) -> Any:
     """The larger one; of equal ones the derivatives of the first."""
-    found = _two(a, b, "maximum")
+    found = two("maximum", a, b)
     for one in more:
-        found = _two(found, one, "maximum")
+        found = two("maximum", found, one)
     return found
 
 
 def minimum(a: Scalar, b: Scalar, *more: Scalar) -> Any:
     """The smaller one; of equal ones the derivatives of the first."""
-    found = _two(a, b, "minimum")
+    found = two("minimum", a, b)
     for one in more:
-        found = _two(found, one, "minimum")
+        found = two("minimum", found, one)
     return found
 
 
@@ -124,7 +127,7 @@ def where(condition: Any, a: Any, b: Any) -> Any:
             return np.where(condition, a, b)
         if not isinstance(condition, np.ndarray):
             _mistakes.at(users_line(), f"`where` needs a condition such as s.x > 0, not {condition!r}")
-        return np.frompyfunc(where, 3, 1)(condition, a, b)
+        return itemwise(where, condition, a, b)
     trace = condition._trace
     for first, second in ((a, b), (b, a)):
         if isinstance(first, _Components):
@@ -135,7 +138,7 @@ def where(condition: Any, a: Any, b: Any) -> Any:
     if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)) and len(a) == len(b):
         return type(a)([where(condition, x, y) for x, y in zip(a, b)])
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-        return np.frompyfunc(lambda x, y: where(condition, x, y), 2, 1)(a, b)
+        return itemwise(lambda x, y: where(condition, x, y), a, b)
     first, second = trace.number(a), trace.number(b)
     if first is None or second is None:
         _mistakes.at(users_line(), f"`where` chooses between two of a kind, not {a!r} and {b!r}")

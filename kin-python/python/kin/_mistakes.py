@@ -3,58 +3,170 @@
 from __future__ import annotations
 
 import ast
+import contextlib
 import linecache
+import math
 import os
+import re
 import textwrap
+import threading
 from typing import Any, Iterator, NoReturn, Optional
 
 from ._errors import ConstraintError
 
 Place = tuple[str, int]
 
+# The functions of `math` and NumPy that Kin has, by its own names.
+KINS = {
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2", "arcsinh": "asinh", "arccosh": "acosh",
+    "arctanh": "atanh", "deg2rad": "radians", "rad2deg": "degrees", "pow": "power", "absolute": "fabs", "fmax": "maximum",
+    "fmin": "minimum", "abs": "fabs",
+}  # fmt: skip
+
 CONDITION = "a condition on a coordinate: "
 
 
-def at(place: Place, text: str) -> NoReturn:
-    """Raises a `ConstraintError` there."""
+class _Open(threading.local):
+    """The functions that are being traced, each inside of the one before."""
+
+    def __init__(self) -> None:
+        self.traces: list[Any] = []
+
+
+OPEN = _Open()
+
+
+@contextlib.contextmanager
+def tracing(trace: Any, name: str, place: Place) -> Iterator[None]:
+    """While a function is called to be traced. What was refused meanwhile fails here, though the function caught the error:
+    without the refused operation it would be another function."""
+    OPEN.traces.append(trace)
+    try:
+        yield
+    except RecursionError:
+        at(place, f"`{name}` calls itself without end: a condition cannot end it")
+    except ConstraintError:
+        raise
+    except Exception as error:
+        _caught(trace, name)
+        _of_arrays(error, place)
+        raise
+    finally:
+        OPEN.traces.pop()
+    _caught(trace, name)
+
+
+def _caught(trace: Any, name: str) -> None:
+    """Raises the first error that the function has caught."""
+    if trace.refused:
+        first = trace.refused[0]
+        text = f"{str(first).split(': ', 1)[1]}. `{name}` catches this error, and what it does then is another equation: mend the line"
+        raise _made((first.filename, first.lineno), text) from None
+
+
+def _of_arrays(error: Exception, place: Place) -> None:
+    """Tells a function of NumPy that meets plain numbers beside traced ones in an array."""
+    found = re.search(r"type (\w+) which has no callable (\w+) method", str(error))
+    if found:
+        name, frame = found.group(2), error.__traceback__
+        while frame is not None:
+            code = frame.tb_frame.f_code
+            place = (code.co_filename, frame.tb_lineno) if code.co_filename == place[0] else place
+            frame = frame.tb_next
+        kins = KINS.get(name, name)
+        at(place, f"`np.{name}` of an array that holds plain numbers beside traced ones: write kin.{kins}(…) of the array")
+
+
+def _made(place: Place, text: str) -> ConstraintError:
     error = ConstraintError(f"{os.path.basename(place[0])}:{place[1]}: {text}")
     error.filename, error.lineno = place
+    return error
+
+
+def at(place: Place, text: str) -> NoReturn:
+    """Raises a `ConstraintError` there, which the function that is being traced cannot undo by catching it."""
+    error = _made(place, text)
+    if OPEN.traces:
+        OPEN.traces[-1].refused.append(error)
     raise error from None
 
 
-def condition(place: Place) -> NoReturn:
-    """A traced condition was asked for its truth."""
+def as_plain(place: Place, text: str) -> NoReturn:
+    """Raises a `ConstraintError` where a plain number fails too: a function that catches it does the same with both."""
+    raise _made(place, text) from None
+
+
+def key(place: Place) -> NoReturn:
+    """A traced number was looked up in a set or a dictionary."""
+    for node in _around(place):
+        if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.In, ast.NotIn)):
+            condition(place)
+    at(place, "a coordinate or parameter cannot be looked up in a set or a dictionary, for its value is not known here: "
+              "compare it with each key, as in kin.where(x == key, a, b)")
+
+
+def condition(place: Place, is_number: bool = False, is_moving: bool = True) -> NoReturn:
+    """A traced condition, or number, was asked for its truth; `is_moving` where it hangs on coordinates."""
     for node in _around(place):
         if isinstance(node, (ast.If, ast.IfExp)):
-            at(place, f"{CONDITION}write kin.where({_joined(node.test)}, a, b)")
+            at(place, f"{CONDITION}write kin.where({_joined(node.test, is_number)}, a, b)")
         if isinstance(node, ast.While):
             at(place, f"{CONDITION}a loop cannot end by `{ast.unparse(node.test)}`; give it a count that is known")
         if isinstance(node, ast.Assert):
-            at(place, f"{CONDITION}write kin.require({_joined(node.test)}, \"why\")")
-        if isinstance(node, (ast.BoolOp, ast.Compare)) or isinstance(node, ast.UnaryOp):
-            at(place, f"{CONDITION}write {_joined(node)}, and kin.where(condition, a, b) to choose by it")
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("max", "min"):
-            better = "kin.maximum" if node.func.id == "max" else "kin.minimum"
-            arguments = ", ".join(ast.unparse(argument) for argument in node.args)
-            at(place, f"{CONDITION}`{node.func.id}` compares; write {better}({arguments})")
+            name = "branch" if is_moving else "require"
+            at(place, f"{CONDITION}write kin.{name}({_joined(node.test, is_number)}, \"why\")")
+        if isinstance(node, ast.Call):
+            _of_call(place, node)
+        if isinstance(node, ast.Compare) and len(node.ops) == 1 and not isinstance(node.ops[0], (ast.In, ast.NotIn)):
+            at(place, f"{CONDITION}an array is compared here, for which NumPy asks each item: compare item by item, as in "
+                      "[kin.where(one > 0, a, b) for one in array]")
+        if isinstance(node, (ast.BoolOp, ast.Compare, ast.UnaryOp)):
+            at(place, f"{CONDITION}write {_joined(node, is_number)}, and kin.where(condition, a, b) to choose by it")
     at(place, f"{CONDITION}write kin.where(condition, a, b)")
+
+
+_COMPARING = {
+    "max": "maximum", "min": "minimum", "maximum": "maximum", "minimum": "minimum", "fmax": "maximum", "fmin": "minimum",
+    "amax": "maximum", "amin": "minimum", "clip": "clip", "sign": "sign",
+}  # fmt: skip
+
+
+def _of_call(place: Place, call: ast.Call) -> None:
+    """Tells a call that compares: `max`, `min`, `np.max` and the like, `array.max()`."""
+    function = ast.unparse(call.func)
+    name = function.rsplit(".", 1)[-1]
+    if name in ("sorted", "sort", "argmax", "argmin", "argsort"):
+        at(place, f"{CONDITION}`{function}` compares, and the order is not known here: choose with kin.where, kin.maximum and kin.minimum")
+    if name not in _COMPARING or function.startswith("kin.") or call.keywords:
+        return
+    arguments = [ast.unparse(argument) for argument in call.args]
+    if not arguments and isinstance(call.func, ast.Attribute):
+        arguments = [ast.unparse(call.func.value)]
+    if len(arguments) == 1 and _COMPARING[name] in ("maximum", "minimum") and not isinstance(call.args[:1] and call.args[0], ast.Starred):
+        arguments = [f"*{arguments[0]}"]
+    at(place, f"{CONDITION}`{function}` compares; write kin.{_COMPARING[name]}({', '.join(arguments)})")
 
 
 def plain_number(place: Place) -> NoReturn:
     """A traced number was asked to be a plain one."""
-    for node in _around(place):
-        if isinstance(node, ast.Call):
-            function = ast.unparse(node.func)
-            name = function.rsplit(".", 1)[-1]
-            if function != "float":
-                arguments = ", ".join(ast.unparse(argument) for argument in node.args)
-                renamed = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"}
-                at(
-                    place,
-                    f"`{function}` takes plain numbers only, which coordinates and parameters are not here: "
-                    f"write kin.{name}({arguments}) or np.{renamed.get(name, name)}({arguments})",
-                )
-    at(place, "a coordinate or parameter is no plain number here: use it as it is, without float(…)")
+    import kin
+
+    calls = [node for node in _around(place) if isinstance(node, ast.Call)]
+    for node in reversed(calls):  # the innermost first: only that one was given the number itself
+        function = ast.unparse(node.func)
+        home, _, name = function.rpartition(".")
+        if home not in ("", "math", "cmath") or name in ("float", "complex") or (not home and not hasattr(math, name)):
+            continue
+        arguments = ", ".join(ast.unparse(argument) for argument in node.args)
+        kins = KINS.get(name, name)
+        what = f"`{function}` takes plain numbers only, which coordinates and parameters are not here: "
+        if not hasattr(kin, kins):
+            at(place, what + "it has no derivative here; build it from the functions of `kin`")
+        numpys = {name: numpys for numpys, name in KINS.items() if name.startswith("a")}.get(kins, kins)
+        if name == "pow":
+            numpys = "power"
+        at(place, what + f"write kin.{kins}({arguments}) or np.{numpys}({arguments})")
+    at(place, "a coordinate or parameter is no plain number here: use it as it is, without float(…) and the like")
 
 
 def count(place: Place) -> NoReturn:
@@ -62,22 +174,40 @@ def count(place: Place) -> NoReturn:
     at(
         place,
         "a coordinate or parameter cannot be a count or an index here: give the argument the type `int`, "
-        "and the function is read for each of its values",
+        "and the function is read for each of its values; the whole part of a number is kin.trunc(x)",
     )
 
 
-def _joined(test: ast.AST) -> str:
-    """A condition without `and`, `or`, `not` and chains, which ask for truth."""
+def _joined(test: ast.AST, is_number: bool = False) -> str:
+    """A condition without `and`, `or`, `not`, `in` and chains, which ask for truth; `is_number` where it is a number, which is
+    true unless it is zero."""
     if isinstance(test, ast.BoolOp):
         sign = " & " if isinstance(test.op, ast.And) else " | "
-        return sign.join(f"({_joined(value)})" for value in test.values)
+        return sign.join(f"({_joined(value, is_number)})" for value in test.values)
     if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
-        return f"~({_joined(test.operand)})"
+        return f"~({_joined(test.operand, is_number)})"
     if isinstance(test, ast.Compare) and len(test.ops) > 1:
         left = [test.left, *test.comparators[:-1]]
         parts = zip(left, test.ops, test.comparators)
-        return " & ".join(f"({ast.unparse(ast.Compare(a, [op], [b]))})" for a, op, b in parts)
+        return " & ".join(f"({_joined(ast.Compare(a, [op], [b]))})" for a, op, b in parts)
+    if isinstance(test, ast.Compare) and isinstance(test.ops[0], (ast.In, ast.NotIn)):
+        return _among(test)
+    if is_number and not isinstance(test, ast.Compare):
+        text = ast.unparse(test)
+        return f"{text} != 0" if isinstance(test, (ast.Name, ast.Attribute, ast.Call, ast.Subscript)) else f"({text}) != 0"
     return ast.unparse(test)
+
+
+def _among(test: ast.Compare) -> str:
+    """`x in [a, b]` as comparisons with each; of a list that is not written there with all of it."""
+    is_in, items = isinstance(test.ops[0], ast.In), test.comparators[0]
+    sign, joint = ("==", " | ") if is_in else ("!=", " & ")
+    left = ast.unparse(test.left)
+    left = left if isinstance(test.left, (ast.Name, ast.Attribute, ast.Call, ast.Subscript)) else f"({left})"
+    if isinstance(items, (ast.List, ast.Tuple, ast.Set)) and items.elts:
+        return joint.join(f"({left} {sign} {ast.unparse(one)})" for one in items.elts)
+    name = "or_" if is_in else "and_"
+    return f"functools.reduce(operator.{name}, [{left} {sign} one for one in {ast.unparse(items)}])"
 
 
 def _around(place: Place) -> Iterator[ast.AST]:

@@ -9,16 +9,15 @@ import numpy as np
 
 from . import _mistakes
 from ._place import users_line
+from ._ufunc import Operand
 
 N = TypeVar("N", bound="Number")
 
 
-class Number:
+class Number(Operand):
     """A number that writes down what is done with it. A kind of them says how operators and functions are written."""
 
     __slots__ = ()
-    # NumPy hands arithmetic with arrays over to `__array_ufunc__`.
-    __array_priority__ = 1000.0
 
     def _operator(self: N, sign: str, other: Any, swapped: bool = False) -> N:
         raise NotImplementedError
@@ -45,16 +44,6 @@ class Number:
         if made is NotImplemented:
             raise TypeError(f"`{method}` of {self!r} needs a number, not {type(other).__name__}")
         return made
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **keywords: Any) -> Any:
-        from ._scalars import array_ufunc
-
-        return array_ufunc(ufunc, method, inputs, keywords)
-
-    def __array_function__(self, function: Any, types: Any, args: Any, keywords: Any) -> Any:
-        from . import _arrays
-
-        return _arrays.apply(function, args, keywords)
 
     def __array__(self, *_: Any, **__: Any) -> Any:
         # An array of objects: NumPy works on its items one by one.
@@ -126,6 +115,9 @@ class Number:
     def __divmod__(self, other: Any) -> Any:
         return self // other, self % other
 
+    def __rdivmod__(self, other: Any) -> Any:
+        return other // self, other % self
+
     def __lt__(self, other: Any) -> Any:
         return self._compared("<", other)
 
@@ -160,13 +152,13 @@ class Number:
         _mistakes.at(users_line(), "`round` goes to even numbers: write kin.floor(x + 0.5)")
 
     def __iter__(self) -> NoReturn:
-        _mistakes.at(users_line(), "a number has no components")
+        _mistakes.as_plain(users_line(), "a number has no components")
 
     def __len__(self) -> int:
-        _mistakes.at(users_line(), "a number has no components")
+        _mistakes.as_plain(users_line(), "a number has no components")
 
     def __getitem__(self, key: Any) -> NoReturn:
-        _mistakes.at(users_line(), "a number has no components")
+        _mistakes.as_plain(users_line(), "a number has no components")
 
     # The names by which NumPy asks the items of arrays of objects.
     def sin(self: N) -> N:

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import linecache
-from typing import TYPE_CHECKING, Any, Callable, Union
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _mistakes
 from ._number import Number
 from ._place import users_line
+from ._ufunc import Operand
 
 if TYPE_CHECKING:
     from ._trace import Trace
 
 
-class Traced:
+class Traced(Operand):
     """Anything that stands for a part of a traced function: a node of its trace."""
 
     __slots__ = ("_trace", "_node")
-    # NumPy hands arithmetic with arrays over to `__array_ufunc__`.
-    __array_priority__ = 1000.0
 
     def __init__(self, trace: "Trace", node: int) -> None:
         self._trace = trace
@@ -30,28 +26,21 @@ class Traced:
         return self._trace.inline(self._node)
 
     def __hash__(self) -> int:
-        return hash((id(self._trace), self._node))
+        # A table would be searched for the stand-in, and not for the number that it stands for.
+        _mistakes.key(users_line())
 
     def __format__(self, _: str) -> str:
         # Its value is not known: however its digits are asked for, it is shown as what it is.
         return repr(self)
 
     def __bool__(self) -> bool:
-        _mistakes.condition(users_line())
+        _mistakes.condition(users_line(), isinstance(self, Number), self._trace.is_moving(self._node))
 
 
 class Condition(Traced):
     """A comparison of traced numbers: for `kin.where`, `&`, `|` and `~`."""
 
     __slots__ = ()
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **keywords: Any) -> Any:
-        return array_ufunc(ufunc, method, inputs, keywords)
-
-    def __array_function__(self, function: Any, types: Any, args: Any, keywords: Any) -> Any:
-        from . import _arrays
-
-        return _arrays.apply(function, args, keywords)
 
     def __and__(self, other: Any) -> "Condition":
         return self._trace.both("&&", self, other)
@@ -110,6 +99,15 @@ class Expr(Traced, Number):
     def __int__(self) -> int:
         _mistakes.count(users_line())
 
+    def __complex__(self) -> complex:
+        _mistakes.plain_number(users_line())
+
+    def __getattr__(self, name: str) -> Any:
+        # What a plain number has would be there when the function is called with plain numbers.
+        if not name.startswith("__") and hasattr(float, name):
+            _mistakes.at(users_line(), f"`{name}` of a coordinate or parameter is not known here: use the number itself")
+        raise AttributeError(f"`{self!r}` has no attribute `{name}`")
+
     def __index__(self) -> int:
         _mistakes.count(users_line())
 
@@ -121,68 +119,3 @@ class Expr(Traced, Number):
 
 
 Scalar = Union[float, Expr]
-
-
-_RENAMED: dict[str, Callable[..., Any]] = {
-    "add": lambda a, b: a + b,
-    "subtract": lambda a, b: a - b,
-    "multiply": lambda a, b: a * b,
-    "divide": lambda a, b: a / b,
-    "true_divide": lambda a, b: a / b,
-    "floor_divide": lambda a, b: a // b,
-    "remainder": lambda a, b: a % b,
-    "mod": lambda a, b: a % b,
-    "power": lambda a, b: a**b,
-    "float_power": lambda a, b: a**b,
-    "negative": lambda a: -a,
-    "positive": lambda a: +a,
-    "absolute": abs,
-    "less": lambda a, b: a < b,
-    "less_equal": lambda a, b: a <= b,
-    "greater": lambda a, b: a > b,
-    "greater_equal": lambda a, b: a >= b,
-    "equal": lambda a, b: a == b,
-    "not_equal": lambda a, b: a != b,
-    "logical_and": lambda a, b: a & b,
-    "logical_or": lambda a, b: a | b,
-    "logical_not": lambda a: ~a,
-    "matmul": lambda a, b: a @ b,
-    "fmax": lambda a, b: _two(a, b, "maximum"),
-    "fmin": lambda a, b: _two(a, b, "minimum"),
-    "maximum": lambda a, b: _two(a, b, "maximum"),
-    "minimum": lambda a, b: _two(a, b, "minimum"),
-    "arctan2": lambda a, b: _two(a, b, "arctan2"),
-    "hypot": lambda a, b: _two(a, b, "hypot"),
-}
-
-
-def _two(a: Any, b: Any, name: str) -> Any:
-    """A function of two numbers, one of which may be traced or a dimension."""
-    if isinstance(a, Number):
-        return getattr(a, name)(b)
-    if isinstance(b, Number):
-        return getattr(b._like(a), name)(b)
-    return getattr(np, name)(a, b)
-
-
-def array_ufunc(ufunc: Any, method: str, inputs: tuple[Any, ...], keywords: dict[str, Any]) -> Any:
-    """A function of NumPy on traced numbers or dimensions; with arrays among them item by item."""
-    name = ufunc.__name__
-    if method != "__call__" or any(value is not None for key, value in keywords.items() if key != "dtype"):
-        _mistakes.at(users_line(), f"`np.{name}` with these keywords, or as `.{method}`, cannot be traced")
-    function = _RENAMED.get(name)
-    if function is None:
-        if not hasattr(Expr, name) or ufunc.nin != 1:
-            _mistakes.at(users_line(), f"`np.{name}` has no derivative here; there are the functions of `kin`")
-        function = lambda x: getattr(x, name)() if isinstance(x, Number) else ufunc(x)  # noqa: E731
-    inputs = tuple(x.item() if isinstance(x, np.ndarray) and x.ndim == 0 else x for x in inputs)
-    if any(isinstance(x, np.ndarray) for x in inputs):
-        if any(not isinstance(x, (Number, np.ndarray, int, float, np.number)) for x in inputs):
-            return function(*inputs)
-        return np.frompyfunc(function, len(inputs), 1)(*inputs)
-    return function(*inputs)
-
-
-def line_of(place: tuple[str, int]) -> str:
-    """The text of a line of a program."""
-    return linecache.getline(*place).strip()

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 import numbers
+import re
 from typing import Any, Optional
 
 import numpy as np
 
 from . import _mistakes
 from ._dimension import Dimension
+from ._errors import ConstraintError
 from ._place import users_line
 from ._scalars import Condition, Expr
 
@@ -38,7 +40,11 @@ class Trace:
         self.requirements: list[tuple[int, str]] = []
         self.branches: list[tuple[int, str]] = []
         self.measures: list[tuple[str, int, str]] = []
+        # What was refused while the function ran, whether or not the function let the error pass.
+        self.refused: list[ConstraintError] = []
         self.over = False
+        # Names, as the text has them, of the arguments that change in a motion.
+        self.moving: set[str] = set()
 
     def op(self, template: str, kind: str, *operands: int) -> int:
         """The node of an operation."""
@@ -74,7 +80,9 @@ class Trace:
         if isinstance(value, Dimension):
             text = f"the dimension `{value.text}` is of a mechanism, not of an equation: give `{self.name}` an argument for it"
             _mistakes.at(users_line(), text)
-        if isinstance(value, (numbers.Real, np.number)) and not isinstance(value, complex):
+        if isinstance(value, (complex, np.complexfloating)):
+            _mistakes.at(users_line(), f"{value!r} is a complex number; equations are made of real ones")
+        if isinstance(value, (numbers.Real, np.number)) and not isinstance(value, np.timedelta64):
             return self.atom(self._literal(float(value)), "f64")
         return None
 
@@ -98,6 +106,20 @@ class Trace:
         if not isinstance(b, Condition):
             _mistakes.at(users_line(), f"a condition is joined with another one, not with {b!r}")
         return Condition(self, self.op("{} " + sign + " {}", "bool", a._node, b._node))
+
+    def is_moving(self, node: int) -> bool:
+        """True of a node that hangs on bodies, coordinates, rates or time."""
+        open_nodes, seen = [node], {node}
+        while open_nodes:
+            one = open_nodes.pop()
+            word = re.match(r"(?:r#)?\w+", self.templates[one])
+            # A method of a body has its name in the template, beside its operands.
+            if word is not None and word.group() in self.moving:
+                return True
+            fresh = set(self.operands[one]) - seen
+            seen |= fresh
+            open_nodes.extend(fresh)
+        return False
 
     def inline(self, node: int) -> str:
         """A node without names for its parts."""

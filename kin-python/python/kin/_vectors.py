@@ -14,16 +14,15 @@ from ._place import users_line
 from ._scalars import Expr, Scalar, Traced
 from . import _functions as functions
 from . import _mistakes
+from ._ufunc import Operand
 
 
-class _Components:
+class _Components(Operand):
     """Numbers with names, `_NAMES`; traced ones know the expression as a whole, `_node` of `_trace`."""
 
     __slots__ = ("_all", "_trace", "_node")
     _NAMES: tuple[str, ...] = ()
     _TYPE = ""
-    # NumPy's arrays leave arithmetic to these methods.
-    __array_ufunc__ = None
 
     def __init__(self, *components: Union[Scalar, NumberLike]) -> None:
         if len(components) != len(self._NAMES):
@@ -92,11 +91,6 @@ class _Components:
 
     def __reduce__(self) -> Any:
         return (type(self), self._components())
-
-    def __array_function__(self, function: Any, types: Any, args: Any, keywords: Any) -> Any:
-        from . import _arrays
-
-        return _arrays.apply(function, args, keywords)
 
 
 class _Vector(_Components):
@@ -170,6 +164,12 @@ class _Vector(_Components):
 
     def __matmul__(self, other: Any) -> Any:
         return self.dot(other)
+
+    def __rmatmul__(self, other: Any) -> Any:
+        n = len(self._NAMES)
+        if isinstance(other, np.ndarray) and other.shape == (n, n):
+            return type(self)(*(sum((a * b for a, b in zip(row, self)), 0.0) for row in other.tolist()))
+        return self.dot(other) if self._like(other) is not None else NotImplemented
 
     def _asked(self, method: str, other: Any) -> tuple[Any, Any]:
         second = self._like(other)
@@ -354,6 +354,8 @@ class _Matrix(_Components):
 
     def __matmul__(self, other: Any) -> Any:
         n, vector = self._N, Vec2 if self._N == 2 else Vec3
+        if isinstance(other, np.ndarray) and other.shape == (n, n):
+            other = type(self)(*other.ravel().tolist())
         if isinstance(other, type(self)):
             trace = self._trace or other._trace
             if trace is not None:
@@ -369,6 +371,13 @@ class _Matrix(_Components):
         if trace is None:
             return vector(*(row.dot(other) for row in self.rows()))
         return vector._of(trace, trace.op("{} * {}", vector._TYPE, self._in(trace), other._in(trace)))
+
+    def __rmatmul__(self, other: Any) -> Any:
+        if isinstance(other, np.ndarray) and other.shape == (self._N, self._N):
+            return type(self)(*other.ravel().tolist()) @ self
+        if isinstance(other, (tuple, list, np.ndarray)) and len(other) == self._N:
+            return self.transpose() @ other
+        return NotImplemented
 
     def rows(self) -> list[Any]:
         """The rows as vectors."""
@@ -423,7 +432,11 @@ class Mat3(_Matrix):
 
 class Axis:
     """A direction of a spatial body with two others across it: unit vectors h, f and g = h × f, f being where angles
-    about h count from.   [–]"""
+    about h count from.   [–]
+
+    `Axis(h, f)` takes h from a direction or from another axis; of f only what is across h counts. Without f an axis keeps its
+    own one, and a direction gets one of Kin's choice.
+    """
 
     __slots__ = ("h", "f", "g")
     h: Vec3
@@ -432,8 +445,10 @@ class Axis:
 
     def __init__(self, h: Any, f: Any = None) -> None:
         if isinstance(h, Axis):
-            self.h, self.f, self.g = h.h, h.f, h.g
-            return
+            if f is None:
+                self.h, self.f, self.g = h.h, h.f, h.g
+                return
+            h = h.h
         made = _native.axis(_three(h), None if f is None else _three(f))
         self.h, self.f, self.g = (Vec3(*one) for one in made)
 
