@@ -141,3 +141,15 @@ def test_c2_what_is_no_number_is_a_type_error(left, right):
     for one in (v,) if isinstance(left, np.ndarray) else (v, a):
         with pytest.raises(TypeError):
             operator.add(left, one) if right == 0 else operator.add(one, right)
+
+
+def test_c2_complex_numbers_are_no_numbers_of_kin():
+    """Their imaginary part is not forgotten."""
+    z, m = np.complex128(1 + 1j), kin.Mechanism("m")
+    a = m.dimension("a", 1.0)
+    makes = [lambda: kin.Law.ramp(z), lambda: kin.Law.ramp(1.0) * z, lambda: z + kin.Law.ramp(1.0), lambda: a * z, lambda: z / a,
+             lambda: a > z, lambda: kin.vec2(1, 2) * z, lambda: kin.vec2(z, 1.0), lambda: kin.drive(m.length("x", z), 0.0),
+             lambda: m.add("d", kin.drive(m.length("y", 0.0), z)), lambda: kin.Law.ramp(1.0).at(z)]  # fmt: skip
+    for make in makes:
+        with pytest.raises((TypeError, kin.Error)):
+            make()

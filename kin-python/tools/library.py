@@ -53,8 +53,18 @@ from ._load import {own}
 '''
 
 
+# What the page calls by its name in Rust, and the same in Python.
+NAMES = {
+    "`Axis::new(h, f)`": "`kin.Axis(h, f)`", "`Vec3::axis_near`": "`kin.Axis(h, f)`",
+    "`EulerParameters::identity()`": "`kin.EulerParameters()`",
+}  # fmt: skip
+
+
 def plain(text):
-    """Markdown as text."""
+    """Markdown as text, in the words of Python."""
+    for rust, name in NAMES.items():
+        text = text.replace(rust, name)
+    text = re.sub(r"`(\w+)::(\w+)", r"`\1.\2", text)
     return re.sub(r"\s+", " ", text.replace("\\|", "|").replace("**", "").replace("*", "")).strip()
 
 

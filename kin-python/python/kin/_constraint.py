@@ -23,7 +23,7 @@ from ._place import users_line
 from ._scalars import Condition, Expr
 from ._states import Coord, Planar, Rate, Spatial, Time, TracedLaw
 from ._trace import Trace
-from ._values import numbers_of
+from ._values import NAMES, finite, items, law_of, numbers_of
 from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, _Components
 
 _VALUES: dict[Any, str] = {
@@ -219,33 +219,103 @@ def constraint(function: Any = None, *, name: Optional[str] = None) -> Any:
     return Traced(function, name)
 
 
-def law(function: Callable[[Any], Any]) -> Law:
+class LawFunction:
+    """A function of one variable and parameters under `@kin.law`: called with the parameters it gives a law."""
+
+    def __init__(self, name: str, text: str, arguments: Sequence[Argument], place: tuple[str, int]) -> None:
+        self.name, self.text, self.arguments = name, text, tuple(arguments)
+        self._place = place
+
+    def __call__(self, *args: Any, **keywords: Any) -> Law:
+        given = _bound(self.name, self.arguments, args, keywords)
+        numbers: dict[str, Any] = {}
+        parts: dict[str, Any] = {}
+        for argument in self.arguments:
+            value = given[argument.name]
+            if argument.kind == "Law":
+                parts[argument.name] = law_of(self.name, argument.name, value)._data
+            else:
+                numbers.update(_numbers_of_law(self.name, argument, value))
+        return _checked_law(self.name, self.text, numbers, parts, self._place)
+
+    def __repr__(self) -> str:
+        return f"<law {self.name}({', '.join(one.name for one in self.arguments)})>"
+
+
+def _numbers_of_law(name: str, argument: Argument, value: Any) -> dict[str, Any]:
+    """A parameter of a law as numbers with names."""
+    found = items(value)
+    names = NAMES.get(argument.kind)
+    keys = [argument.name] if names is None else [f"{argument.name}.{one}" for one in names]
+    if len(found) != len(keys):
+        kind = "a number" if argument.kind == "f64" else argument.kind
+        raise TypeError(f"`{name}`: its parameter `{argument.name}` is {kind}, not {value!r}")
+    return {key: finite(name, key, one) for key, one in zip(keys, found)}
+
+
+def _checked_law(
+    name: str, text: str, numbers: dict[str, Any], parts: dict[str, Any], place: tuple[str, int]
+) -> Law:
+    """The law of a text, which is read now."""
+    data: dict[str, Any] = {"kind": name, "text": text, "numbers": numbers}
+    made = Law({**data, "parts": parts} if parts else data)
+    try:
+        made._native  # noqa: B018
+    except ValueError as error:
+        _mistakes.at(place, f"`{name}`: {error}")
+    return made
+
+
+def law(function: Callable[..., Any]) -> Any:
     """Makes a law f(x) of a Python function of one variable, with its derivatives to third order; traced as a
     constraint is. Constants of the program around it are read once, when the function is traced.
+
+    A function of more than one argument has parameters: numbers, vectors (`u: kin.Vec2`) or laws (`inner: kin.Law`), and it
+    becomes a function of these that gives a law: `@kin.law def lift(phi, h): …`, then `lift(0.02)` or `lift(h=m.dimension("h", 0.02))`.
 
     Raises `kin.ConstraintError` at the user's line.
     """
     place = (function.__code__.co_filename, function.__code__.co_firstlineno)
-    parameters = list(inspect.signature(function).parameters)
     name = function.__name__ if function.__name__.isidentifier() else "law"
-    if len(parameters) != 1:
-        _mistakes.at(place, f"a law is a function of one variable; `{name}` has {len(parameters)}")
-    trace, argument = Trace(name), Argument(parameters[0], "f64")
+    variable, *parameters = _arguments_of_law(function, name, place)
+    trace = Trace(name)
+    stand_ins = [_stand_in(trace, one, one.written) for one in (variable, *parameters)]
     with _mistakes.tracing(trace, name, place):
-        result = function(Expr(trace, trace.atom(argument.written, "f64")))
+        result = function(*stand_ins)
     rows, _ = _flat(result, place)
     if len(rows) != 1:
         _mistakes.at(place, f"a law gives one number, not {len(rows)}")
-    if not isinstance(rows[0], Expr):
+    if not isinstance(rows[0], Expr) and not parameters:
         return Law.constant(float(rows[0]))
+    row = trace.expression(rows[0])
     trace.over = True
-    text, places = _written(trace, name, [argument], [rows[0]._node], [0], function.__doc__)
-    made = Law({"kind": name, "text": text, "numbers": {}})
-    try:
-        made._native  # noqa: B018  the text is read now
-    except ValueError as error:
-        _mistakes.at(places[-1] if places[-1][1] else place, f"`{name}`: {error}")
-    return made
+    text, places = _written(trace, name, [variable, *parameters], [row._node], [0], function.__doc__)
+    last = places[-1] if places[-1][1] else place
+    if parameters:
+        return LawFunction(name, text, parameters, last)
+    return _checked_law(name, text, {}, {}, last)
+
+
+def _arguments_of_law(function: Callable[..., Any], name: str, place: tuple[str, int]) -> list[Argument]:
+    """The variable of a law and its parameters."""
+    hints = getattr(function, "__annotations__", {})
+    with contextlib.suppress(NameError):
+        hints = typing.get_type_hints(function)
+    arguments = []
+    for one, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD, parameter.KEYWORD_ONLY):
+            _mistakes.at(place, f"`{name}`: a law has a variable and named parameters, `{name}(x, h)`, not `{parameter}`")
+        hint = hints.get(one, float)
+        # The variable is the time of a driver, or the coordinate that a cam turns by.
+        is_number = hint is Any or (not arguments and hint in (Coord, Time))
+        kind = "f64" if is_number else next((kind for known, kind in _VALUES.items() if hint is known), None)
+        if kind not in ("f64", "Vec2", "Vec3", "Law") or (not arguments and kind != "f64"):
+            what = "its variable is a number" if not arguments else "parameters of laws are float, Vec2, Vec3 and Law"
+            _mistakes.at(place, f"`{name}`: `{one}` is of the type {getattr(hint, '__name__', hint)}; {what}")
+        arguments.append(Argument(one, kind, None, parameter.default))
+    if not arguments:
+        _mistakes.at(place, f"a law is a function of one variable; `{name}` has none")
+    return arguments
 
 
 def equation(text: str) -> Equation:
@@ -379,7 +449,7 @@ def _flat(result: Any, place: tuple[str, int]) -> tuple[list[Any], list[int]]:
         return rows, [count for _, shape in parts for count in shape]
     if isinstance(result, Condition):
         _mistakes.at(place, "the function returns a condition: return a number that has to be zero, a - b for a == b")
-    if isinstance(result, (Expr, int, float, np.number, np.ndarray)) and not isinstance(result, bool):
+    if isinstance(result, (Expr, int, float, np.integer, np.floating, np.ndarray)) and not isinstance(result, bool):
         return [result], [0]
     told = "nothing" if result is None else f"`{result!r}`"
     _mistakes.at(place, f"the function returns {told}: return a number, a vector or a list of them, zero where it holds")

@@ -10,8 +10,10 @@ import numpy as np
 from . import _native
 from ._handles import Coordinate
 from ._motion import Motion, Quantity, array, coordinate_name
+from ._short import short
 
 
+@short
 @dataclass(frozen=True)
 class Extreme:
     """A place where a measure turns round."""
@@ -21,6 +23,7 @@ class Extreme:
     is_max: bool = True
 
 
+@short
 @dataclass(frozen=True)
 class Extremes:
     """The extremes of a measure over a motion, with times as exact as poses can be solved."""
@@ -47,6 +50,7 @@ def _of(of: Any) -> Any:
     return of
 
 
+@short
 @dataclass(frozen=True)
 class Sensitivity:
     """∂q/∂p, ∂q̇/∂p and ∂q̈/∂p by one parameter: a row a time, a column a coordinate."""
@@ -57,6 +61,7 @@ class Sensitivity:
     qdd: Any
 
 
+@short
 @dataclass(frozen=True)
 class ExtremeSensitivity:
     """How the time and the value of an extreme of a measure change with a parameter.   [s, unit of the measure, a unit of p]"""
@@ -104,6 +109,7 @@ class Sensitivities:
         return coordinate_name(self._known, what.name if isinstance(what, Coordinate) else what)
 
 
+@short
 @dataclass(frozen=True)
 class Contribution:
     """The share that one dimension, or one clearance, has in a measure that is off: s the derivative, ± T the tolerance, `off` = s
@@ -120,6 +126,7 @@ class Contribution:
     share_of_variance: float
 
 
+@short
 @dataclass(frozen=True)
 class SecondOrder:
     """The second-order term of a stack of tolerances: H by the dimensions of `names`, how far it moves the mean, and the
@@ -131,6 +138,7 @@ class SecondOrder:
     sigma: float
 
 
+@short
 @dataclass(frozen=True)
 class Proved:
     """Bounds, by interval arithmetic, that no mechanism within the tolerances passes; laws that were taken on their own word.
@@ -141,6 +149,7 @@ class Proved:
     trusted: list[str]
 
 
+@short
 @dataclass(frozen=True)
 class LookedAt:
     """Where in the box of tolerances the mechanism itself was looked at: how many `corners`, whether those are `all_corners`,
@@ -205,6 +214,7 @@ class Tolerance:
         return pandas.DataFrame([vars(one) for one in self.contributions])
 
 
+@short
 @dataclass(frozen=True)
 class Samples:
     """A number of a measure in many mechanisms whose dimensions are off at random (Monte Carlo): `values` of those that can be

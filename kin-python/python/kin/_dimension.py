@@ -11,6 +11,7 @@ import numpy as np
 
 from ._errors import DimensionError
 from ._number import Number
+from ._ufunc import real
 
 # Longer expressions are not written.
 _LONGEST = 20_000
@@ -65,7 +66,7 @@ class Dimension(Number):
             return _bracketed(other.text), other.value
         if isinstance(other, np.ndarray) and other.ndim == 0:
             other = other.item()
-        if isinstance(other, (bool, np.bool_)) or not isinstance(other, (numbers.Real, np.number)):
+        if isinstance(other, (bool, np.bool_)) or not isinstance(other, (numbers.Real, np.integer, np.floating)):
             return None
         value = float(other)
         if not math.isfinite(value):
@@ -100,7 +101,7 @@ class Dimension(Number):
 
     def _compared(self, sign: str, other: Any) -> Any:
         value = other.value if isinstance(other, Dimension) else other
-        if not isinstance(value, (numbers.Real, np.number)):
+        if not isinstance(value, (numbers.Real, np.integer, np.floating)):
             return NotImplemented
         return _SIGNS[sign](self.value, float(value))
 
@@ -162,7 +163,7 @@ def valued(number: Any) -> Any:
 def _float(number: Any) -> float:
     if isinstance(number, (str, bytes, bool)):
         raise TypeError("text is no number")
-    return float(number)
+    return real(number)
 
 
 def written(place: str, mechanism: str, own: str, number: Any) -> Any:

@@ -34,8 +34,10 @@ class Joint:
     parameters: tuple[tuple[str, str, Any], ...]
 
     def zero(self, f_i: Vec3Like, f_j: Vec3Like) -> "Joint":
-        """The same joint with the zero of its measured angle where the direction f_i of body i lies along f_j of body
-        j; of spatial `revolute`, `cylindrical` and `planar`."""
+        """The same joint with the zero of its measured angle where the direction f_i of body i lies along f_j of body j; of
+        both only what is across the axis counts. An f that the axis h_i has is replaced, so that the last zero counts. Of spatial
+        `revolute`, `cylindrical` and `planar`; the angles of `screw`, `relative_angle` and `drive_turn` are zero where the
+        f of h_i lies along the f of h_j: give both axes an f, `kin.Axis(h, f)`."""
         values = {name: value for name, _, value in self.parameters}
         kinds = [kind for _, kind, _ in self.bodies]
         if kinds != ["Spatial", "Spatial"] or self.kind not in ("revolute", "cylindrical", "planar"):

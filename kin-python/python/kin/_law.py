@@ -10,12 +10,15 @@ import numpy as np
 
 from . import _native
 from ._dimension import Dimension, NumberLike, valued, written
+from ._mistakes import KINS
+from ._ufunc import Operand
 
 
-class Law:
+class Law(Operand):
     """A function of one variable with its derivatives: of time in a driver, of an angle for a cam.
 
-    Laws are added, multiplied and scaled: `Law.constant(0.3) + 0.1 * Law.cycloidal(1.0, 0.5)`.
+    Laws are added, multiplied, and multiplied and divided by numbers: `Law.constant(0.3) + Law.cycloidal(1.0, 0.5) / 10`. A function
+    of a law is a composition: `kin.law(kin.sin).compose(law)`.
     """
 
     __slots__ = ("_data", "_made")
@@ -165,25 +168,52 @@ class Law:
         return self.compose(Law.linear(-x0, 1.0))
 
     def __add__(self, other: Union["Law", NumberLike]) -> "Law":
-        return Law._of("sum", {"first": self, "second": _law(other)})
+        return Law._of("sum", {"first": self, "second": _law(other)}) if _is_law(other) else NotImplemented
 
     __radd__ = __add__
 
     def __sub__(self, other: Union["Law", NumberLike]) -> "Law":
-        return self + (-1.0) * _law(other)
+        return self + (-1.0) * _law(other) if _is_law(other) else NotImplemented
 
     def __rsub__(self, other: NumberLike) -> "Law":
-        return _law(other) + (-1.0) * self
+        return _law(other) + (-1.0) * self if _is_law(other) else NotImplemented
 
     def __neg__(self) -> "Law":
         return (-1.0) * self
 
+    def __pos__(self) -> "Law":
+        return self
+
     def __mul__(self, other: Union["Law", NumberLike]) -> "Law":
         if isinstance(other, Law):
             return Law._of("product", {"first": self, "second": other})
-        return Law._of("multiple", {"law": self}, factor=other)
+        return Law._of("multiple", {"law": self}, factor=other) if _is_law(other) else NotImplemented
 
     __rmul__ = __mul__
+
+    def __truediv__(self, divisor: NumberLike) -> "Law":
+        if isinstance(divisor, Law):
+            raise TypeError(f"a law is divided by numbers only: {self._cure('divide')}")
+        return self * (1.0 / divisor) if _is_law(divisor) else NotImplemented
+
+    def __rtruediv__(self, _: Any) -> "Law":
+        raise TypeError(f"a law is no divisor: {self._cure('divide')}")
+
+    def __pow__(self, exponent: Any) -> "Law":
+        raise TypeError(f"a law has no powers: {self._cure('power')}")
+
+    def __rpow__(self, _: Any) -> "Law":
+        raise TypeError("a law is no exponent: write kin.law(lambda x: 2.0**x).compose(law)")
+
+    def __abs__(self) -> "Law":
+        raise TypeError(f"|law| has a kink wherever it is zero: {self._cure('absolute')}")
+
+    def _cure(self, name: str) -> str:
+        if name == "divide":
+            return "write first * kin.law(lambda x: 1.0 / x).compose(second)"
+        if name == "power":
+            return "write kin.law(lambda x: x**2).compose(law)"
+        return f"write kin.law(kin.{KINS.get(name, name)}).compose(law)" if name in _FUNCTIONS else ""
 
     # What it is asked.
 
@@ -207,8 +237,10 @@ class Law:
 
     def _order(self, x: Any, order: int) -> Any:
         law = self._native
-        if isinstance(x, (int, float, np.number)):
+        if isinstance(x, (int, float, np.integer, np.floating)):
             return law.jet(float(x))[order]
+        if np.asarray(x).dtype.kind == "c":
+            raise TypeError(f"a law is a function of real numbers, not of {x!r}")
         array = np.asarray(x, dtype=float)
         return np.array([law.jet(one)[order] for one in array.ravel().tolist()]).reshape(array.shape)
 
@@ -238,6 +270,20 @@ def _each(data: dict[str, Any], of: Callable[[Any], Any]) -> dict[str, Any]:
     return made
 
 
+# Functions of one number that laws are put into by `compose`.
+_FUNCTIONS = {
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "arcsinh", "arccosh", "arctanh", "exp", "exp2", "expm1",
+    "log", "log1p", "log2", "log10", "sqrt", "cbrt", "floor", "ceil", "trunc", "sign", "fabs", "absolute", "radians", "degrees",
+    "deg2rad", "rad2deg",
+}  # fmt: skip
+
+
+def _is_law(value: Any) -> bool:
+    """True of a law, and of a number, which is a constant one."""
+    is_number = isinstance(value, (int, float, np.integer, np.floating, Dimension)) and not isinstance(value, bool)
+    return is_number or isinstance(value, Law)
+
+
 def _law(value: Union[Law, NumberLike]) -> Law:
     return value if isinstance(value, Law) else Law.constant(value)
 
@@ -245,7 +291,7 @@ def _law(value: Union[Law, NumberLike]) -> Law:
 def _number(kind: str, name: str, value: Any) -> NumberLike:
     if isinstance(value, Dimension):
         return value
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise TypeError(f"Law.{kind}: `{name}` is a number, not {value!r}")
     if not math.isfinite(value):
         raise ValueError(f"Law.{kind}: `{name}` is {float(value)}; give a finite number")

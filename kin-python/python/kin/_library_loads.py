@@ -120,7 +120,7 @@ def force_in_time(x: Along, law: LawLike) -> Load:
 
 def pressure(x: Along, table: LawLike, area: NumberLike) -> Load:
     """Pressure in a cylinder along the length of its chamber: f = p(x) A. [N] `x`: the length of the chamber;
-    `table`: p by that length, such as `Law::spline` of an indicator diagram [Pa]; `area`: A of the piston
+    `table`: p by that length, such as `Law.spline` of an indicator diagram [Pa]; `area`: A of the piston
     [m²]. Signs: pressure above that outside makes the chamber longer.
     """
     return along_library("pressure", x, [("x", "Coord", FORCED), ("table", "Law", table), ("area", "f64",

@@ -7,7 +7,10 @@ from typing import Any, Optional
 
 import numpy as np
 
+from ._short import short
 
+
+@short
 @dataclass(frozen=True)
 class Solution:
     """Position, velocity and acceleration at one time."""
@@ -22,6 +25,7 @@ class Solution:
     compiled: bool
 
 
+@short
 @dataclass(frozen=True)
 class Assembly:
     """One way to put a mechanism together: its label, and its pose."""
@@ -30,6 +34,7 @@ class Assembly:
     q: Any
 
 
+@short
 @dataclass(frozen=True)
 class StepProof:
     """One step of a motion that is proved, or not: `radius`, within which of the interpolated position there is a solution at every
@@ -43,6 +48,7 @@ class StepProof:
     doubt_at: Optional[float]
 
 
+@short
 @dataclass(frozen=True)
 class Proof:
     """What interval bounds show of a motion; `print` shows it in words."""
@@ -79,6 +85,7 @@ class Proof:
         return self.text
 
 
+@short
 @dataclass(frozen=True)
 class Compiled:
     """The program of a system: coordinates that rows give (`substituted`), those that are left to Newton's method (`unknowns`), how

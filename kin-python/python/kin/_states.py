@@ -8,6 +8,7 @@ from typing import Any
 from . import _mistakes
 from ._place import users_line
 from ._scalars import Expr, Scalar
+from ._ufunc import Operand
 from ._vectors import EulerParameters, Mat2, Mat3, Vec2, Vec3
 
 
@@ -164,7 +165,7 @@ class Spatial(_Body):
         return made
 
 
-class TracedLaw:
+class TracedLaw(Operand):
     """A law among the arguments of a traced function: it is asked for values and slopes."""
 
     def __init__(self, trace: Any, name: str) -> None:
@@ -193,6 +194,16 @@ class TracedLaw:
     def _told(self, *_: Any) -> Any:
         text = f"`{self._name}` is a Law: ask it for a value with `{self._name}.at(x)`"
         _mistakes.at(users_line(), text)
+
+    def _cure(self, _: str) -> str:
+        return f"ask `{self._name}` for a value with `{self._name}.at(x)`"
+
+    def __getattr__(self, name: str) -> Any:
+        from ._law import Law
+
+        if not name.startswith("_") and hasattr(Law, name):
+            _mistakes.at(users_line(), f"`{self._name}.{name}` cannot be traced; there are `{self._name}.at(x)` and `.slope(x)`")
+        raise AttributeError(f"`{self._name}` has no attribute `{name}`")
 
     __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _told
     __neg__ = __pow__ = __rpow__ = __lt__ = __le__ = __gt__ = __ge__ = __float__ = _told

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _native
 from ._motion import array
+from ._short import short, shown
 from ._system import Progress, System, _Bar, as_bytes
 
 Kept = Union[str, tuple[str, str]]
@@ -22,6 +23,13 @@ class Rows:
     names: list[str]
     values: Any
     status: list[str]
+
+    def __repr__(self) -> str:
+        failed = [(k, one) for k, one in enumerate(self.status) if one]
+        text = f"<{len(self.status)} cases of {shown(self.names)}: {len(self.status) - len(failed)} have succeeded"
+        if failed:
+            text += f", {len(failed)} failed; number {failed[0][0]}: {shown(failed[0][1])}"
+        return text + ">"
 
     @property
     def ok(self) -> Any:
@@ -102,6 +110,7 @@ def _kept(one: Kept) -> tuple[str, str]:
     return name, what
 
 
+@short
 @dataclass(frozen=True)
 class Batch:
     """One pure function for any engine: a table of cases in, the table with results and a status added out.

@@ -82,7 +82,7 @@ class Trace:
             _mistakes.at(users_line(), text)
         if isinstance(value, (complex, np.complexfloating)):
             _mistakes.at(users_line(), f"{value!r} is a complex number; equations are made of real ones")
-        if isinstance(value, (numbers.Real, np.number)) and not isinstance(value, np.timedelta64):
+        if isinstance(value, (numbers.Real, np.integer, np.floating)) and not isinstance(value, np.timedelta64):
             return self.atom(self._literal(float(value)), "f64")
         return None
 

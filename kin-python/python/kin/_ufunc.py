@@ -60,6 +60,10 @@ class Operand:
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **keywords: Any) -> Any:
         return array_ufunc(ufunc, method, inputs, keywords)
 
+    def _cure(self, name: str) -> str:
+        """What to write in place of a function of NumPy that is not defined for it."""
+        return ""
+
     def __array_function__(self, function: Any, types: Any, args: Any, keywords: Any) -> Any:
         from . import _arrays
 
@@ -75,6 +79,13 @@ def plain(value: Any) -> Any:
     if isinstance(value, np.integer):
         return int(value)
     return float(value) if isinstance(value, np.floating) else value
+
+
+def real(value: Any) -> float:
+    """The number as a float. Raises TypeError of a complex one, whose imaginary part NumPy would forget."""
+    if isinstance(value, np.complexfloating) or (isinstance(value, np.ndarray) and value.dtype.kind == "c"):
+        raise TypeError(f"a real number is needed, not {value!r}")
+    return float(value)
 
 
 def by_operands(forward: str, reflected: str, a: Any, b: Any) -> Any:
@@ -118,6 +129,8 @@ def _two(name: str, a: Any, b: Any) -> Any:
         return getattr(a, name)(b)
     if isinstance(b, Number):
         return getattr(b._like(a), name)(b)
+    if isinstance(a, Operand) or isinstance(b, Operand):
+        return _refused(name, a, b)
     return getattr(np, name)(a, b)
 
 
@@ -147,7 +160,8 @@ def _operator(name: str, ufunc: Any, a: Any, b: Any) -> Any:
 
 def _refused(name: str, *operands: Any) -> Any:
     kinds = " and ".join(f"{type(one).__name__} {_short(one)}" for one in operands)
-    raise TypeError(f"`np.{name}` is not defined for {kinds}")
+    cures = [cure for one in operands if isinstance(one, Operand) for cure in [one._cure(name)] if cure]
+    raise TypeError(f"`np.{name}` is not defined for {kinds}" + (f": {cures[0]}" if cures else ""))
 
 
 def _short(value: Any) -> str:

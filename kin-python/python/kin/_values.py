@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from typing import Any
 
@@ -26,7 +27,7 @@ def items(value: Any) -> list[Any]:
     array = np.asarray(list(value) if hasattr(value, "_components") else value)
     if array.dtype == object:
         found = array.ravel().tolist()
-        if all(isinstance(one, (Dimension, int, float, np.number)) and not isinstance(one, bool) for one in found):
+        if all(isinstance(one, (Dimension, int, float, np.integer, np.floating)) and not isinstance(one, bool) for one in found):
             return [one if isinstance(one, Dimension) else float(one) for one in found]
     if array.dtype.kind not in "iuf":
         raise TypeError("numbers are needed")
@@ -63,13 +64,19 @@ def law_of(place: str, name: str, value: Any) -> Law:
         return value
     if isinstance(value, Dimension):
         return Law.constant(value)
-    if isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
+    if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
         finite(place, name, float(value))
         return Law.constant(float(value))
     if callable(value):
-        from ._constraint import law
+        from ._constraint import LawFunction, law
 
-        return law(value)
+        made = value if isinstance(value, LawFunction) else law(value)
+        if isinstance(made, LawFunction):
+            if any(one.default is inspect.Parameter.empty for one in made.arguments):
+                wanted = ", ".join(f"{one.name}=…" for one in made.arguments)
+                raise TypeError(f"`{place}`: `{made.name}` has parameters: give it their values, {made.name}({wanted})")
+            made = made()
+        return made
     raise TypeError(f"`{place}`: its parameter `{name}` is a law, not {value!r}")
 
 

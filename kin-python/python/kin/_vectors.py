@@ -14,7 +14,7 @@ from ._place import users_line
 from ._scalars import Expr, Scalar, Traced
 from . import _functions as functions
 from . import _mistakes
-from ._ufunc import Operand
+from ._ufunc import Operand, real
 
 
 class _Components(Operand):
@@ -28,7 +28,7 @@ class _Components(Operand):
         if len(components) != len(self._NAMES):
             raise TypeError(f"{type(self).__name__} has {len(self._NAMES)} components, not {len(components)}")
         self._all: Optional[tuple[Any, ...]] = tuple(
-            one if isinstance(one, Number) else float(one) for one in components
+            one if isinstance(one, Number) else real(one) for one in components
         )
         traced = next((one for one in components if isinstance(one, Expr)), None)
         self._trace: Any = traced._trace if traced is not None else None
@@ -124,7 +124,7 @@ class _Vector(_Components):
     def _scaled(self, template: str, factor: Any, plain: Any) -> Any:
         trace = self._trace or getattr(factor, "_trace", None)
         if trace is None:
-            if not isinstance(factor, (int, float, np.number, Number)):
+            if not isinstance(factor, (int, float, np.integer, np.floating, Number)):
                 return NotImplemented
             return type(self)(*(plain(a, factor) for a in self))
         operand = trace.number(factor)
@@ -477,7 +477,7 @@ class Axis:
 
 
 def _three(h: Any) -> Sequence[float]:
-    numbers = [float(one) for one in h]
+    numbers = [real(one) for one in h]
     if len(numbers) != 3:
         raise TypeError(f"a direction in space has three components, not {len(numbers)}")
     return numbers

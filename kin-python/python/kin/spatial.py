@@ -173,8 +173,7 @@ def revolute(
     body. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error.
     Haug, section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j,
     right-handed about h_j. Where it is zero is chosen by `.zero(f_i, f_j)`: where f_i of body i lies along
-    f_j of body j; unchosen these are the f that `Axis::along` gives h_i and h_j (x for z, y for x, z for
-    y).
+    f_j of body j; unchosen these are the f that `Axis.along` gives h_i and h_j (x for z, y for x, z for y).
     """
     return joint("revolute", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -237,7 +236,7 @@ def universal(
     Measures: `angle_j`, the turn of the cross in body j about h_j; `angle_i`, the turn of body i on the
     cross about h_i. Signs: both angles are right-handed about their bars, and zero where both frames have
     the same directions: body i is turned by `angle_i` about its bar, and then with the cross by `angle_j`
-    about that of j. Bars that are not perpendicular as they are written: see `Vec3::axis_near`.
+    about that of j. Bars that are not perpendicular as they are written: see `kin.Axis(h, f)`.
     """
     return joint("universal", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Vec3", h_i), ("h_j", "Vec3", h_j)])
@@ -422,7 +421,7 @@ def rack_and_pinion(
 
     Removes 1 freedom. `i`: the pinion, centre `u_i`, axis `h_i`, pitch radius `radius`: r; `j`: the rack, a
     point `u_j` of its pitch line and `h_j`, the direction of the pinion's axis with f_j along the rack
-    (`Axis::new(h, f)`); the axes are held parallel by other joints. `phase`: φ0, the turn of f_i from f_j
+    (`kin.Axis(h, f)`); the axes are held parallel by other joints. `phase`: φ0, the turn of f_i from f_j
     where the centre stands over `u_j`. Haug, section 3.4, in space. Signs: the pinion is on the side of g_j
     = h_j × f_j (a negative radius: on the other) and turns clockwise about h_j as it goes along f_j.
     """
@@ -618,10 +617,10 @@ def drive_motion(
     those of the frames. [m, –]
 
     Six rows. `u_i`, `p_i`, `u_j`, `p_j`: origin and Euler parameters of the frame in either body
-    (`EulerParameters::identity()`: the axes of the body itself). First roll about x, then pitch about y,
-    then yaw about z, all axes those of the frame in j; any number of turns. Another order of turns is this
-    one between other frames. Shabana, Computational Dynamics, section 7.2. Signs: x, y, z grow along the
-    axes of the frame in j; each turn is right-handed about its axis; at zero both frames have the same
+    (`kin.EulerParameters()`: the axes of the body itself). First roll about x, then pitch about y, then yaw
+    about z, all axes those of the frame in j; any number of turns. Another order of turns is this one
+    between other frames. Shabana, Computational Dynamics, section 7.2. Signs: x, y, z grow along the axes
+    of the frame in j; each turn is right-handed about its axis; at zero both frames have the same
     directions.
     """
     return joint("drive_motion", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",

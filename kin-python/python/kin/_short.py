@@ -1,0 +1,29 @@
+"""What results show of themselves at the prompt: a few lines, however long they are."""
+
+from __future__ import annotations
+
+import reprlib
+from dataclasses import fields
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+_REPR = reprlib.Repr()
+_REPR.maxlist = _REPR.maxtuple = _REPR.maxdict = 6
+_REPR.maxstring = _REPR.maxother = 200
+_REPR.maxlevel = 3
+
+
+def shown(value: Any) -> str:
+    """A value as `repr` shows it, with the middle left out where it is long."""
+    return _REPR.repr(value)
+
+
+def short(kind: type[T]) -> type[T]:
+    """A dataclass whose `repr` leaves out the middle of long fields; `str` and the fields have all."""
+
+    def __repr__(self: Any) -> str:
+        return f"{type(self).__name__}({', '.join(f'{one.name}={shown(getattr(self, one.name))}' for one in fields(self))})"
+
+    kind.__repr__ = __repr__  # type: ignore[method-assign, assignment]
+    return kind
