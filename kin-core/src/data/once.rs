@@ -28,12 +28,12 @@ where
 ///
 /// Errors: a key that stands twice, at any depth, by its name and by the keys that lead to it.
 pub(super) fn object<'de, D: Deserializer<'de>>(from: D) -> Result<Map<String, Value>, D::Error> {
-    from.deserialize_map(Object(&Place::ROOT))
+    from.deserialize_map(Object(&KeyPath::ROOT))
 }
 
 /// Reads any value. Errors: those of [`object`].
 pub(super) fn value<'de, D: Deserializer<'de>>(from: D) -> Result<Value, D::Error> {
-    AnyValue(&Place::ROOT).deserialize(from)
+    AnyValue(&KeyPath::ROOT).deserialize(from)
 }
 
 /// Reads three values in a list, or none. Errors: those of [`object`].
@@ -44,7 +44,7 @@ pub(super) fn three<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Box<[Va
     Ok(read.map(|three| Box::new(three.map(|One(value)| value))))
 }
 
-fn twice<E: Error>(place: &Place<'_>, key: &str) -> E {
+fn twice<E: Error>(place: &KeyPath<'_>, key: &str) -> E {
     let holder = if place.is_root() { String::new() } else { format!(" in `{place}`") };
     E::custom(format!(
         "the key `{key}` stands twice{holder}: only one of its two values could count, leave the other out"
@@ -52,8 +52,8 @@ fn twice<E: Error>(place: &Place<'_>, key: &str) -> E {
 }
 
 /// The keys and numbers that lead to a value.
-struct Place<'a> {
-    outer: Option<(&'a Place<'a>, Step<'a>)>,
+struct KeyPath<'a> {
+    outer: Option<(&'a KeyPath<'a>, Step<'a>)>,
 }
 
 enum Step<'a> {
@@ -61,15 +61,15 @@ enum Step<'a> {
     Number(usize),
 }
 
-impl Place<'_> {
-    const ROOT: Place<'static> = Place { outer: None };
+impl KeyPath<'_> {
+    const ROOT: KeyPath<'static> = KeyPath { outer: None };
 
     fn is_root(&self) -> bool {
         self.outer.is_none()
     }
 }
 
-impl fmt::Display for Place<'_> {
+impl fmt::Display for KeyPath<'_> {
     /// "law.numbers", "parts\[2\]"
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.outer {
@@ -95,7 +95,7 @@ impl<'de, V: Deserialize<'de>, M: FromIterator<(String, V)>> Visitor<'de> for Ke
         let (mut seen, mut all) = (BTreeSet::new(), Vec::new());
         while let Some(key) = from.next_key::<String>()? {
             if !seen.insert(key.clone()) {
-                return Err(twice(&Place::ROOT, &key));
+                return Err(twice(&KeyPath::ROOT, &key));
             }
             all.push((key, from.next_value()?));
         }
@@ -104,7 +104,7 @@ impl<'de, V: Deserialize<'de>, M: FromIterator<(String, V)>> Visitor<'de> for Ke
 }
 
 /// Reads an object at a place.
-struct Object<'a>(&'a Place<'a>);
+struct Object<'a>(&'a KeyPath<'a>);
 
 impl<'de> Visitor<'de> for Object<'_> {
     type Value = Map<String, Value>;
@@ -119,7 +119,8 @@ impl<'de> Visitor<'de> for Object<'_> {
             if all.contains_key(&key) {
                 return Err(twice(self.0, &key));
             }
-            let value = from.next_value_seed(AnyValue(&Place { outer: Some((self.0, Step::Key(&key))) }))?;
+            let value =
+                from.next_value_seed(AnyValue(&KeyPath { outer: Some((self.0, Step::Key(&key))) }))?;
             all.insert(key, value);
         }
         Ok(all)
@@ -127,7 +128,7 @@ impl<'de> Visitor<'de> for Object<'_> {
 }
 
 /// Reads any value at a place.
-struct AnyValue<'a>(&'a Place<'a>);
+struct AnyValue<'a>(&'a KeyPath<'a>);
 
 impl<'de> DeserializeSeed<'de> for AnyValue<'_> {
     type Value = Value;
@@ -179,7 +180,7 @@ impl<'de> Visitor<'de> for AnyValue<'_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut from: A) -> Result<Value, A::Error> {
         let mut all = Vec::new();
         loop {
-            let place = Place { outer: Some((self.0, Step::Number(all.len()))) };
+            let place = KeyPath { outer: Some((self.0, Step::Number(all.len()))) };
             match from.next_element_seed(AnyValue(&place))? {
                 Some(value) => all.push(value),
                 None => return Ok(Value::Array(all)),

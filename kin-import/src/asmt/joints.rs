@@ -82,12 +82,28 @@ impl Reading {
             return Ok(());
         }
         let (name, line) = self.name_of(of);
-        let name = name.as_str();
+        if !self.add_joint(of, (&name, line), [i, j])? {
+            return Ok(());
+        }
+        let path = format!("{}/{name}", self.root);
+        let markers = [of.value("MarkerI")?.0.to_string(), of.value("MarkerJ")?.0.to_string()];
+        self.joints.push(Joint { path, name, kind: kind.to_string(), markers, i, j });
+        Ok(())
+    }
+
+    /// Adds the constraint of a joint. True if motions and limits can be of this joint: not of a coupling, nor
+    /// of a joint that is left out.
+    fn add_joint(
+        &mut self,
+        of: &Tree<'_>,
+        (name, line): (&str, usize),
+        [i, j]: [Marker; 2],
+    ) -> Result<bool, Mistake> {
         let (h_i, h_j) = (i.axis(2), self.along(&i, &j));
         let p = |m: &Marker| kin::EulerParameters::from_rotation(m.a);
         let p_ij = p(&i) * p(&j).conjugate();
         let (a, b) = (j.body, i.body);
-        match kind {
+        match of.text {
             "RevoluteJoint" => {
                 self.add(name, line, spatial::revolute(a, b, j.u, i.u, h_j, h_i).zero(j.axis(0), i.axis(0)))?;
             }
@@ -119,21 +135,18 @@ impl Reading {
             "PerpendicularJoint" => {
                 self.add(name, line, spatial::perpendicular(a, b, j.axis(2), i.axis(2)))?
             }
-            "GearJoint" => return self.gear(of, name, line, [i, j]),
-            "ScrewJoint" => return self.screw(of, name, line, [i, j]),
-            "RackPinionJoint" => return self.rack(of, name, line, [i, j]),
+            "GearJoint" => return self.gear(of, name, line, [i, j]).map(|()| false),
+            "ScrewJoint" => return self.screw(of, name, line, [i, j]).map(|()| false),
+            "RackPinionJoint" => return self.rack(of, name, line, [i, j]).map(|()| false),
             // Kinds that are known: what is left depends on its numbers.
             _ => {
                 if let Some(reason) = self.by_numbers(of, name, line, [&i, &j])? {
                     self.leave(of, reason, true);
-                    return Ok(());
+                    return Ok(false);
                 }
             }
         }
-        let path = format!("{}/{name}", self.root);
-        let markers = [of.value("MarkerI")?.0.to_string(), of.value("MarkerJ")?.0.to_string()];
-        self.joints.push(Joint { path, name: name.to_string(), kind: kind.to_string(), markers, i, j });
-        Ok(())
+        Ok(true)
     }
 
     /// The reason why something between two markers holds and moves nothing; `None` where it does.

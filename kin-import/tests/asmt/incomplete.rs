@@ -6,7 +6,7 @@ use crate::own::{SAME, frame, joint, marker, part, text};
 
 const LAW: &str = "0.5 + 0.8d*sin(2*time)";
 
-/// What is left out of a file, and q of its mechanism after 0.7 s.
+/// The notes on what a file lacks, and q of its mechanism after 0.7 s.
 fn read(text: &str) -> (Vec<String>, Vec<f64>) {
     let Imported { mechanism, left_out, .. } = asmt(text).expect("a file that is read");
     let motion = mechanism.build().and_then(|system| system.run([0.0, 0.7])).expect("a motion");

@@ -144,8 +144,8 @@ impl Drawing {
         }
     }
 
-    /// A disc with a spoke on a line that turns about itself, in its middle; on a single point across the axis
-    /// about which its body turns. Without it nothing would be seen to move.
+    /// Draws a disc with a spoke in the middle of a line that turns about itself. On a single point the disc
+    /// stands across the axis about which the body turns. Without the disc nothing would be seen to move.
     fn draw_turn(&mut self, look: &Look, track: usize, color: &str, line: &[Vec3]) {
         /// Corners of the disc.
         const CORNERS: usize = 24;

@@ -17,8 +17,8 @@ const SEEN: f64 = 0.05;
 /// Directions that differ by less are one, and lengths by this share of the size of all.
 const SAME: f64 = 1e-6;
 
-/// The largest angle by which a body turns from each time to the next. A planar body whose origin stands still
-/// counts for nothing: its angle alone changes, and a straight way between two angles is its true way.
+/// The largest angle by which a body turns from each time to the next. A planar body whose origin stands
+/// still counts for nothing: its angle alone changes, and a straight way between two angles is its true way.
 pub(super) fn turns(scene: &Scene, motion: &Motion) -> Result<Vec<f64>> {
     let mut most = vec![0.0_f64; motion.len().saturating_sub(1)];
     for look in scene.looks.iter().filter(|look| !look.body.is_ground()) {
@@ -89,7 +89,7 @@ impl Drawing {
     }
 }
 
-/// An eye on the line of a normal, on that side from which x points to the right; from where x is not seen, y.
+/// An eye on the line of a normal, on that side from which x points to the right; y where x is not seen.
 fn eye_along(normal: Vec3) -> (f64, f64) {
     if normal.x.hypot(normal.y) <= SAME {
         return (-FRAC_PI_2, FRAC_PI_2);

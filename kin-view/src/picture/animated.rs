@@ -137,7 +137,7 @@ impl Animation<'_> {
         let place = |k: usize| format!("{} {}", tenth(origin(k).x), tenth(origin(k).y));
         let angle = |k: usize| tenth(-theta.get(k).copied().unwrap_or(0.0).to_degrees());
         let (moved, turned) = (self.values(place), self.values(angle));
-        // What a viewer that shows no motion shows: the first pose.
+        // The first pose, for viewers that show no motion.
         let first = self.poses[0];
         let rest = format!("translate({}) rotate({})", place(first), angle(first));
         let change = |kind: &str, values: &str, more: &str| {
