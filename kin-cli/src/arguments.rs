@@ -168,6 +168,9 @@ pub struct Assemblies {
     /// Where the table goes
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
+    /// The same as JSON, with whether the list is complete and why
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -80,7 +80,7 @@ pub use nalgebra;
 pub use newton::{CrossedBreak, Engine, Follow, Options, Report, Stop};
 pub use numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use proof::{Doubt, DoubtReason, Proof, StepProof, Tube};
-pub use solve::assembly::{Assembly, AssemblyOptions, Label, SearchOptions};
+pub use solve::assembly::{Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions};
 pub use solve::compile::Compiled;
 pub use solve::follow::{Branch, SingularKind, SingularPosition};
 pub use sweep::Sweep;

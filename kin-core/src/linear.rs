@@ -10,6 +10,7 @@
 //! they never touch the numbers.
 
 mod condition;
+mod dense;
 mod echelon;
 mod independent;
 mod least_squares;
@@ -18,6 +19,7 @@ mod recorded;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use dense::Dense;
 pub(crate) use echelon::{Echelon, RANK, Sparse, dense, reduced};
 pub(crate) use independent::Independent;
 

@@ -229,13 +229,6 @@ impl System {
         smooth
     }
 
-    /// True if positions that close are meant by all constraints, none of which has, say, its axis turned by
-    /// 180°.
-    pub(crate) fn all_meant<'q>(&self, mut positions: impl Iterator<Item = (f64, &'q [f64])>) -> bool {
-        self.equations.branches().is_empty()
-            || positions.all(|(t, q)| self.equations.first_wrong(&self.equations.instant_at(t, q)).is_none())
-    }
-
     pub(crate) fn model(&self) -> Model<'_> {
         self.model_within(0.0)
     }

@@ -257,16 +257,18 @@ impl System {
         diagnosis(&or_raise(py, found)?)
     }
 
-    /// Each assembly: its label, its pose.
+    /// Each assembly, its label and its pose; whether these are all, and the reason.
     fn assemblies<'py>(
         &self,
         py: Python<'py>,
         t: f64,
         keywords: &Bound<'py, PyDict>,
-    ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
+    ) -> PyResult<(Vec<(String, Bound<'py, PyBytes>)>, String, String)> {
         let (system, options) = (self.now(), assembly_options(keywords)?);
         let found = or_raise(py, py.detach(|| system.assemblies_with(t, &options)))?;
-        found.iter().map(|one| Ok((one.label.to_string(), numbers::list(py, &one.q)?))).collect()
+        let one = |one: &kin::Assembly| Ok((one.label.to_string(), numbers::list(py, &one.q)?));
+        let all: PyResult<Vec<_>> = found.iter().map(one).collect();
+        Ok((all?, found.complete.to_string(), found.reason))
     }
 
     /// The pose of the assembly of a label.

@@ -1,8 +1,9 @@
 //! All assemblies of a loop, with labels.
 
 use kin::algebra::Vec3;
+use kin::joints::drivers::spatial::drive_turn;
 use kin::prelude::*;
-use kin::{AssemblyOptions, Label};
+use kin::{AssemblyOptions, Complete, Label};
 
 use crate::engines::Engines;
 use crate::models::*;
@@ -40,13 +41,6 @@ fn four_bar_has_two_assemblies() {
     );
 }
 
-/// The distance of a point of the platform from a point of the base is l.      [m]
-#[constraint]
-fn leg(platform: Spatial, u: Vec3, base: Vec3, l: f64) -> f64 {
-    let d = platform.point(u) - base;
-    d.dot(d) - l * l
-}
-
 const BASE: [[f64; 3]; 6] = [
     [0.0, 0.0, 0.0],
     [1.107915, 0.0, 0.0],
@@ -72,7 +66,8 @@ fn stewart_gough_platform_has_40_poses() {
     let platform = m.spatial("platform", SpatialPose::at(Vec3::new(0.5, 0.5, 0.5))).unwrap();
     for k in 0..6 {
         let v = |p: [f64; 3]| Vec3::new(p[0], p[1], p[2]);
-        m.add(&format!("leg {}", k + 1), leg(platform, v(PLATFORM[k]), v(BASE[k]), LEGS[k])).unwrap();
+        let leg = spatial::distance(platform, m.ground(), v(PLATFORM[k]), v(BASE[k]), LEGS[k]);
+        m.add(&format!("leg {}", k + 1), leg).unwrap();
     }
     let system = m.build().unwrap();
     let begun = std::time::Instant::now();
@@ -83,6 +78,7 @@ fn stewart_gough_platform_has_40_poses() {
         assert!(system.residual(&assembly.q, 0.0).unwrap().iter().all(|c| c.abs() < 1e-10));
     }
     assert_eq!(all.len(), 40);
+    assert_eq!(all.complete, Complete::Believed, "{}", all.reason);
     for (k, a) in all.iter().enumerate() {
         for b in &all[k + 1..] {
             assert_ne!(a.label, b.label);
@@ -91,4 +87,146 @@ fn stewart_gough_platform_has_40_poses() {
             assert!(moved > 1e-3 || turned < 1.0 - 1e-6, "{a:?} {b:?}");
         }
     }
+}
+
+/// Points on a ring, two beside each of three directions.
+fn ring(radius: f64, beside: f64) -> Vec<Vec3> {
+    let directions = [30.0, -90.0, 150.0].into_iter().map(deg);
+    directions
+        .flat_map(|angle| [angle + beside, angle - beside])
+        .map(|angle| Vec3::new(radius * angle.cos(), radius * angle.sin(), 0.0))
+        .collect()
+}
+
+/// A plate on six rods, whose feet stand at different heights.
+fn six_rods() -> System {
+    let (plate_points, feet) = (ring(49.8, deg(48.41)), ring(77.0, deg(22.95)));
+    let mut m = Mechanism::new("six rods");
+    let plate = m.spatial("plate", SpatialPose::at((5.0, 3.0, -120.0))).unwrap();
+    for k in 0..6 {
+        let foot = Vec3::new(feet[k].x, feet[k].y, 2.0 * k as f64);
+        let rod = spatial::distance(plate, m.ground(), plate_points[k], foot, 140.0 + 1.5 * k as f64);
+        m.add(&format!("rod {k}"), rod).unwrap();
+    }
+    m.build().unwrap()
+}
+
+#[test]
+fn all_poses_of_a_plate_on_six_rods() {
+    let system = six_rods();
+    for seed in 0..3 {
+        let begun = std::time::Instant::now();
+        let all =
+            system.assemblies_with(0.0, &AssemblyOptions { seed, ..AssemblyOptions::default() }).unwrap();
+        println!("{} in {:?}: {}", all.len(), begun.elapsed(), all.reason);
+        assert_eq!((all.len(), all.complete), (14, Complete::Believed), "{}", all.reason);
+    }
+    // A search that is cut short does not claim to be complete.
+    let few = AssemblyOptions { starts: 40, ..AssemblyOptions::default() };
+    let some = system.assemblies_with(0.0, &few).unwrap();
+    assert!(some.len() < 14);
+    assert_eq!(some.complete, Complete::Unknown);
+    assert!(some.reason.contains("40 starts"), "{}", some.reason);
+}
+
+/// Six motors turn cranks on the ground; rods join the ends of the cranks to the plate. With the cranks where
+/// the motors hold them it is a plate on six rods.
+#[test]
+fn six_cranks_and_rods_have_the_poses_of_their_plate() {
+    let (plate_points, feet) = (ring(40.0, deg(48.0)), ring(70.0, deg(20.0)));
+    let crank_angle = |k: usize| 0.3 + 0.2 * k as f64;
+    let place = SpatialPose::at((3.0, 2.0, 90.0));
+    let (mut cranked, mut fixed) = (Mechanism::new("six cranks"), Mechanism::new("six feet"));
+    let plates = [&mut cranked, &mut fixed].map(|m| m.spatial("plate", place).unwrap());
+    let arm = Vec3::new(20.0, 0.0, 0.0);
+    for k in 0..6 {
+        let crank = cranked.spatial(&format!("crank {k}"), SpatialPose::at(feet[k])).unwrap();
+        let (axis, ground, rod) = (Vec3::y(), cranked.ground(), 95.0 + 2.0 * k as f64);
+        let hinge = spatial::revolute(crank, ground, Vec3::zeros(), feet[k], axis, axis);
+        cranked.add(&format!("hinge {k}"), hinge).unwrap();
+        let (h, angle) = (Axis::new(axis, Vec3::x()), crank_angle(k));
+        let motor = drive_turn(crank, ground, h, h, Law::constant(angle));
+        cranked.add(&format!("motor {k}"), motor).unwrap();
+        let name = format!("rod {k}");
+        cranked.add(&name, spatial::distance(crank, plates[0], arm, plate_points[k], rod)).unwrap();
+        let end = feet[k] + Vec3::new(20.0 * angle.cos(), 0.0, -20.0 * angle.sin());
+        fixed.add(&name, spatial::distance(plates[1], fixed.ground(), plate_points[k], end, rod)).unwrap();
+    }
+    let [all, exact] = [cranked, fixed].map(|m| m.build().unwrap().assemblies(0.0).unwrap());
+    println!("{}: {}", all.len(), all.reason);
+    assert_eq!(exact.complete, Complete::Believed, "{}", exact.reason);
+    assert_eq!((all.len(), all.complete), (exact.len(), Complete::Believed), "{}", all.reason);
+    assert!(exact.len() >= 4);
+    for one in &exact {
+        let near = |q: &[f64]| q[..3].iter().zip(&one.q[..3]).all(|(a, b)| (a - b).abs() < 1e-6);
+        assert_eq!(all.iter().filter(|found| near(&found.q)).count(), 1, "{one:?}");
+    }
+}
+
+#[test]
+fn no_pose_with_a_hinge_turned_over() {
+    let mut m = Mechanism::new("arm");
+    let arm = m.spatial("arm", SpatialPose::at((0.0, 0.0, 0.0))).unwrap();
+    let (ground, z) = (m.ground(), Vec3::z());
+    m.add("hinge", spatial::revolute(arm, ground, Vec3::zeros(), Vec3::zeros(), z, z)).unwrap();
+    let h = Axis::new(z, Vec3::x());
+    m.add("motor", drive_turn(arm, ground, h, h, Law::constant(0.5))).unwrap();
+    let all = m.build().unwrap().assemblies(0.0).unwrap();
+    assert_eq!(all.len(), 1, "{all:?}");
+    assert!((all[0].q[6] - 0.25_f64.sin()).abs() < 1e-9 || (all[0].q[6] + 0.25_f64.sin()).abs() < 1e-9);
+}
+
+#[test]
+fn an_open_chain_has_one_assembly_and_that_is_proved() {
+    let mut m = Mechanism::new("arm");
+    let (upper, fore) = (m.link("upper", 1.0).unwrap(), m.link("fore", 0.7).unwrap());
+    m.add("shoulder", revolute(upper, m.ground(), upper.start(), (0.0, 0.0))).unwrap();
+    m.add("elbow", revolute(fore, upper, fore.start(), upper.end())).unwrap();
+    m.add("motor", drive_angle(upper, Law::linear(0.4, 1.0))).unwrap();
+    m.add("elbow motor", drive_relative_angle(fore, upper, Law::constant(2.0))).unwrap();
+    let all = m.build().unwrap().assemblies(0.0).unwrap();
+    assert_eq!((all.len(), all.complete), (1, Complete::Proved), "{}", all.reason);
+    assert!((all[0].q[5] - 2.4).abs() < 1e-12);
+}
+
+/// A parallelogram drawn flat is at its change point: one singular pose, of which nobody knows from a list
+/// whether it stands alone.
+#[test]
+fn a_singular_assembly_is_not_said_to_be_all() {
+    let mut m = Mechanism::new("parallelogram");
+    let [a, b, c] = [("a", 0.5, 0.0), ("b", 2.0, 0.0), ("c", 2.5, 0.0)]
+        .map(|(name, x, y)| m.planar(name, pose(x, y, 0.0)).unwrap());
+    m.add("O", revolute(a, m.ground(), (-0.5, 0.0), (0.0, 0.0))).unwrap();
+    m.add("A", revolute(a, b, (0.5, 0.0), (-1.0, 0.0))).unwrap();
+    m.add("B", revolute(b, c, (1.0, 0.0), (0.5, 0.0))).unwrap();
+    m.add("C", revolute(c, m.ground(), (-0.5, 0.0), (2.0, 0.0))).unwrap();
+    m.add("motor", drive_angle(a, Law::linear(0.0, 1.0))).unwrap();
+    let system = m.build().unwrap();
+    let all = system.assemblies(0.0).unwrap();
+    assert_eq!((all.len(), all.complete), (1, Complete::Unknown), "{}", all.reason);
+    assert!(all.reason.contains("singular"), "{}", all.reason);
+    let begun = system.run([0.0]).unwrap_err().to_string();
+    assert!(begun.contains("change point"), "{begun}");
+}
+
+#[test]
+fn a_list_of_assemblies_says_in_json_whether_it_is_complete() {
+    let (mut m, [crank, ..]) = four_bar();
+    m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
+    let system = m.build().unwrap();
+    let begun = std::time::Instant::now();
+    let all = system.assemblies(0.0).unwrap();
+    println!("a four-bar in {:?}: {}", begun.elapsed(), all.reason);
+    assert_eq!(all.complete, Complete::Believed);
+    let json = serde_json::to_value(&all).unwrap();
+    assert_eq!(json["complete"], "believed");
+    assert_eq!(json["assemblies"][1]["label"], all[1].label.to_string());
+    assert_eq!(json["assemblies"][0]["q"].as_array().unwrap().len(), 9);
+    assert!(json["reason"].as_str().unwrap().contains("starts"));
+    // a four-bar that cannot close: nothing is found, and that is no proof that there is nothing
+    let (mut m, [crank, ..]) = four_bar();
+    m.add("motor", drive_angle(crank, Law::constant(1.0))).unwrap();
+    m.add("rod", distance(crank, m.ground(), (0.0, 0.0), (9.0, 9.0), 1.0)).unwrap();
+    let none = m.build().unwrap().assemblies(0.0).unwrap();
+    assert_eq!((none.len(), none.complete), (0, Complete::Unknown), "{}", none.reason);
 }

@@ -62,7 +62,15 @@ pub fn diagnose(asked: &Diagnose, say: &Say) -> Result<(), Fault> {
 pub fn assemblies(asked: &Assemblies, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let all = system.assemblies(asked.at)?;
-    say.note(&format!("{}: {} assemblies found at t = {}", system.name(), all.len(), asked.at));
+    let (name, complete, reason) = (system.name(), all.complete, &all.reason);
+    say.note(&format!("{name}: {} assemblies found at t = {}", all.len(), asked.at));
+    say.note(&format!("complete: {complete} ({reason})"));
+    if let Some(to) = &asked.json {
+        put(to, |to| {
+            serde_json::to_writer(&mut *to, &all)?;
+            to.write_all(b"\n")
+        })?;
+    }
     let header: Vec<String> =
         ["label".to_string()].into_iter().chain(system.coordinate_names().iter().cloned()).collect();
     let rows = all

@@ -20,6 +20,17 @@ fn both_assemblies_of_a_four_bar_are_found() {
 }
 
 #[test]
+fn a_list_of_assemblies_says_whether_it_is_complete() {
+    let arguments =
+        ["assemblies", &example("04_four_bar"), "--at", "0.1", "--csv", "/dev/null", "--json", "-"];
+    let told = words(&done(&arguments));
+    assert!(told.contains("2 assemblies found") && told.contains("complete: believed ("), "{told}");
+    let json: Value = serde_json::from_str(&data(&arguments)).expect("JSON");
+    assert_eq!(json["complete"], "believed");
+    assert_eq!(json["assemblies"].as_array().map(Vec::len), Some(2));
+}
+
+#[test]
 fn a_measure_has_its_rates_and_extremes() {
     let m = example("04_four_bar");
     let arguments = ["measure", &m, "rocker.theta", "O.angle", "--times", "0:1:361"];

@@ -3,7 +3,7 @@
 use crate::ask::diagnosis::explain::{EXPLAIN, explained};
 use crate::ask::diagnosis::{self, Diagnosis, DiagnosisOptions};
 use crate::model::error::{Error, Result};
-use crate::solve::assembly::{Assembly, AssemblyOptions, Label, modes};
+use crate::solve::assembly::{Assemblies, Assembly, AssemblyOptions, Label, modes};
 use crate::solve::explain::Start;
 use crate::solve::motion::{EventKind, Motion};
 use crate::solve::newton::{self, Newton, Options, Steps, first_position, redundant};
@@ -229,18 +229,20 @@ impl System {
         diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?, options)
     }
 
-    /// All assemblies that are found at time t, in the order of their labels; the same each time.
+    /// All assemblies that are found at time t, in the order of their labels, and whether they are all
+    /// there are ([`Assemblies::complete`]); the same each time, by any number of threads. A list reads
+    /// like a slice.
     ///
-    /// The search goes on until nothing new turns up for a while, so for difficult mechanisms ask for more
-    /// patience ([`System::assemblies_with`]). None is an empty list.
+    /// The search goes on until more starts are not expected to lead to another assembly. Poses with a hinge
+    /// turned over, its axes opposed, are left out. If no assembly is found, the list is empty.
     ///
     /// Errors: t not finite, a mechanism that is free to move.
-    pub fn assemblies(&self, t: f64) -> Result<Vec<Assembly>> {
+    pub fn assemblies(&self, t: f64) -> Result<Assemblies> {
         self.assemblies_with(t, &AssemblyOptions::default())
     }
 
     /// The same with other options.
-    pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Vec<Assembly>> {
+    pub fn assemblies_with(&self, t: f64, options: &AssemblyOptions) -> Result<Assemblies> {
         modes::all(self.model(), self.initial(), time(t)?, options)
     }
 

@@ -2,7 +2,7 @@
 
 /// Rows and columns of each block; `None` where no choice of cells meets every row and every column once.
 /// Columns may be any numbers.
-pub(super) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
+pub(crate) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
     let matched = Matching::of(pattern)?;
     if pattern.iter().flatten().any(|column| !matched.row_of.contains_key(column)) {
         return None;

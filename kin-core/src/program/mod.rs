@@ -26,6 +26,7 @@ pub(crate) mod tests;
 mod transposed;
 
 pub(crate) use along::Guarded;
+pub(crate) use blocks::blocks;
 pub(crate) use eliminate::Elimination;
 pub(crate) use gather::{
     ABROAD, Case, Column, Differences, Leaves, Refusal, Row, UNREAD, Whole, columns, gather_where,

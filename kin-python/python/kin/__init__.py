@@ -80,7 +80,7 @@ from ._solid import Solid
 from ._states import Coord, Planar, Rate, Spatial, Time
 from ._sweeps import Batch, Rows, sweep
 from ._pictures import Page, Picture
-from ._results import Assembly, Compiled, Proof, Solution, StepProof
+from ._results import Assemblies, Assembly, Compiled, Proof, Solution, StepProof
 from ._system import System
 from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3
 from .library import *  # noqa: F403
@@ -92,6 +92,7 @@ __all__ = [
     *_ERRORS,
     *_LIBRARY,
     "Acted",
+    "Assemblies",
     "Assembly",
     "Axis",
     "Balance",

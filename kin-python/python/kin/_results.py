@@ -34,6 +34,18 @@ class Assembly:
     q: Any
 
 
+class Assemblies(list):  # type: ignore[type-arg]
+    """The assemblies that were found, a list, and whether these are all: `complete` is `"proved"`, `"believed"` (more starts are not
+    expected to lead to another one) or `"unknown"`, for this `reason`."""
+
+    complete: str
+    reason: str
+
+    def __init__(self, found: Any, complete: str, reason: str) -> None:
+        super().__init__(found)
+        self.complete, self.reason = complete, reason
+
+
 @short
 @dataclass(frozen=True)
 class StepProof:
@@ -101,4 +113,4 @@ class Compiled:
         return self.text
 
 
-__all__ = ["Assembly", "Compiled", "Proof", "Solution", "StepProof"]
+__all__ = ["Assemblies", "Assembly", "Compiled", "Proof", "Solution", "StepProof"]

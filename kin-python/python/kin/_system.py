@@ -15,7 +15,7 @@ from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _
 from ._forces import Forces
 from ._handles import Coordinate
 from ._pictures import Page, Picture
-from ._results import Assembly, Compiled, Proof, Solution
+from ._results import Assemblies, Assembly, Compiled, Proof, Solution
 from ._motion import Motion, Quantity, array, coordinate_name
 from ._values import flat
 
@@ -164,13 +164,16 @@ class System:
         """Counts, rank, dependencies and freedoms by name."""
         return Diagnosis(*self._native.diagnose(t, None if q is None else as_bytes(q)))
 
-    def assemblies(self, t: float, **options: Any) -> list[Assembly]:
-        """All assemblies that are found at a time, in the order of their labels.
+    def assemblies(self, t: float, **options: Any) -> Assemblies:
+        """All assemblies that are found at a time, a list in the order of their labels, which says whether it is `complete` and for
+        what `reason`. Poses with a hinge turned over, its axes opposed, are left out.
 
-        Options: `starts` (4000), `patience` (100: it ends after so many starts that lead to nothing new, and twenty more for each
-        assembly that is known), `steps` of Newton's method from one start (60), `seed` (0), `time_limit`.   [s]
+        Options: `starts` at most for equations that must be solved together (20000; fewer for more than seven), `patience` (60: it goes
+        on for so many starts that lead to nothing new at least, and ten more for each solution that is known), `steps` of Newton's
+        method from one start (60), `seed` (0), `time_limit`.   [s]
         """
-        return [Assembly(label, array(q)) for label, q in self._native.assemblies(t, options)]
+        found, complete, reason = self._native.assemblies(t, options)
+        return Assemblies([Assembly(label, array(q)) for label, q in found], complete, reason)
 
     def assembly(self, t: float, label: str, **options: Any) -> Assembly:
         """The assembly of a label that `assemblies` gave out, with the same options. Raises `kin.UnknownName`."""

@@ -15,9 +15,7 @@ impl System {
     /// Errors: those of [`System::assemblies`] and [`System::measure`]; no assembly at all.
     pub fn assembly_near(&self, t: f64, what: impl Measure, value: f64) -> Result<Assembly> {
         let mut nearest: Option<(f64, Assembly)> = None;
-        // Poses that close with an axis turned by 180° are not meant.
-        let meant = |assembly: &Assembly| self.all_meant(std::iter::once((t, &assembly.q[..])));
-        for assembly in self.assemblies(t)?.into_iter().filter(meant) {
+        for assembly in self.assemblies(t)? {
             let found = what.of(self, &self.posed(t, &assembly.q))?.value;
             let x = found.values().first().copied().unwrap_or(f64::NAN);
             let far = apart(x, value, found.unit() == "rad");

@@ -1,5 +1,9 @@
 //! From a poor guess to a pose: the nearest one, all there are, the least gap where there is none.
 
+mod complete;
+mod finder;
+mod groups;
+mod known;
 mod label;
 pub(crate) mod levenberg_marquardt;
 pub(crate) mod modes;
@@ -9,7 +13,8 @@ pub(crate) mod search;
 mod turn;
 pub(crate) mod turned_over;
 
+pub use complete::{Assemblies, Assembly, Complete};
 pub use label::Label;
-pub use modes::{Assembly, AssemblyOptions};
+pub use modes::AssemblyOptions;
 pub use options::SearchOptions;
 pub(crate) use preferred::{apart, distance};

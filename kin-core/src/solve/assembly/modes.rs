@@ -1,32 +1,39 @@
 //! All assemblies of a mechanism at one time.
 //!
-//! Newton's steps from many starts. Where they lead to a known assembly, the same start once more with the
-//! known ones deflated: their neighbourhoods push steps away (P. E. Farrell, Á. Birkisson, S. W. Funke,
-//! Deflation techniques for finding distinct solutions of nonlinear partial differential equations, SIAM J.
-//! Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step times 1 / (1 − ∇ln M
-//! · Δq).
+//! The equations fall into groups that follow one another ([`groups`]). Of each group all solutions are
+//! looked for, once for each combination of solutions before it: Newton's steps from many starts. Where one
+//! of the first starts leads to a known solution, the same start is tried once more with the known ones
+//! deflated: their neighbourhoods push steps away (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation
+//! techniques for finding distinct solutions of nonlinear partial differential equations, SIAM J. Sci.
+//! Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step times 1 / (1 − ∇ln M ·
+//! Δq). The search ends by a statistical rule ([`Known::is_settled`]).
 
 use std::time::Duration;
 
-use super::label::{Label, canonical, labelled};
-use super::levenberg_marquardt::{Iterate, LevenbergMarquardt};
+use rayon::prelude::*;
+
+use super::complete::{Account, Assemblies, Assembly};
+use super::finder::Finder;
+use super::groups::{Group, groups};
+use super::known::{Known, OFTEN};
+use super::label::labelled;
+use super::levenberg_marquardt::LevenbergMarquardt;
 use super::options::{Clock, at_least_one};
-use super::turn;
-use crate::linear::{LeastSquares, Linear};
+use super::{turn, turned_over};
 use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
 use crate::model::units::Unit;
 use crate::numbers::random::Random;
-use crate::system::scaled::{Measures, Model, Point};
+use crate::system::scaled::{Measures, Model};
 
 /// How assemblies are looked for. All fields have defaults: `AssemblyOptions { seed: 7,
 /// ..AssemblyOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssemblyOptions {
-    /// Starts at most; default 4000.
+    /// Starts at most for a group of up to seven equations that must be solved together, such as a platform
+    /// on six rods; of k > 7 equations (7/k)² times as many, but at least a fifth. Default 20000.
     pub starts: usize,
-    /// The search ends after this many starts in a row that lead to nothing new, and twenty more for each
-    /// assembly that is known; default 100.
+    /// The search goes on for at least this many starts in a row that lead to nothing new, and ten more for
+    /// each solution that is known; default 60.
     pub patience: usize,
     /// Newton's steps from one start; default 60.
     pub steps: usize,
@@ -39,254 +46,281 @@ pub struct AssemblyOptions {
 
 impl Default for AssemblyOptions {
     fn default() -> Self {
-        AssemblyOptions { starts: 4000, patience: 100, steps: 60, seed: 0, time_limit: None }
+        AssemblyOptions { starts: 20_000, patience: 60, steps: 60, seed: 0, time_limit: None }
     }
 }
 
-/// One assembly of a mechanism.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Assembly {
-    /// Its name among all.
-    pub label: Label,
-    /// The pose, C(q, t) = 0: a guess from which the mechanism is assembled in this way again
-    /// ([`crate::System::set_initial`]).   \[m, rad\]
-    pub q: Vec<f64>,
-}
-
-/// All assemblies that are found, in the order of their labels.
-pub(crate) fn all(
-    model: Model<'_>,
-    guess: &[f64],
-    t: f64,
-    options: &AssemblyOptions,
-) -> Result<Vec<Assembly>> {
-    at_least_one(options.starts, "starts")?;
-    at_least_one(options.steps, "steps")?;
-    let clock = Clock::new(options.time_limit);
-    let measures = model.measure(guess, t);
-    let mut modes = Modes::new(model, &measures, options);
-    let mut random = Random::new(options.seed);
-    let mut idle = 0;
-    for start in 0..options.starts {
-        if idle > options.patience + 20 * modes.found.len() || clock.is_up() {
-            break;
-        }
-        let from = modes.start(guess, start, &mut random);
-        let from = turn::turned(&model, &from, t, &|_| true);
-        idle += 1;
-        if modes.from(&from, t) {
-            idle = 0;
-            if modes.found.len() > MOST {
-                return Err(Error::InvalidOptions {
-                    reason: format!("more than {MOST} assemblies: the mechanism is free to move"),
-                });
-            }
-        }
-    }
-    let found = labelled(&model, &measures, modes.found, t);
-    Ok(found.into_iter().map(|(label, q)| Assembly { label, q }).collect())
-}
-
-/// More assemblies than this are no assemblies but poses of something that moves.
+/// More solutions of one group than this are no assemblies but poses of something that moves; more assemblies
+/// than this are not listed.
 const MOST: usize = 2000;
 
-/// No step turns a body by more than this, or moves it by more than so many lengths of the model.   \[-\]
-const STEP: f64 = 0.25;
+/// The first so many starts of a group are deflated where they lead to a known solution.
+const DEFLATED: usize = 64;
 
-/// Two assemblies are one where no coordinate differs by more.   \[-\]
-const SAME: f64 = 1e-5;
+/// So many starts are taken one after the other: most loops need no more, and no other core.
+const FIRST: usize = 128;
 
-struct Modes<'a> {
+/// Later ones are taken so many at a time, on all cores.
+const AT_ONCE: usize = 256;
+
+/// All assemblies that are found, in the order of their labels.
+pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOptions) -> Result<Assemblies> {
+    at_least_one(options.starts, "starts")?;
+    at_least_one(options.steps, "steps")?;
+    let (measures, groups) = (model.measure(guess, t), groups(&model));
+    let clock = Clock::new(options.time_limit);
+    let mut search = Search { model, measures: &measures, t, options, clock, account: Account::new() };
+    let mut poses = vec![guess.to_vec()];
+    for (number, group) in groups.iter().enumerate() {
+        let mut finder = Finder::new(model, &measures, group, t);
+        let mut next = Vec::new();
+        for base in &poses {
+            next.extend(search.solutions((number, group), base, &mut finder)?);
+            if next.len() > MOST {
+                next.truncate(MOST);
+                search
+                    .account
+                    .doubt(|| format!("there are more than {MOST} assemblies; only so many are listed"));
+                break;
+            }
+        }
+        poses = next;
+    }
+    let found = search.closed(poses);
+    let found = labelled(&model, &measures, found, t);
+    let assemblies: Vec<Assembly> = found.into_iter().map(|(label, q)| Assembly { label, q }).collect();
+    for Assembly { label, q } in &assemblies {
+        search.doubt_where_singular(&label.to_string(), q);
+    }
+    let (complete, reason) = search.account.verdict(assemblies.len());
+    Ok(Assemblies { assemblies, complete, reason })
+}
+
+struct Search<'a> {
     model: Model<'a>,
     measures: &'a Measures,
+    t: f64,
     options: &'a AssemblyOptions,
-    solver: Solver,
-    onto_equations: LevenbergMarquardt<'a>,
-    found: Vec<Vec<f64>>,
-    /// The same as they are compared.
-    canonical: Vec<Vec<f64>>,
+    clock: Clock,
+    account: Account,
 }
 
-impl<'a> Modes<'a> {
-    fn new(model: Model<'a>, measures: &'a Measures, options: &'a AssemblyOptions) -> Self {
-        let solver = Solver::new(&model, measures);
-        let onto_equations = LevenbergMarquardt::new(model, measures, Vec::new(), false);
-        Modes { model, measures, options, solver, onto_equations, found: Vec::new(), canonical: Vec::new() }
+impl<'a> Search<'a> {
+    /// All solutions of a group that are found beside what is known before it, and that are meant.
+    fn solutions(
+        &mut self,
+        (number, group): (usize, &Group),
+        base: &[f64],
+        finder: &mut Finder<'a>,
+    ) -> Result<Vec<Vec<f64>>> {
+        if !group.is_affine {
+            self.account.is_affine = false;
+            return self.search((number, group), base, finder);
+        }
+        self.account.starts += 1;
+        if !finder.affine(base) {
+            let row = self.model.equations.equation(group.rows[0]);
+            self.account.doubt(|| format!("the equation `{row}` does not determine a coordinate"));
+            return Ok(Vec::new());
+        }
+        let is_meant = !turned_over::any(&self.model, &finder.q, self.t, &group.branches);
+        Ok(if is_meant { vec![finder.q.clone()] } else { Vec::new() })
     }
 
-    /// The guess first; then angles and Euler parameters any, lengths around the guess.
-    fn start(&self, guess: &[f64], start: usize, random: &mut Random) -> Vec<f64> {
-        /// How far, in units of the model's length.
-        const REACH: f64 = 0.75;
-        let mut q = guess.to_vec();
-        if start == 0 {
-            return q;
-        }
-        for ((q, unit), size) in q.iter_mut().zip(&self.model.layout.units).zip(&self.measures.sizes) {
-            *q = match unit {
-                Unit::Metre => *q + REACH * size * random.number(),
-                Unit::Radian => std::f64::consts::PI * random.number(),
-                Unit::One => random.number(),
-            };
-        }
-        for item in self.model.layout.items.iter().filter(|item| item.kind == Kind::Spatial) {
-            let p = &mut q[item.first + 3..item.first + 7];
-            let norm = loop {
-                // Within the unit ball all directions are alike.
-                let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();
-                if (0.1..1.0).contains(&norm) {
-                    break norm;
+    /// Start after start until more are not worth it.
+    fn search(
+        &mut self,
+        (number, group): (usize, &Group),
+        base: &[f64],
+        finder: &mut Finder<'a>,
+    ) -> Result<Vec<Vec<f64>>> {
+        let most = most_starts(group, self.options.starts);
+        finder.measure(base);
+        let extent = finder.extent;
+        let mut known = Known::new(self.model, self.measures);
+        let (mut start, mut ahead) = (0, std::collections::VecDeque::new());
+        while !known.is_settled(self.options.patience) {
+            if start == most || (start > 0 && self.clock.is_up()) {
+                self.doubt_of(&known, start == most, start);
+                break;
+            }
+            if start < FIRST {
+                let from = self.start((number, group), base, extent, start);
+                let first = finder.newton(&from, self.options.steps, None).then(|| finder.q.clone());
+                let again = (start < DEFLATED).then_some(&from[..]);
+                self.absorb(&mut known, finder, first.as_deref(), again);
+            } else {
+                if ahead.is_empty() {
+                    ahead = self
+                        .at_once((number, group), base, extent, start..(start + AT_ONCE).min(most))
+                        .into();
                 }
-                p.fill_with(|| random.number());
-            };
-            p.iter_mut().for_each(|e| *e /= norm);
-        }
-        q
-    }
-
-    /// True if a start leads to an assembly that was not known, at the first try or with the known ones
-    /// deflated.
-    fn from(&mut self, start: &[f64], t: f64) -> bool {
-        match self.newton(start, t, false) {
-            Some(q) => self.is_new(&q, t) || self.newton(start, t, true).is_some_and(|q| self.is_new(&q, t)),
-            None => false,
-        }
-    }
-
-    /// Keeps a pose, brought onto C = 0 with all digits, unless it is known.
-    fn is_new(&mut self, q: &[f64], t: f64) -> bool {
-        let pose = canonical(self.model.layout, self.measures, q);
-        if self.canonical.iter().any(|known| self.distance(known, &pose) < SAME) {
-            return false;
-        }
-        let Some(place) = self.onto_equations.place(q, t) else { return false };
-        let Iterate { q, point, .. } = self.onto_equations.minimise(place, self.options.steps);
-        let pose = canonical(self.model.layout, self.measures, &q);
-        let known = self.canonical.iter().any(|known| self.distance(known, &pose) < SAME);
-        if known || !self.model.met(&point, &q, self.measures, &|_| true) {
-            return false;
-        }
-        self.found.push(q);
-        self.canonical.push(pose);
-        true
-    }
-
-    /// Newton's steps until C is nearly met; `None` where they lead nowhere.
-    fn newton(&mut self, start: &[f64], t: f64, deflated: bool) -> Option<Vec<f64>> {
-        /// Rows are met to this share of their norms.   \[-\]
-        const NEAR: f64 = 1e-8;
-        /// Deflated steps are worth this many.
-        const DEFLATED: usize = 20;
-        let steps = if deflated { DEFLATED.min(self.options.steps) } else { self.options.steps };
-        let mut q = start.to_vec();
-        for _ in 0..steps {
-            let point = self.model.linearize(&q, t).ok()?;
-            if point.c.iter().zip(&self.measures.norms).all(|(c, norm)| c.abs() <= NEAR * norm) {
-                return Some(q);
+                let found: Option<Vec<f64>> = ahead.pop_front().flatten();
+                self.absorb(&mut known, finder, found.as_deref(), None);
             }
-            let y = self.solver.step(&self.model, &point, self.measures)?;
-            let push = if deflated { 1.0 / (1.0 - self.repulsion(&q, &y)) } else { 1.0 };
-            let largest = y.iter().fold(0.0_f64, |m, y| m.max((push * y).abs()));
-            let factor = push * (STEP / largest).min(1.0);
-            if !factor.is_finite() {
-                return None;
-            }
-            q.iter_mut().zip(&y).zip(&self.measures.sizes).for_each(|((q, y), size)| *q += factor * y * size);
-        }
-        None
-    }
-
-    /// ∇ln M · Δ for a step of shares y.
-    fn repulsion(&self, q: &[f64], y: &[f64]) -> f64 {
-        /// ρ², how far it reaches.   \[-\]
-        const RANGE: f64 = 0.05;
-        let pose = canonical(self.model.layout, self.measures, q);
-        // Where the canonical pose has the other signs of Euler parameters, the step has them too.
-        let mut step = y.to_vec();
-        for item in self.model.layout.items.iter().filter(|item| item.kind == Kind::Spatial) {
-            let own = item.first + 3..item.first + 7;
-            if q[own.clone()].iter().zip(&pose[own.clone()]).any(|(q, pose)| q * pose < 0.0) {
-                step[own].iter_mut().for_each(|y| *y = -*y);
+            start += 1;
+            if known.poses.len() > MOST {
+                let reason = format!("more than {MOST} assemblies: the mechanism is free to move");
+                return Err(Error::InvalidOptions { reason });
             }
         }
-        let gradient = |known: &Vec<f64>| {
-            let (_, difference, square) = self.difference(known, &pose);
-            let along: f64 = difference.iter().zip(&step).map(|(d, y)| d * y).sum();
-            // ∂ ln(1 + ρ²/d²) = −2 d·∂d / (d² (d²/ρ² + 1))
-            -2.0 * along / (square * (square / RANGE + 1.0)).max(f64::MIN_POSITIVE)
+        let account = &mut self.account;
+        account.starts += start;
+        if !known.poses.is_empty() {
+            account.missing = account.missing.max(known.missing());
+            account.rarest = account.rarest.min(known.rarest());
+        }
+        Ok(known.poses.into_iter().map(|pose| pose.q).collect())
+    }
+
+    /// Where starts lead, which are independent of one another.
+    fn at_once(
+        &self,
+        (number, group): (usize, &Group),
+        base: &[f64],
+        extent: f64,
+        starts: std::ops::Range<usize>,
+    ) -> Vec<Option<Vec<f64>>> {
+        let new = || Finder::new(self.model, self.measures, group, self.t).within(extent);
+        let find = |finder: &mut Finder<'_>, start: usize| {
+            let from = self.start((number, group), base, extent, start);
+            finder.newton(&from, self.options.steps, None).then(|| finder.q.clone())
         };
-        self.canonical.iter().map(gradient).sum()
+        starts.into_par_iter().map_init(new, find).collect()
     }
 
-    /// The largest difference of two canonical poses.
-    fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
-        self.difference(a, b).0
-    }
-
-    /// b − a, angles by the shorter way, Euler parameters by the nearer of the two signs: the largest, all,
-    /// and the sum of squares.
-    fn difference(&self, a: &[f64], b: &[f64]) -> (f64, Vec<f64>, f64) {
-        let mut d: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
-        for (d, _) in d.iter_mut().zip(&self.model.layout.units).filter(|(_, unit)| **unit == Unit::Radian) {
-            *d -= std::f64::consts::TAU * (*d / std::f64::consts::TAU).round();
+    /// Counts where a start has led. Where that was known, `again` is the start to be led away from there.
+    fn absorb(
+        &self,
+        known: &mut Known<'a>,
+        finder: &mut Finder<'_>,
+        found: Option<&[f64]>,
+        again: Option<&[f64]>,
+    ) {
+        /// Deflated steps are worth this many.
+        const STEPS: usize = 20;
+        known.idle += 1;
+        let Some(q) = found else { return };
+        match self.known_as(known, finder, q) {
+            Some(Ok(place)) => known.hit(place),
+            Some(Err(new)) => return known.keep(new, true),
+            None => {}
         }
-        for item in self.model.layout.items.iter().filter(|item| item.kind == Kind::Spatial) {
-            let own = item.first + 3..item.first + 7;
-            if a[own.clone()].iter().zip(&b[own.clone()]).map(|(a, b)| a * b).sum::<f64>() < 0.0 {
-                own.for_each(|k| d[k] = b[k] + a[k]);
+        if let Some(from) = again
+            && finder.newton(from, STEPS.min(self.options.steps), Some(known))
+        {
+            let q = finder.q.clone();
+            if let Some(Err(new)) = self.known_as(known, finder, &q) {
+                known.keep(new, false);
             }
         }
-        let largest = d.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
-        let square = d.iter().map(|d| d * d).sum();
-        (largest, d, square)
+    }
+
+    /// The place of a pose among those that are known, or a new pose with all digits; `None` of one that
+    /// closes with an axis turned by 180°, which counts as no pose.
+    fn known_as(
+        &self,
+        known: &Known<'a>,
+        finder: &mut Finder<'_>,
+        q: &[f64],
+    ) -> Option<std::result::Result<usize, Vec<f64>>> {
+        if let Some(place) = known.find(q) {
+            return Some(Ok(place));
+        }
+        if turned_over::any(&self.model, q, self.t, finder.branches()) {
+            return None;
+        }
+        finder.refine(q);
+        Some(known.find(&finder.q).ok_or_else(|| finder.q.clone()))
+    }
+
+    /// The first start is the pose in hand; of others the group's angles and Euler parameters may be any, its
+    /// lengths are around the pose in hand.
+    fn start(&self, (number, group): (usize, &Group), base: &[f64], extent: f64, start: usize) -> Vec<f64> {
+        /// How far, in extents of the group, by turns.
+        const REACH: [f64; 3] = [0.5, 1.0, 2.0];
+        let mut q = base.to_vec();
+        if start > 0 {
+            let own = self.options.seed.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+            let mut random = Random::new(own.wrapping_add(((number as u64) << 32) + start as u64));
+            let reach = REACH[start % REACH.len()] * extent;
+            for &column in &group.columns {
+                q[column] = match self.model.layout.units[column] {
+                    Unit::Metre => q[column] + reach * random.number(),
+                    Unit::Radian => std::f64::consts::PI * random.number(),
+                    Unit::One => random.number(),
+                };
+            }
+            for &first in &group.turns {
+                within_the_ball(&mut q[first..first + 4], &mut random);
+            }
+            q = turned_over::righted(&self.model, q, self.t, &group.branches, &|first| {
+                group.turns_body(first)
+            });
+        }
+        if group.is_square() { q } else { turn::turned(&self.model, &q, self.t, &|_| true) }
+    }
+
+    /// The poses brought onto C = 0 with all digits, each once; those that do not close are left out.
+    fn closed(&mut self, poses: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let mut known = Known::new(self.model, self.measures);
+        let mut onto_equations = LevenbergMarquardt::new(self.model, self.measures, Vec::new(), false);
+        for q in poses {
+            let Some(place) = onto_equations.place(&q, self.t) else { continue };
+            let found = onto_equations.minimise(place, self.options.steps);
+            let is_met = self.model.met(&found.point, &found.q, self.measures, &|_| true);
+            if is_met && known.find(&found.q).is_none() {
+                known.keep(found.q, true);
+            }
+        }
+        known.poses.into_iter().map(|pose| pose.q).collect()
+    }
+
+    /// A search has ended before its time.
+    fn doubt_of(&mut self, known: &Known<'_>, is_exhausted: bool, starts: usize) {
+        self.account.doubt(|| {
+            let (w, missing, rarest) = (known.poses.len(), known.missing(), known.rarest());
+            match (is_exhausted, w) {
+                (false, _) => "the time limit ended the search".to_string(),
+                (true, 0) => format!("none of {starts} starts led to a pose"),
+                (true, _) if rarest < OFTEN => {
+                    format!("{starts} starts led to {w} poses, to one of them {rarest} times only: allow more starts")
+                }
+                (true, _) => {
+                    format!("{starts} starts led to {w} poses, and {missing:.1} are missing by the estimate: allow more starts")
+                }
+            }
+        });
+    }
+
+    /// A singular pose may be one of a family that is not a list.
+    fn doubt_where_singular(&mut self, label: &str, q: &[f64]) {
+        let (model, t) = (self.model, self.t);
+        let is_regular = model
+            .linearize(q, t)
+            .is_ok_and(|point| model.rank(&point.values, &model.measure(q, t)) == model.n());
+        if !is_regular {
+            self.account.doubt(|| {
+                format!("assembly `{label}` is singular: it may be one of a family of poses, of which a list shows only some")
+            });
+        }
     }
 }
 
-/// Newton's steps in shares: for as many equations as coordinates by the recorded elimination, for more by
-/// least squares.
-enum Solver {
-    Square(Linear),
-    LeastSquares(LeastSquares),
+/// Starts at most for one group: large groups cost more, and get fewer.
+fn most_starts(group: &Group, starts: usize) -> usize {
+    let share = (7.0 / group.columns.len().max(7) as f64).powi(2).max(0.2);
+    ((starts as f64 * share).ceil() as usize).max(1)
 }
 
-impl Solver {
-    fn new(model: &Model<'_>, measures: &Measures) -> Self {
-        if model.m() != model.n() {
-            return Solver::LeastSquares(LeastSquares::new(model.m(), model.n(), &model.equations.entries));
+/// Four numbers of norm 1, all directions alike.
+fn within_the_ball(p: &mut [f64], random: &mut Random) {
+    let norm = loop {
+        let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();
+        if (0.1..1.0).contains(&norm) {
+            break norm;
         }
-        let mut linear =
-            Linear::new(model.n(), model.equations.entries.iter().copied(), &model.equations.constants);
-        linear.set_sizes(&measures.sizes);
-        Solver::Square(linear)
-    }
-
-    /// y_j = dq_j / s_j with C_q dq = −C; `None` where C_q is singular.
-    fn step(&mut self, model: &Model<'_>, point: &Point, measures: &Measures) -> Option<Vec<f64>> {
-        /// Against matrices that are singular on the way.   \[-\]
-        const DAMPING: f64 = 1e-9;
-        let Measures { sizes, norms, .. } = measures;
-        match self {
-            Solver::Square(linear) => {
-                linear.values_mut().copy_from_slice(&point.values);
-                linear.measure();
-                if !linear.factor() {
-                    return None;
-                }
-                linear.rhs_mut().iter_mut().zip(&point.c).for_each(|(rhs, c)| *rhs = -c);
-                linear.solve();
-                Some(linear.solution().iter().zip(sizes).map(|(dq, size)| dq / size).collect())
-            }
-            Solver::LeastSquares(least_squares) => {
-                let entries = model.equations.entries.iter().zip(&point.values);
-                let values = entries.map(|(entry, value)| {
-                    entry.map_or(0.0, |(row, column)| value * sizes[column] / norms[row])
-                });
-                if !least_squares.factor(values, DAMPING) {
-                    return None;
-                }
-                Some(least_squares.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm)).to_vec())
-            }
-        }
-    }
+        p.fill_with(|| random.number());
+    };
+    p.iter_mut().for_each(|e| *e /= norm);
 }

@@ -19,7 +19,7 @@ pub(crate) fn mended(
     let mut wrong = wrong(&model, q, t, active);
     let mut here = q.to_vec();
     while let Some(&block) = wrong.first() {
-        let better = starts(&model, &here, block).into_iter().find_map(|start| {
+        let better = starts(&model, &here, block, &|_| true).into_iter().find_map(|start| {
             let found = descend(model, &start, t, active, false, steps).filter(|found| found.met)?;
             let left = self::wrong(&model, &found.place.q, t, active);
             (left.len() < wrong.len()).then_some((found, left))
@@ -47,12 +47,58 @@ pub(crate) fn wrong(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize)
     .collect()
 }
 
+/// True if one of these constraints closes the wrong way.
+pub(super) fn any(model: &Model<'_>, q: &[f64], t: f64, blocks: &[usize]) -> bool {
+    if blocks.is_empty() {
+        return false;
+    }
+    let instant = model.equations.instant_at(t, q);
+    blocks.iter().any(|block| model.equations.wrong_branch(*block, &instant).is_some())
+}
+
+/// A start of a search with bodies turned over until none of these constraints closes the wrong way, or no
+/// turn helps: Newton's steps as a rule keep the side on which they begin. Only what `may_turn` by its
+/// first coordinate is turned.
+pub(super) fn righted(
+    model: &Model<'_>,
+    mut q: Vec<f64>,
+    t: f64,
+    blocks: &[usize],
+    may_turn: &dyn Fn(usize) -> bool,
+) -> Vec<f64> {
+    if blocks.is_empty() {
+        return q;
+    }
+    let mut instant = model.equations.instant_at(t, &q);
+    let mut wrong = |q: &[f64]| -> Vec<usize> {
+        model.equations.set_position(q, &mut instant);
+        let wrong = |block: &&usize| model.equations.wrong_branch(**block, &instant).is_some();
+        blocks.iter().filter(wrong).copied().collect()
+    };
+    let mut left = wrong(&q);
+    let mut next = 0;
+    while let Some(&block) = left.get(next) {
+        let turned = starts(model, &q, block, may_turn).into_iter().map(|q| (wrong(&q), q));
+        match turned.min_by_key(|(wrong, _)| wrong.len()).filter(|(fewer, _)| fewer.len() < left.len()) {
+            Some(better) => {
+                (left, q) = better;
+                next = 0;
+            }
+            None => next += 1,
+        }
+    }
+    q
+}
+
 /// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180° about
 /// each axis of its frame, one of which is far from any axis that may be meant.
-fn starts(model: &Model<'_>, q: &[f64], block: usize) -> Vec<Vec<f64>> {
+fn starts(model: &Model<'_>, q: &[f64], block: usize, may_turn: &dyn Fn(usize) -> bool) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
     for argument in model.equations.blocks[block].constraint.arguments() {
         let Some(Place::Own { first, .. }) = model.layout.place(&argument.target) else { continue };
+        if !may_turn(first) {
+            continue;
+        }
         match argument.target {
             Target::Planar(_) => {
                 let mut turned = q.to_vec();
