@@ -308,6 +308,7 @@ impl System {
             movable: found.movable,
             dependent: found.dependent,
             unmet,
+            drawn: false,
             diagnosis: None,
             motion: None,
         }

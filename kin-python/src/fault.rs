@@ -120,9 +120,9 @@ fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
             "NoConvergence",
             json!({ "t": t, "iterations": iterations, "constraint": constraint, "row": row, "residual": residual, "last": last }),
         ),
-        Error::SingularAt { t, n, rank, pivot, movable, dependent, .. } => (
+        Error::SingularAt { t, n, rank, pivot, movable, dependent, drawn, .. } => (
             "SingularAt",
-            json!({ "t": t, "n": n, "rank": rank, "pivot": pivot, "movable": movable, "dependent": dependent }),
+            json!({ "t": t, "n": n, "rank": rank, "pivot": pivot, "movable": movable, "dependent": dependent, "drawn": drawn }),
         ),
         Error::Toggle { t, asked, movable, dependent, .. } => {
             ("Toggle", json!({ "t": t, "asked": asked, "movable": movable, "dependent": dependent }))

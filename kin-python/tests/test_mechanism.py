@@ -49,6 +49,17 @@ def four_bar():
     return m
 
 
+def test_a_drawn_pose_that_is_singular_is_not_left_in_silence():
+    m = kin.Mechanism("lift")
+    rod = m.planar("rod", x=1.0)
+    m.add("left", kin.point_on_line(rod, m.ground, (-1, 0), (0, 0), (0, 1)))
+    m.add("right", kin.point_on_circle(rod, m.ground, (1, 0), (0.5, 0), 1.5))
+    m.add("lift", kin.drive(rod.y, 0.0))
+    with pytest.raises(kin.SingularAt, match="meets every equation") as caught:
+        m.build().run([0, 1])
+    assert caught.value.drawn and caught.value.rank == 2
+
+
 def test_two_link_arm_is_the_closed_form():
     """Twelve lines at most, and r, v, a of the end effector by hand."""
     import inspect

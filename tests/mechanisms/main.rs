@@ -1,5 +1,6 @@
 //! Known mechanisms, made of the library's joints, against closed forms and identities written here.
 
+mod drawn;
 mod machines;
 mod planar;
 mod preferred;

@@ -23,7 +23,6 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-
     /// Newton's method did not reach C(q, t) = 0.
     #[error("t = {}: {}{}", words::at(*.t, .units), text::unmet(.diagnosis, || text::worst(*.iterations, .constraint, .row, *.residual)),
         text::no_convergence(*.last, .units, .diagnosis, .motion))]
@@ -48,8 +47,8 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
     /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
-    #[error("{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
-        [.movable, .dependent], .unmet)), text::computed_before(.motion))]
+    #[error("{}{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
+        [.movable, .dependent], .unmet)), text::drawn(*.drawn), text::computed_before(.motion))]
     SingularAt {
         /// Time.   \[s\]
         t: f64,
@@ -67,6 +66,8 @@ pub enum Error {
         dependent: Vec<String>,
         /// An equation that is far from being met where the search ended; `None` at a position.
         unmet: Option<Box<str>>,
+        /// True if this is the pose that was given as the guess, which meets every equation.
+        drawn: bool,
         /// The diagnosis at this time, by name.
         diagnosis: Option<Box<Diagnosis>>,
         /// The motion computed before.
@@ -137,7 +138,6 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-
     /// A constraint gave a value or derivative that is infinite or not a number.
     #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", words::at(*.t, .units), words::row(.row), text::computed_before(.motion))]
     NotFinite {

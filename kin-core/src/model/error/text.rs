@@ -74,6 +74,16 @@ pub(super) fn singular(
     text
 }
 
+/// Why a guess that is an assembly, but a singular one, is not left for another assembly.
+pub(super) fn drawn(drawn: bool) -> &'static str {
+    if drawn {
+        "\n  The drawn pose meets every equation, so Kin does not leave it for another assembly. To begin in \
+         another one, draw the mechanism there, or prefer it by a coordinate or measure."
+    } else {
+        ""
+    }
+}
+
 /// The message of a position beyond a toggle: why it cannot be reached, and what can move at the toggle.
 pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
     let all = format!(

@@ -4,6 +4,9 @@
 //! Where they fail, or an assembly is preferred, damped least squares on C (Levenberg–Marquardt, which needs
 //! no regular C_q) with the preferred coordinates held softly, then ever more softly, then not at all; Newton
 //! ends it. Where that fails too, the same from a few other starts, always the same ones.
+//!
+//! A guess that meets every equation is an assembly, also where it is singular: it is refused by its name,
+//! and not left for another assembly unless that one is nearer to what is preferred.
 
 use super::{Failure, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};
@@ -12,6 +15,10 @@ use crate::system::scale;
 
 /// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
+
+/// An assembly that is nearer to what is preferred by less than this is the same one.   \[rad, or typical
+/// lengths\]
+const OTHER: f64 = 1e-6;
 
 /// Sizes of guess and solution that differ by less than this factor are the same.   \[-\]
 const SAME: f64 = 1.25;
@@ -121,6 +128,12 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
             Err(error) => failure = Some(error),
         }
     }
+    let drawn = match drawn(newton, &guess, t) {
+        Some((_, error)) if preferred.is_empty() => return Err(error),
+        drawn => drawn,
+    };
+    // The drawn pose itself, off by rounding, is not another assembly.
+    let is_nearest = |far: f64| drawn.as_ref().is_none_or(|(known, _)| far + OTHER < *known);
     let mut best: Option<(f64, Vec<f64>)> = None;
     let clock = newton.options.search.clock();
     for start in 0..newton.options.search.starts.max(1) {
@@ -132,7 +145,7 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
         match attempt_any_way_up(newton, t) {
             Ok(outcome) => {
                 let far = distance(newton);
-                if far <= NEAR {
+                if far <= NEAR && is_nearest(far) {
                     return Ok(outcome);
                 }
                 if best.as_ref().is_none_or(|(known, _)| far < *known) {
@@ -142,12 +155,34 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
             Err(error) => failure = Some(more_telling(failure, error)),
         }
     }
-    if let Some((_, q)) = best {
+    if let Some((_, q)) = best.filter(|(far, _)| is_nearest(*far)) {
         newton.q.copy_from_slice(&q);
         return attempt(newton, t, Steps::Damped);
     }
+    if let Some((_, error)) = drawn {
+        return Err(error);
+    }
     Err(failure
         .unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
+}
+
+/// The error for a guess that meets every equation and is singular, and how far it is from what is preferred;
+/// `None` of other guesses.
+#[cold]
+fn drawn(newton: &mut Newton<'_>, guess: &[f64], t: f64) -> Option<(f64, Error)> {
+    let model = newton.system.model();
+    let (point, measures) = (model.linearize(guess, t).ok()?, model.measure(guess, t));
+    let is_met = model.met(&point, guess, &measures, &|_| true);
+    if !is_met || model.rank(&point.values, &measures) == model.n() {
+        return None;
+    }
+    newton.q.copy_from_slice(guess);
+    let far = distance(newton);
+    let mut error = newton.system.singular(t, guess, None);
+    if let Error::SingularAt { drawn, .. } = &mut error {
+        *drawn = true;
+    }
+    Some((far, error))
 }
 
 /// A singular position says more than none, and a near miss more than a far one.
