@@ -293,7 +293,7 @@ fn check_does_not_cry_wolf_over_what_cancels() {
     kin::check::law(&(nothing(1.0) + Law::constant(0.0)), -3.0, 4.0);
     kin::check::law(&Law::new(Nothing { wrong: 0.0 }), -3.0, 4.0);
     kin::check::derivatives(nothing_but(any_coord(), any_coord()));
-    // What is more than rounding is told.
+    // Faults beyond rounding are found.
     for wrong in [1e-6, -1e-3, f64::NAN] {
         let told = kin::check::compare_law(&Law::new(Nothing { wrong }), -3.0, 4.0);
         assert!(told.is_err_and(|told| told.to_string().contains("derivative 1")), "{wrong}");

@@ -34,7 +34,7 @@ fn tip(link: Planar, x: Coord) -> f64 {
     link.point(vec2(0.5, 0.0)).x - x
 }
 
-fn told(system: &System, x: Coordinate) -> Tolerance {
+fn stack_of(system: &System, x: Coordinate) -> Tolerance {
     let motion = system.run_both([0.0]).expect("a motion");
     system.tolerance_of(&motion, x, 0.0).expect("a tolerance")
 }
@@ -47,7 +47,7 @@ fn between(found: &Tolerance, [low, high]: [f64; 2], limit: f64) {
 #[test]
 fn a_worst_case_where_slopes_vanish() {
     let (system, x) = chain(&[0.0], 0.04);
-    let found = told(&system, x);
+    let found = stack_of(&system, x);
     between(&found, [0.5 * 0.04_f64.cos(), 0.5], 1e-15);
     let text = found.to_string();
     assert!(text.starts_with("x (0.5 m at 0 s): -0.0004 to +0 worst case (linear stack ± 0),"), "{text}");
@@ -59,12 +59,12 @@ fn a_worst_case_where_slopes_vanish() {
 #[test]
 fn an_upper_corner_is_never_below_the_nominal_value() {
     let (system, x) = chain(&[0.0, 0.0], 0.03);
-    let found = told(&system, x);
+    let found = stack_of(&system, x);
     // Both off to one side; nothing off.
     between(&found, [0.5 * 0.03_f64.cos() + 0.5 * 0.06_f64.cos(), 1.0], 1e-15);
     // An extreme on an edge: the second angle makes good what the first one takes.
     let (system, x) = chain(&[0.02, -0.01], 0.03);
-    let found = told(&system, x);
+    let found = stack_of(&system, x);
     between(&found, [0.5 * 0.05_f64.cos() + 0.5 * 0.07_f64.cos(), 1.0], 1e-13);
     assert!(found.looked_at.all_corners && found.looked_at.corners == 4 && found.looked_at.inside > 0);
 }
@@ -73,7 +73,7 @@ fn an_upper_corner_is_never_below_the_nominal_value() {
 #[test]
 fn many_dimensions_are_looked_at_with_bounded_effort() {
     let (system, x) = chain(&[0.0; 14], 0.01);
-    let found = told(&system, x);
+    let found = stack_of(&system, x);
     let low = (1..=14).map(|k| 0.5 * (0.01 * f64::from(k)).cos()).sum();
     between(&found, [low, 7.0], 1e-13);
     let looked = &found.looked_at;
@@ -96,7 +96,7 @@ fn corners_are_walked_beyond_those_of_the_signs() {
     let b = m.dimension("b", 0.0).expect("a dimension").tolerance(0.2);
     let x = m.length("x", 0.0).expect("a coordinate");
     m.add("product", product(x, a, b)).expect("adds");
-    let found = told(&m.build().expect("builds"), x);
+    let found = stack_of(&m.build().expect("builds"), x);
     between(&found, [-0.02, 0.02], 1e-15);
 }
 
@@ -121,7 +121,7 @@ fn the_worst_of_surfaces_at_random_is_that_of_a_fine_grid() {
         let b = m.dimension("b", 0.0).expect("a dimension").tolerance(0.2);
         let x = m.length("x", 0.0).expect("a coordinate");
         m.add("surface", surface(x, a, b, k[0], k[1], k[2], k[3], k[4], k[5], k[6])).expect("adds");
-        let found = told(&m.build().expect("builds"), x);
+        let found = stack_of(&m.build().expect("builds"), x);
         let at = |i: i32, j: i32| {
             let (a, b) = (0.1 * f64::from(i) / 100.0, 0.2 * f64::from(j) / 100.0);
             let bent = k[2] * a * b + k[3] * a * a + k[4] * b * b + k[5] * a * a * b + k[6] * a.powi(4);

@@ -142,8 +142,8 @@ impl<'a> Solver<'a> {
         if largest <= CONSISTENT * size {
             return Ok(());
         }
-        // What is left may be rounding of terms that cancel: where a rate does not depend on the parameter,
-        // all that is left is rounding.
+        // Terms that cancel leave rounding: where a rate does not depend on the parameter, nothing else is
+        // left.
         let bounded =
             prepared.bounded(self.t, self.orders, redundant.off(self.orders).each_ref().map(|off| &off[..]));
         if largest <= ROUNDED * redundant.rounding(&bounded, number, (found, order)) {

@@ -14,8 +14,8 @@ use crate::system::System;
 /// Singular values below this share of the largest vanish.   \[-\]
 const VANISHES: f64 = 1e-7;
 
-/// The drivers have to push with this share of what they could; less is a change point, whose place a run knows
-/// to some 1e-8 of its sizes.   \[-\]
+/// The drivers have to push with this share of what they could; less is a change point, whose place a run
+/// knows to some 1e-8 of its sizes.   \[-\]
 const PUSHES: f64 = 1e-6;
 
 impl System {

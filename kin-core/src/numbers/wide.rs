@@ -1,5 +1,5 @@
-//! Numbers with an exponent of their own, for what is too large or too small for an f64 on the way to a result
-//! that is neither.
+//! Numbers with an exponent of their own, for what is too large or too small for an f64 on the way to a
+//! result that is neither.
 
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,5 +1,5 @@
-//! Numbers of any kind with a derivative by time, by the rules of the list of functions; one inside of another
-//! has derivatives of higher order.
+//! Numbers of any kind with a derivative by time, by the rules of the list of functions; one inside of
+//! another has derivatives of higher order.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

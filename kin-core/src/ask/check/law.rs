@@ -74,8 +74,8 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     if lines.is_empty() { Ok(worst) } else { Err(LawMismatch { kind: law.kind().to_owned(), lines }) }
 }
 
-/// How far rounding moves a law and its derivatives at each of some places: where terms cancel, all that a law
-/// has is rounding, and beside that no number is large.
+/// How far rounding moves a law and its derivatives at each of some places. Where terms cancel, rounding is
+/// all that a law has.
 struct Noise {
     places: Vec<[f64; 4]>,
     /// Three places of four have no more.

@@ -12,7 +12,7 @@ const MISLED: f64 = 0.05;
 const VANISHING: f64 = 10.0;
 
 /// Dimensions of a place that are told by name.
-const TOLD: usize = 6;
+const NAMED: usize = 6;
 
 /// Beyond this share of σ the second order is told.   \[-\]
 const BENT: f64 = 0.02;
@@ -115,9 +115,9 @@ impl Tolerance {
             own.map_or(String::new(), |one| format!(" {}", one.unit))
         };
         let told = |off: &Off| format!("`{}` is off by {}{}", off.name, digits(off.by, 4), unit(&off.name));
-        let mut all: Vec<String> = place.iter().take(TOLD).map(told).collect();
-        if place.len() > TOLD {
-            all.push(format!("{} more are off by their tolerances", place.len() - TOLD));
+        let mut all: Vec<String> = place.iter().take(NAMED).map(told).collect();
+        if place.len() > NAMED {
+            all.push(format!("{} more are off by their tolerances", place.len() - NAMED));
         }
         all.join(", ")
     }

@@ -41,8 +41,8 @@ pub struct Off {
 pub struct LookedAt {
     /// How many corners. Of a clearance each direction counts.
     pub corners: usize,
-    /// True if those are all corners, of clearances in eight directions; else they are those to which the
-    /// derivatives and the second order lead, and those to which the change of one dimension leads from there.
+    /// True if those are all corners, of clearances in eight directions. Else they are those to which the
+    /// derivatives and the second order lead, and those to which the change of one dimension leads on.
     pub all_corners: bool,
     /// How many places on faces and inside.
     pub inside: usize,
@@ -82,7 +82,7 @@ pub(super) fn worst<M: Measure>(
         walk.one_by_one();
     }
     walk.onward();
-    walk.told(all_corners)
+    walk.report(all_corners)
 }
 
 /// A place, by how much each dimension is off, and the value there.
@@ -264,7 +264,7 @@ impl<M: Measure> Walk<'_, M> {
         }
     }
 
-    fn told(self, all_corners: bool) -> ([Option<f64>; 2], LookedAt) {
+    fn report(self, all_corners: bool) -> ([Option<f64>; 2], LookedAt) {
         let off = |off: &Vec<f64>| -> Vec<Off> {
             let moved = self.names.iter().zip(off).filter(|(_, by)| **by != 0.0);
             moved.map(|(name, by)| Off { name: name.clone(), by: *by }).collect()
