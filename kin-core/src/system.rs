@@ -346,7 +346,7 @@ fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f6
     equations.set_constants(linear.values_mut());
     equations.linearize(initial, &equations.instant_at(0.0, initial), &mut c, linear.values_mut());
     if equations.finite(&c, linear.values()).is_ok() {
-        linear.set_sizes(&scale::sizes(layout, equations, linear.values(), initial, links));
+        linear.set_sizes(&scale::sizes(layout, equations, linear.values(), (initial, 0.0), links));
         linear.prepare();
     }
     linear

@@ -81,3 +81,28 @@ fn a_last_correction_over_a_jump_is_not_taken() {
         }
     }
 }
+
+/// A million swings in one step, or in few: the run ends before it has taken a minute, by counting and not by
+/// the clock.
+#[test]
+fn a_run_that_needs_too_many_smaller_steps_says_so_soon() {
+    #[constraint]
+    fn wavy(x: Coord, z: Coord) -> f64 {
+        z + 0.3 * (2.0 * z).sin() - x
+    }
+    let run = |far: f64, times: usize| {
+        let mut m = Mechanism::new("wavy");
+        let (x, z) = (m.length("x", 0.0).unwrap(), m.length("z", 0.0).unwrap());
+        m.add("x", drive(x, Law::ramp(far))).unwrap();
+        m.add("z", wavy(x, z)).unwrap();
+        m.build().unwrap().run_with(linspace(0.0, 1.0, times), &Options::default())
+    };
+    for times in [2, 3] {
+        let Err(Error::CannotFollow { t, reason, .. }) = run(2e6, times) else { panic!("{times}") };
+        assert!(t < 0.1 && reason.contains("times that are nearer"), "{t} {reason}");
+    }
+    // A few thousand are no trouble.
+    let motion = run(1e3, 2).unwrap();
+    let off = motion.q(1)[1] + 0.3 * (2.0 * motion.q(1)[1]).sin() - 1e3;
+    assert!(off.abs() < 1e-9, "{off:e}");
+}

@@ -5,7 +5,9 @@ mod campaign;
 mod change_points;
 mod coarse;
 mod failures;
+mod families;
 mod models;
+mod moved;
 mod pairs;
 mod toggles;
 

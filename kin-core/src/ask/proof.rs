@@ -224,11 +224,7 @@ impl System {
         let t = motion.times().first().copied().unwrap_or_default();
         let first = if motion.is_empty() { self.initial() } else { motion.q(0) };
         let values = self.model().linearize(first, t).map(|point| point.values).unwrap_or_default();
-        let mut largest = vec![0.0_f64; self.n_coordinates()];
-        for k in 0..motion.len() {
-            largest.iter_mut().zip(motion.q(k)).for_each(|(largest, q)| *largest = largest.max(q.abs()));
-        }
-        scale::sizes(self.layout(), self.equations(), &values, &largest, self.links())
+        scale::sizes(self.layout(), self.equations(), &values, (first, t), self.links())
     }
 
     fn doubt(&self, (t, fault): Failure, sizes: &[f64]) -> Doubt {

@@ -123,5 +123,5 @@ fn port(motion: &Motion, input: Input) -> Option<(Rows<'_>, usize)> {
 /// The sizes of coordinates at a position.
 fn sizes(system: &System, t: f64, q: &[f64]) -> Option<Vec<f64>> {
     let point = system.model().linearize(q, t).ok()?;
-    Some(scale::sizes(system.layout(), system.equations(), &point.values, q, system.links()))
+    Some(scale::sizes(system.layout(), system.equations(), &point.values, (q, t), system.links()))
 }

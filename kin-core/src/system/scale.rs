@@ -1,51 +1,235 @@
-//! Characteristic sizes: what makes tolerances and ranks the same in mm, m and km.
+//! Characteristic sizes: what makes tolerances, ranks and the check of steps the same in mm, m and km, and
+//! wherever the origin is.
 
 use crate::model::layout::Layout;
 use crate::model::units::Unit;
+use crate::numbers::random::Random;
 use crate::system::evaluate::Equations;
 
-/// The characteristic size s_j of every coordinate: 1 for angles and Euler parameters, for lengths a typical
-/// length of the model.
+/// The steps of the ladder from the finest to the coarsest distance, each twice the one before: some twelve
+/// orders of ten either side of 1, for equations that state no length of their own.
+const LADDER: std::ops::RangeInclusive<i32> = -40..=40;
+
+/// Steps of the ladder below a known length: to a millionth of it.
+const BELOW: i32 = 20;
+
+/// An equation bends where one of its slopes has changed by this share of the largest of those that
+/// change.   \[-\]
+const BENT: f64 = 0.5;
+
+/// A slope that has changed by less than this share of it is constant, but for rounding.   \[-\]
+const CONSTANT: f64 = 1e-3;
+
+/// Slopes that change and are less than this share of their row say nothing of it: the row does.   \[-\]
+const SLIGHT: f64 = 1e-3;
+
+/// An equation that bends within a size divided by this has a size of its own.   \[-\]
+const WITHIN: f64 = 4.0;
+
+/// Distances smaller than this share of the largest coordinate are rounding.   \[-\]
+const RESOLVED: f64 = 1e-9;
+
+/// The characteristic size s_j of every coordinate for ranks, tolerances and proofs: 1 for angles and Euler
+/// parameters, for lengths one typical length of the model, because ranks compare lengths with angles.
 ///
 /// That length is found where the model itself compares lengths with angles: a row that moves by |∂C/∂R| a
 /// metre and by |∂C/∂θ| a radian has the lever |∂C/∂θ| / |∂C/∂R|. The typical length is the median lever of
-/// the constraints; without any, the largest link, else the largest length coordinate, else 1.
+/// the constraints; without any, the largest link, else the median distance within which equations are nearly
+/// straight, which does not depend on the origin. Where all equations are straight any length will do: the
+/// largest coordinate, else 1.
 pub(crate) fn sizes(
     layout: &Layout,
     equations: &Equations,
     values: &[f64],
-    q: &[f64],
+    (q, t): (&[f64], f64),
     links: &[f64],
 ) -> Vec<f64> {
-    let length = lever(layout, equations, values).unwrap_or_else(|| stated(layout, q, links));
+    let length = lever(layout, equations, values)
+        .or_else(|| largest(links.iter().copied()))
+        .or_else(|| median(bends(layout, equations, (q, t), LADDER.map(power)).distances))
+        .or_else(|| largest(lengths(layout).map(|column| q[column])))
+        .unwrap_or(1.0);
     layout.units.iter().map(|unit| if *unit == Unit::Metre { length } else { 1.0 }).collect()
 }
 
-/// The median lever of the constraints that have one.
+/// The sizes by which steps of time are judged: those of [`sizes`], but for a length no more than the distance
+/// within which the equations that it stands in are nearly straight.
+///
+/// The check of a step takes it that an equation changes its slopes by no more than they are within a size.
+/// Long links elsewhere, and how far the origin is, have no part in that.
+pub(crate) fn reaches(
+    layout: &Layout,
+    equations: &Equations,
+    (q, t): (&[f64], f64),
+    mut sizes: Vec<f64>,
+) -> Vec<f64> {
+    let Some(length) = lengths(layout).next().map(|column| sizes[column]) else { return sizes };
+    let ladder = (-BELOW..=0).map(|k| length * power(k));
+    let found = bends(layout, equations, (q, t), ladder).reaches;
+    for (size, reach) in sizes.iter_mut().zip(found) {
+        if reach < *size / WITHIN {
+            *size = reach;
+        }
+    }
+    sizes
+}
+
+fn power(k: i32) -> f64 {
+    2.0_f64.powi(k)
+}
+
+/// The columns of lengths.
+fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
+    layout.units.iter().enumerate().filter(|(_, unit)| **unit == Unit::Metre).map(|(column, _)| column)
+}
+
+/// The median lever of the constraints that have one: rows of angles alone, such as those of an axis, say
+/// nothing of lengths.
 fn lever(layout: &Layout, equations: &Equations, values: &[f64]) -> Option<f64> {
-    let mut levers: Vec<f64> = Vec::new();
+    let (mut levers, mut rows): (Vec<f64>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
     for block in &equations.blocks {
-        let (mut per_length, mut per_angle) = (0.0_f64, 0.0_f64);
+        rows.clear();
+        rows.resize(block.rows().len(), [0.0; 2]);
         let entries = equations.entries.get(block.values()).unwrap_or_default();
         for (entry, value) in entries.iter().zip(values.get(block.values()).unwrap_or_default()) {
-            match entry.and_then(|(_, column)| layout.units.get(column)) {
-                Some(Unit::Metre) => per_length = per_length.max(value.abs()),
-                Some(_) => per_angle = per_angle.max(value.abs()),
-                None => {}
+            if let Some((row, column)) = *entry {
+                let kind = usize::from(layout.units[column] != Unit::Metre);
+                let most = &mut rows[row - block.rows().start][kind];
+                *most = most.max(value.abs());
             }
         }
+        let both = rows.iter().filter(|row| row[0] > 0.0);
+        let [per_length, per_angle] =
+            both.fold([0.0_f64; 2], |most, row| [most[0].max(row[0]), most[1].max(row[1])]);
         levers.push(per_angle / per_length);
     }
     levers.retain(|lever| lever.is_finite() && *lever > 0.0);
-    let middle = levers.len() / 2;
-    (middle < levers.len()).then(|| *levers.select_nth_unstable_by(middle, f64::total_cmp).1)
+    median(levers)
 }
 
-/// The largest length that the model states.
-fn stated(layout: &Layout, q: &[f64], links: &[f64]) -> f64 {
-    let largest = |lengths: &mut dyn Iterator<Item = f64>| lengths.fold(0.0_f64, |m, x| m.max(x.abs()));
-    let link = largest(&mut links.iter().copied());
-    let coordinate =
-        largest(&mut q.iter().zip(&layout.units).filter(|(_, unit)| **unit == Unit::Metre).map(|(q, _)| *q));
-    [link, coordinate].into_iter().find(|length| *length > 0.0).unwrap_or(1.0)
+fn median(mut all: Vec<f64>) -> Option<f64> {
+    let middle = all.len() / 2;
+    (middle < all.len()).then(|| *all.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The largest of some numbers, if that is not 0.
+fn largest(numbers: impl Iterator<Item = f64>) -> Option<f64> {
+    Some(numbers.fold(0.0_f64, |m, x| m.max(x.abs()))).filter(|largest| *largest > 0.0)
+}
+
+/// How far lengths may move before equations bend.
+struct Bends {
+    /// Of each row that bends, the distance.
+    distances: Vec<f64>,
+    /// Of each coordinate the least distance of the rows that it stands in; infinite where none bends.
+    reaches: Vec<f64>,
+}
+
+/// Moves all lengths at random by the distances of a ladder, which grow, and compares the slopes of each
+/// equation with those at q.
+///
+/// A row bends where one of its slopes has changed by half of the largest of those that change. Then no other
+/// coordinate of it should have a size by which it changes more than by what bends it.
+fn bends(
+    layout: &Layout,
+    equations: &Equations,
+    (q, t): (&[f64], f64),
+    ladder: impl Iterator<Item = f64>,
+) -> Bends {
+    let mut found = Bends { distances: Vec::new(), reaches: vec![f64::INFINITY; layout.len()] };
+    let is_curved = |entry: usize| {
+        equations.constants[entry].is_none()
+            && equations.entries[entry].is_some_and(|(_, column)| layout.units[column] == Unit::Metre)
+    };
+    let curved: Vec<usize> = (0..equations.entries.len()).filter(|entry| is_curved(*entry)).collect();
+    if curved.is_empty() {
+        return found;
+    }
+    let mut slopes = Slopes::new(layout, equations, t, curved);
+    slopes.at(q);
+    let here = slopes.values.clone();
+    let (mut moved, mut random) = (q.to_vec(), Random::new(0));
+    let resolved = RESOLVED * largest(lengths(layout).map(|column| q[column])).unwrap_or(0.0);
+    let mut change = vec![0.0_f64; here.len()];
+    for distance in ladder.filter(|distance| *distance >= resolved) {
+        let signs: Vec<f64> = q.iter().map(|_| random.number().signum()).collect();
+        for way in [distance, -distance] {
+            lengths(layout).for_each(|column| moved[column] = q[column] + way * signs[column]);
+            slopes.at(&moved);
+            slopes.changes(&here, &mut change);
+        }
+        slopes.judge(&here, &change, 0.5 * distance, &mut found);
+        if slopes.straight == 0 {
+            break;
+        }
+    }
+    found
+}
+
+/// The slopes of all equations.
+struct Slopes<'a> {
+    layout: &'a Layout,
+    equations: &'a Equations,
+    t: f64,
+    /// Entries of C_q in columns of lengths that are not constant, and the rows of these.
+    curved: Vec<usize>,
+    rows: Vec<Vec<usize>>,
+    /// Rows that have not bent so far.
+    straight: usize,
+    c: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl<'a> Slopes<'a> {
+    fn new(layout: &'a Layout, equations: &'a Equations, t: f64, curved: Vec<usize>) -> Self {
+        let (mut values, mut rows) = (vec![0.0; equations.entries.len()], vec![Vec::new(); equations.rows]);
+        equations.set_constants(&mut values);
+        for entry in 0..values.len() {
+            if let Some((row, _)) = equations.entries[entry] {
+                rows[row].push(entry);
+            }
+        }
+        let has_curved = |row: &mut Vec<usize>| row.iter().any(|entry| curved.binary_search(entry).is_ok());
+        rows.iter_mut().filter_map(|row| (!has_curved(row)).then_some(row)).for_each(Vec::clear);
+        let straight = rows.iter().filter(|row| !row.is_empty()).count();
+        Slopes { layout, equations, t, curved, rows, straight, c: vec![0.0; equations.rows], values }
+    }
+
+    fn at(&mut self, q: &[f64]) {
+        let instant = self.equations.instant_at(self.t, q);
+        self.equations.linearize(q, &instant, &mut self.c, &mut self.values);
+    }
+
+    /// Raises how far slopes have changed from what they were; by without bounds where they are not numbers.
+    fn changes(&self, here: &[f64], change: &mut [f64]) {
+        for entry in &self.curved {
+            let off = (self.values[*entry] - here[*entry]).abs();
+            change[*entry] = change[*entry].max(if off.is_nan() { f64::INFINITY } else { off });
+        }
+    }
+
+    /// Finds rows that have bent within a distance.
+    fn judge(&mut self, here: &[f64], change: &[f64], distance: f64, found: &mut Bends) {
+        for row in self.rows.iter_mut().filter(|row| !row.is_empty()) {
+            let column = |entry: usize| self.equations.entries[entry].map_or(0, |(_, column)| column);
+            let lengths = || row.iter().copied().filter(|k| self.layout.units[column(*k)] == Unit::Metre);
+            let bends = |entry: &usize| change[*entry] > CONSTANT * here[*entry].abs();
+            let most = lengths().filter(bends).fold(0.0_f64, |m, k| m.max(change[k]));
+            let of_all = lengths().fold(0.0_f64, |m, k| m.max(here[k].abs()));
+            let own = lengths().filter(bends).fold(0.0_f64, |m, k| m.max(here[k].abs()));
+            let slope = if own > SLIGHT * of_all { own } else { of_all };
+            if slope == 0.0 || most <= BENT * slope {
+                continue;
+            }
+            found.distances.push(distance);
+            for entry in lengths() {
+                // By as much as what bends the row does within the distance.
+                let share = if bends(&entry) { 1.0 } else { slope / here[entry].abs() };
+                let reach = &mut found.reaches[column(entry)];
+                *reach = reach.min(distance * share);
+            }
+            self.straight -= 1;
+            row.clear();
+        }
+    }
 }

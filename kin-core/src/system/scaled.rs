@@ -113,12 +113,24 @@ impl Model<'_> {
 
     /// Sizes and norms around a pose.
     pub(crate) fn measure(&self, q: &[f64], t: f64) -> Measures {
+        let here = self.linearize(q, t);
+        let values: &[f64] = here.as_ref().map_or(&[], |point| &point.values);
+        let sizes = scale::sizes(self.layout, self.equations, values, (q, t), self.links);
+        self.measure_by(sizes, values, (q, t))
+    }
+
+    /// The same by the sizes by which steps of time are judged ([`scale::reaches`]).
+    pub(crate) fn measure_steps(&self, q: &[f64], t: f64, Measures { sizes, .. }: &Measures) -> Measures {
+        let here = self.linearize(q, t);
+        let values: &[f64] = here.as_ref().map_or(&[], |point| &point.values);
+        let sizes = scale::reaches(self.layout, self.equations, (q, t), sizes.clone());
+        self.measure_by(sizes, values, (q, t))
+    }
+
+    fn measure_by(&self, sizes: Vec<f64>, values: &[f64], (q, t): (&[f64], f64)) -> Measures {
         /// Poses beside the one given, and how far.
         const POSES: u64 = 3;
         const REACH: f64 = 0.3;
-        let here = self.linearize(q, t);
-        let values: &[f64] = here.as_ref().map_or(&[], |point| &point.values);
-        let sizes = scale::sizes(self.layout, self.equations, values, q, self.links);
         let mut norms = vec![0.0; self.m()];
         self.raise(&mut norms, values, &sizes);
         for seed in 0..POSES {

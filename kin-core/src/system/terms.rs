@@ -86,7 +86,7 @@ impl System {
         let mut linear = self.linear();
         linear.forget();
         self.linearize(q, &instant, linear.values_mut())?;
-        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), q, &self.links);
+        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), (q, t), &self.links);
         linear.set_sizes(&sizes);
         linear.measure();
         Ok(linear)

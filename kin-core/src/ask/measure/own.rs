@@ -36,7 +36,7 @@ impl System {
         // Another error tells where C or C_q is not finite.
         let Ok(point) = self.model().linearize(q, t) else { return Ok(()) };
         let equations = self.equations();
-        let sizes = scale::sizes(self.layout(), equations, &point.values, q, self.links());
+        let sizes = scale::sizes(self.layout(), equations, &point.values, (q, t), self.links());
         let mut terms = vec![0.0; point.c.len()];
         for (entry, value) in equations.entries.iter().zip(&point.values) {
             if let Some((row, column)) = *entry {

@@ -17,7 +17,7 @@ pub(crate) fn compiled(system: &System, t: f64, q: &[f64]) -> Result<Program, Re
 /// The same with q⃛, if that is asked for.
 pub(super) fn compiled_with(system: &System, t: f64, q: &[f64], jerk: bool) -> Result<Program, Refusal> {
     let point = system.model().linearize(q, t).expect("finite");
-    let sizes = scale::sizes(system.layout(), system.equations(), &point.values, q, system.links());
+    let sizes = scale::sizes(system.layout(), system.equations(), &point.values, (q, t), system.links());
     program(system, Pose { t, q, sizes: &sizes }, jerk)
 }
 

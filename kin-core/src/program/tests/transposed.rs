@@ -17,7 +17,7 @@ use crate::system::{System, scale};
 fn left(system: &System, [chosen, here]: [(f64, &[f64]); 2], seed: u64) -> Option<f64> {
     let sizes = |(t, q): (f64, &[f64])| {
         let point = system.model().linearize(q, t).expect("finite");
-        scale::sizes(system.layout(), system.equations(), &point.values, q, system.links())
+        scale::sizes(system.layout(), system.equations(), &point.values, (q, t), system.links())
     };
     let own = sizes(chosen);
     let pose = Pose { t: chosen.0, q: chosen.1, sizes: &own };

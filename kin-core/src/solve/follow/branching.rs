@@ -53,12 +53,10 @@ pub(super) fn find(
     let mut reduced = Reduced::new(curve, here);
     let middle = here.x.iter().zip(&next.x).zip(here.dx.iter().zip(&next.dx));
     let x = middle.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * s * (da - db)).collect();
-    let (x, hessian) = reduced.critical(x, 2.0 * s.abs())?;
+    let enough = TOLERANCE.max(curve.rounding(&here.x));
+    let (x, hessian) = reduced.critical(x, 2.0 * s.abs(), enough)?;
     let size = hessian.amax();
-    let rounding = 64.0
-        * f64::EPSILON
-        * x.iter().zip(&curve.sizes).fold(1.0_f64, |most, (x, size)| most.max((x / size).abs()));
-    if reduced.f.abs() > (CROSSES + rounding) * size || hessian.determinant() >= 0.0 {
+    if reduced.f.abs() > (CROSSES + curve.rounding(&x)) * size || hessian.determinant() >= 0.0 {
         return None;
     }
     let mut tangents = reduced.tangents(curve, hessian, sign);
@@ -135,8 +133,9 @@ impl<'a> Reduced<'a> {
         self.model.second_order(q, *t, dq, *dt).ok()
     }
 
-    /// From x to the critical point of f, which must be within `reach`; gives it and the Hessian there.
-    fn critical(&mut self, mut x: Vec<f64>, reach: f64) -> Option<(Vec<f64>, Matrix2<f64>)> {
+    /// From x to the critical point of f, which must be within `reach`, by steps down to `enough`; gives it and
+    /// the Hessian there.
+    fn critical(&mut self, mut x: Vec<f64>, reach: f64, enough: f64) -> Option<(Vec<f64>, Matrix2<f64>)> {
         let (zeros, mut gone) = (vec![0.0; self.model.n()], Vector2::zeros());
         for _ in 0..ITERATIONS {
             let c = self.factor(&x)?;
@@ -159,7 +158,7 @@ impl<'a> Reduced<'a> {
             for (x, (a, b)) in x.iter_mut().zip(self.v[0].iter().zip(&self.v[1])) {
                 *x += step[0] * a + step[1] * b;
             }
-            if step.norm() <= TOLERANCE && off <= TOLERANCE {
+            if step.norm() <= enough && off <= enough {
                 return Some((x, hessian));
             }
         }

@@ -58,6 +58,14 @@ pub(crate) enum Objection {
 }
 
 impl Objection {
+    /// The reason, unless shorter steps are known to help.
+    pub(crate) fn of_branches(self) -> Option<&'static str> {
+        match self {
+            Objection::Missed(_) | Objection::TurnedOver => Some(self.reason()),
+            Objection::Long | Objection::Hidden => None,
+        }
+    }
+
     pub(crate) fn reason(self) -> &'static str {
         match self {
             Objection::Long => "a step of time turns a body too far",

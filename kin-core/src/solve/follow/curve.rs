@@ -17,6 +17,9 @@ const ITERATIONS: usize = 12;
 const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
 
+/// Pivots below this make no more of rounding than this one does.   \[-\]
+const SMALLEST: f64 = 1e-3;
+
 /// A prediction may be off by this share of its step, the second correction may be this share of the first,
 /// and the tangent may turn by an angle of this cosine.   \[-\]
 const OFF: f64 = 0.05;
@@ -126,6 +129,7 @@ impl<'a> Curve<'a> {
     /// Newton's steps across the direction `border`; gives the length of the first one.
     pub(super) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
         let (mut first, mut previous) = (0.0, f64::INFINITY);
+        let rounding = self.rounding(x);
         for k in 0..ITERATIONS {
             let c = self.factor(x, border)?;
             let d = self.solve(c.into_iter().map(|c| -c).chain([0.0]));
@@ -135,7 +139,9 @@ impl<'a> Curve<'a> {
             }
             // A size that is not a number does not count as smaller.
             let shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
-            let settled = size <= TOLERANCE || (size > 0.5 * previous && size <= ROUNDING);
+            // A small pivot makes much of rounding far from the origin.
+            let allowed = ROUNDING.max(rounding / self.linear.smallest_pivot().clamp(SMALLEST, 1.0));
+            let settled = size <= TOLERANCE || (size > 0.5 * previous && size <= allowed);
             if !(shrinks || settled) {
                 return None;
             }
@@ -175,6 +181,12 @@ impl<'a> Curve<'a> {
         self.linear.rhs_mut().iter_mut().zip(rhs).for_each(|(place, x)| *place = x);
         self.linear.solve();
         self.linear.solution().to_vec()
+    }
+
+    /// What rounding of x makes of a place, by the measures: far from the origin it is large.
+    pub(super) fn rounding(&self, x: &[f64]) -> f64 {
+        let shares = x.iter().zip(&self.sizes).map(|(x, size)| (x / size).abs());
+        64.0 * f64::EPSILON * shares.fold(1.0, f64::max)
     }
 
     /// The product of two directions by the measures.

@@ -50,14 +50,17 @@ pub(crate) enum Lost {
 
 /// From the position q at time t, with the rates in hand, to the time `to`. `other` tells of each
 /// bifurcation, counted from 0, whether to turn into the other branch there.
+///
+/// Gives how many steps along the curve were tried, too.
 pub(crate) fn pass(
     newton: &Newton<'_>,
     q: &[f64],
     t: f64,
     to: f64,
     other: &dyn Fn(usize) -> bool,
-) -> Result<Passage, Lost> {
-    Walk::new(newton, q, t, to, other).ok_or(Lost::Lost)?.go()
+) -> (Result<Passage, Lost>, usize) {
+    let mut steps = 0;
+    (Walk::new(newton, q, t, to, other).ok_or(Lost::Lost).and_then(|walk| walk.go(&mut steps)), steps)
 }
 
 /// A walk along the curve.
@@ -97,9 +100,10 @@ impl<'w, 'a> Walk<'w, 'a> {
         Some(Walk { newton, curve, sign, to, time, other, here, passed: Vec::new() })
     }
 
-    fn go(mut self) -> Result<Passage, Lost> {
+    fn go(mut self, steps: &mut usize) -> Result<Passage, Lost> {
         let mut s = FIRST;
-        for _ in 0..STEPS {
+        while *steps < STEPS {
+            *steps += 1;
             let stepped = self.curve.step(&self.here, s).and_then(|next| self.judge(next, s).transpose());
             match stepped.transpose()? {
                 Some(Stepped::On(place)) => {
@@ -150,7 +154,7 @@ impl<'w, 'a> Walk<'w, 'a> {
         {
             // The pivot that vanishes on the way does so with a slope.
             let at = s * from / (from + to);
-            return Ok(if s > TOGETHER { None } else { self.cross_together(next, s, at) });
+            return Ok(if s > self.together() { None } else { self.cross_together(next, s, at) });
         }
         Ok(self.go_on(next, s, None))
     }
@@ -164,7 +168,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     /// Time turns round for several loops at once, a place at which the curve is singular: it is found
     /// between places on either side.
     fn turn_together(&self, next: &CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
-        if s > TOGETHER {
+        if s > self.together() {
             return Ok(None);
         }
         let Some(x) = turning::between(&self.here, next, s) else { return Ok(None) };
@@ -172,6 +176,12 @@ impl<'w, 'a> Walk<'w, 'a> {
             return Err(self.turned(&x));
         }
         Ok(None)
+    }
+
+    /// The length of a step within which loops turn over at once: shorter ones lose themselves in rounding
+    /// where the origin is far.
+    fn together(&self) -> f64 {
+        TOGETHER.max(self.curve.rounding(&self.here.x).cbrt())
     }
 
     fn turned(&self, x: &[f64]) -> Lost {

@@ -15,11 +15,51 @@ const PASSED_SHARE: f64 = 1.0 / 64.0;
 /// No step of time is shorter than this share of the time asked for.   \[-\]
 pub(super) const SHORTEST: f64 = 1e-9;
 
-/// Smaller steps of one step of time after which it is asked how many more there will be, and how many there
-/// may be.
+/// Smaller steps of one step of time after which it is estimated how many more there will be.
 const MANY: f64 = 8192.0;
-const MOST: f64 = 4e6;
+
+/// The effort that a run may spend on smaller steps of time, which are no results: so many steps times
+/// coordinates, `OVERHEAD` of them for what each step does beside its coordinates. A processor of today takes
+/// some seconds for it. And so many smaller steps for each time of the run.
+const EFFORT: f64 = 1e7;
+const OVERHEAD: f64 = 4.0;
+const EACH: f64 = 20.0;
+
+/// A step along a curve takes as long as so many of these.
+const ALONG: f64 = 10.0;
+
 pub(super) const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
+
+/// What a run may still spend on smaller steps of time. It is counted, not timed: the verdict is the same on
+/// each machine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// Smaller steps that are left.
+    left: f64,
+}
+
+impl Effort {
+    /// For a run of a system with so many coordinates.
+    pub(crate) fn new(coordinates: usize) -> Self {
+        Effort { left: EFFORT / (OVERHEAD + coordinates as f64) }
+    }
+
+    /// One more time is asked for.
+    pub(super) fn grant(&mut self) {
+        self.left += EACH;
+    }
+
+    /// So many steps along a curve were tried.
+    pub(super) fn walk(&mut self, steps: usize) {
+        self.left -= ALONG * steps as f64;
+    }
+
+    /// So many steps were tried; false if no more may be.
+    fn spend(&mut self, steps: f64) -> bool {
+        self.left -= steps;
+        self.left > 0.0
+    }
+}
 
 /// The step of time that is asked for.
 #[derive(Clone, Copy)]
@@ -70,15 +110,21 @@ pub(super) trait Stepping {
         asked: Asked,
     ) -> Result<Outcome>;
 
+    /// What the run may still spend.
+    fn effort(&mut self) -> &mut Effort;
+
+    /// Why steps are not taken, where that is not that they are too long.
+    fn objection(trouble: &Self::Trouble) -> Option<&'static str>;
+
     /// The words for lengths and times in messages.
     fn units(&self) -> &Units;
 }
 
 /// From one solved time to the next; gives what the last step of time did.
 #[inline(always)]
-pub(super) fn advance(stepper: &mut impl Stepping, asked: Asked) -> Result<Outcome> {
+pub(super) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outcome> {
     let Asked { from, to } = asked;
-    let (mut t, mut h, mut taken) = (from, to - from, 0.0);
+    let (mut t, mut h, mut tried) = (from, to - from, 0.0);
     loop {
         let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
         stepper.keep();
@@ -88,14 +134,19 @@ pub(super) fn advance(stepper: &mut impl Stepping, asked: Asked) -> Result<Outco
                 stepper.confirm();
                 t = target;
                 h *= 2.0;
-                taken += 1.0;
-                if taken >= MANY && taken * asked.whole() > MOST * (t - from).abs() {
-                    let units = stepper.units().clone();
-                    return Err(Error::CannotFollow { t, units, reason: TOO_MANY, motion: None });
+                tried += 1.0;
+                let more = tried * ((to - t) / (t - from)).abs();
+                let effort = stepper.effort();
+                if !effort.spend(1.0) || (tried >= MANY && more > effort.left) {
+                    return Err(exhausted(stepper, t, TOO_MANY));
                 }
             }
             Err(trouble) => {
                 stepper.go_back();
+                tried += 1.0;
+                if !stepper.effort().spend(1.0) {
+                    return Err(exhausted(stepper, t, S::objection(&trouble).unwrap_or(TOO_MANY)));
+                }
                 if !stepper.is_short(target - t, target, asked, &trouble) {
                     h *= 0.5;
                     continue;
@@ -110,4 +161,10 @@ pub(super) fn advance(stepper: &mut impl Stepping, asked: Asked) -> Result<Outco
             }
         }
     }
+}
+
+/// The error of a run that has spent its effort at time t.
+#[cold]
+fn exhausted(stepper: &impl Stepping, t: f64, reason: &'static str) -> Error {
+    Error::CannotFollow { t, units: stepper.units().clone(), reason, motion: None }
 }

@@ -8,7 +8,7 @@
 //! A guess that meets every equation is an assembly, also where it is singular: it is refused by its name,
 //! and not left for another assembly unless that one is nearer to what is preferred.
 
-use super::{Failure, Newton, Outcome, Steps, driven};
+use super::{Failure, Follow, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};
 use crate::solve::assembly::{self, search, turned_over};
 use crate::system::scale;
@@ -37,6 +37,9 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
         }
         None => found?,
     };
+    if newton.options.follow != Follow::Unchecked {
+        take_reaches(newton, t)?;
+    }
     newton.rates().map_err(|failure| newton.error(failure, t, None))?;
     Ok(outcome)
 }
@@ -70,7 +73,20 @@ fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
 /// Characteristic sizes of the point in hand, by its C_q if that is finite.
 fn sizes(newton: &Newton<'_>, finite: bool) -> Vec<f64> {
     let (system, values) = (newton.system, if finite { newton.linear.values() } else { &[] });
-    scale::sizes(system.layout(), system.equations(), values, &newton.q, system.links())
+    let at = (&newton.q[..], newton.instant.t());
+    scale::sizes(system.layout(), system.equations(), values, at, system.links())
+}
+
+/// Takes the sizes by which steps of time are judged, where these are others, and solves once more with them.
+fn take_reaches(newton: &mut Newton<'_>, t: f64) -> Result<()> {
+    let system = newton.system;
+    let reaches = scale::reaches(system.layout(), system.equations(), (&newton.q, t), newton.sizes.clone());
+    if reaches == newton.sizes {
+        return Ok(());
+    }
+    newton.linear.forget();
+    newton.set_sizes(reaches);
+    newton.solve(t, Steps::Near).map_err(|failure| newton.error(failure, t, None)).map(|_| ())
 }
 
 fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {

@@ -10,7 +10,7 @@ mod errors;
 mod judged;
 mod solver;
 
-use super::advance::{Asked, Stepping, advance};
+use super::advance::{Asked, Effort, Stepping, advance};
 use super::iterate::{self, Iterating};
 use super::law_breaks::LawBreaks;
 use super::predictor::{Last, Predictor};
@@ -137,12 +137,14 @@ struct Position<'a> {
     misfit: f64,
     /// The motion of the drives between the ends of a step; taken out while it is asked.
     drive: Option<Drive>,
+    effort: Effort,
 }
 
 impl Position<'_> {
     /// To another time, in smaller steps of time where that is needed.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
         (self.steps, self.iterations) = (0, 0);
+        self.effort.grant();
         let outcome = advance(self, Asked { from: self.t, to })?;
         Ok(Outcome { iterations: self.iterations, ..outcome })
     }
@@ -382,6 +384,17 @@ impl Stepping for Position<'_> {
                 Error::CannotFollow { t, units, reason: objection.reason(), motion: None }
             }
         })
+    }
+
+    fn effort(&mut self) -> &mut Effort {
+        &mut self.effort
+    }
+
+    fn objection(trouble: &Trouble) -> Option<&'static str> {
+        match trouble {
+            Trouble::Objected(objection) => objection.of_branches(),
+            _ => None,
+        }
     }
 
     fn units(&self) -> &Units {

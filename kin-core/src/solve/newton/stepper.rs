@@ -3,7 +3,7 @@
 mod beyond;
 mod resumed;
 
-use super::advance::{Asked, Stepping, advance};
+use super::advance::{Asked, Effort, Stepping, advance};
 use super::predictor::{Last, Predictor};
 use super::{Failure, Follow, Newton, Options, Outcome, Steps, first_position, largest};
 use crate::model::error::Result;
@@ -36,6 +36,7 @@ pub(super) struct Stepper<'a> {
     /// before.
     pub passed: Vec<SingularPosition>,
     bifurcations: usize,
+    effort: Effort,
 }
 
 /// Why a step of time was not taken.
@@ -57,6 +58,7 @@ impl<'a> Stepper<'a> {
             check: (options.follow != Follow::Unchecked).then(|| Check::new(system)),
             passed: Vec::new(),
             bifurcations: 0,
+            effort: Effort::new(n),
         }
     }
 
@@ -69,7 +71,10 @@ impl<'a> Stepper<'a> {
                 self.check.iter_mut().for_each(|check| check.accept(&self.newton));
                 outcome
             }
-            Some(from) => advance(self, Asked { from, to: t })?,
+            Some(from) => {
+                self.effort.grant();
+                advance(self, Asked { from, to: t })?
+            }
         };
         (self.last, self.untouched) = (Some(t), true);
         self.newton.linear.confirm();
@@ -222,6 +227,17 @@ impl Stepping for Stepper<'_> {
 
     fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, goal: f64, asked: Asked) -> Result<Outcome> {
         self.pass(trouble, t, target, goal, asked)
+    }
+
+    fn effort(&mut self) -> &mut Effort {
+        &mut self.effort
+    }
+
+    fn objection(trouble: &Trouble) -> Option<&'static str> {
+        match trouble {
+            Trouble::Objected(objection) => objection.of_branches(),
+            Trouble::Failed(_) => None,
+        }
     }
 
     fn units(&self) -> &Units {

@@ -130,7 +130,7 @@ fn one(add: impl Fn(&mut Mechanism, &str, crate::model::coordinates::Coordinate)
 
 /// Where a walk ends, on which branch if there, and how many positions were passed.
 fn ends(walk: Walk<'_, '_>) -> (f64, Option<Branch>, usize) {
-    let Ok(Passage { landed, passed }) = walk.go() else { panic!("is lost") };
+    let Ok(Passage { landed, passed }) = walk.go(&mut 0) else { panic!("is lost") };
     match landed {
         Landed::Regular(q) => {
             assert_eq!(q.len(), 1);
@@ -177,7 +177,7 @@ fn a_toggle_ends_a_passage() {
     for sense in [1.0, -1.0] {
         for to in [2.5, 2.0, 2.0 - 1e-13] {
             let lost = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, |walk| {
-                walk.go().map(|_| ()).expect_err("ends")
+                walk.go(&mut 0).map(|_| ()).expect_err("ends")
             });
             let Lost::Turned(place) = lost else { panic!("is lost") };
             assert!(
@@ -262,7 +262,7 @@ fn a_crossing_and_a_toggle_within_one_step() {
     let system = one(|m, name, x| assert!(m.add(name, late_crossing(x)).is_ok()));
     for x in (0..40).map(|k| 0.1 + 0.005 * f64::from(k)) {
         let lost = walking(&system, [x, -0.5 / x, 1.0 - x * x, 2.0], false, |walk| {
-            walk.go().map(|_| ()).expect_err("ends")
+            walk.go(&mut 0).map(|_| ()).expect_err("ends")
         });
         assert!(
             matches!(lost, Lost::Turned(place) if (place.t - 1.0).abs() < 1e-12 && place.q[0].abs() < 1e-6),

@@ -1,5 +1,7 @@
 //! The first position of a mechanism with more equations than coordinates.
 
+use super::super::Follow;
+use super::super::advance::Effort;
 use super::errors::unmet;
 use super::solver::{Solver, scales};
 use super::{Options, Outcome, Position};
@@ -54,6 +56,7 @@ impl<'a> Position<'a> {
             worst: 0,
             misfit: 0.0,
             drive: Some(Drive::new(equations)),
+            effort: Effort::new(n),
         }
     }
 
@@ -120,8 +123,12 @@ impl<'a> Position<'a> {
                 None => unmet(system, start, t, 0, None),
             });
         };
-        let steps = found.place.steps;
-        let mut position = Position::new(system, (options, explain), t, (found.place.q, found.measures));
+        let (steps, q) = (found.place.steps, found.place.q);
+        let measures = match options.follow {
+            Follow::Unchecked => found.measures,
+            _ => model.measure_steps(&q, t, &found.measures),
+        };
+        let mut position = Position::new(system, (options, explain), t, (q, measures));
         let solved = position.solve(t).and_then(|outcome| position.rates(t).map(|()| outcome));
         let Some(outcome) = solved else { return Err(position.blamed(true, t)) };
         match position.wrong() {

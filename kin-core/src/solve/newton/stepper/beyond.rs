@@ -21,9 +21,10 @@ impl Stepper<'_> {
         let to = asked.to;
         if self.check.is_some() {
             let (before, options) = (self.bifurcations, self.newton.options);
-            match follow::pass(&self.newton, &self.q, t, goal, &|number| {
-                options.follow.turns(before + number)
-            }) {
+            let turns = |number| options.follow.turns(before + number);
+            let (passed, steps) = follow::pass(&self.newton, &self.q, t, goal, &turns);
+            self.effort.walk(steps);
+            match passed {
                 Ok(passage) => {
                     self.bifurcations += passage.passed.len();
                     self.passed.extend(passage.passed);

@@ -1,0 +1,201 @@
+//! What happens in a motion does not depend on where the origin is and how large the mechanism is.
+
+use kin::prelude::*;
+use kin::{Engine, Error, Options, SingularKind};
+
+use crate::families::{FAMILIES, Frame, Random, system};
+
+#[constraint]
+fn implicit(x: Coord, z: Coord, place: f64, size: f64) -> f64 {
+    z - place + 0.6 * size * (2.0 * (z - place) / size).sin() - (x - place)
+}
+
+#[constraint]
+fn cubic(x: Coord, y: Coord, place: f64, size: f64) -> f64 {
+    (y - place).powi(3) / (size * size) - 1.2 * (y - place) - (x - place)
+}
+
+#[constraint]
+fn circle(x: Coord, y: Coord, place: f64, size: f64) -> f64 {
+    (x - place).powi(2) + (y - place).powi(2) - size * size
+}
+
+#[constraint]
+fn product(x: Coord, y: Coord, place: f64, size: f64) -> f64 {
+    (y - place) * (y - place + x - place) - 0.3 * size * size
+}
+
+#[constraint]
+fn periodic(x: Coord, z: Coord) -> f64 {
+    z + 0.6 * (2.0 * z).sin() - x
+}
+
+/// A run by one engine.
+fn run(system: &System, times: &[f64], engine: Engine) -> kin::Result<Motion> {
+    system.run_with(times, &Options { engine, ..Options::default() })
+}
+
+/// Kinds and times of what happens, the toggle at the end among them; the rest of errors by their words.
+fn happens(result: &kin::Result<Motion>) -> Result<Vec<(String, f64)>, String> {
+    let of = |motion: &Motion| -> Vec<(String, f64)> {
+        let singular = motion.singular_positions().iter().map(|at| (format!("{:?}", at.kind), at.t));
+        singular.chain(motion.events().iter().map(|event| ("event".to_string(), event.t))).collect()
+    };
+    match result {
+        Ok(motion) => Ok(of(motion)),
+        Err(Error::Toggle { t, motion, .. }) => {
+            let before = motion.iter().flat_map(|motion| of(motion));
+            let at_end = [(format!("{:?} at the end", SingularKind::TurningPoint), *t)];
+            Ok(before.chain(at_end).collect())
+        }
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// The same must happen, at the same times but for rounding of this size.
+fn alike(one: &kin::Result<Motion>, other: &kin::Result<Motion>, rounding: f64, what: &str) -> usize {
+    let (Ok(one), Ok(other)) = (happens(one), happens(other)) else {
+        panic!("{what}: {:?} {:?}", happens(one), happens(other))
+    };
+    let kinds = |all: &[(String, f64)]| all.iter().map(|(kind, _)| kind.clone()).collect::<Vec<_>>();
+    assert_eq!(kinds(&one), kinds(&other), "{what}: {one:?} {other:?}");
+    for ((kind, t), (_, expected)) in one.iter().zip(&other) {
+        let allowed = 1e-9 + 1e2 * rounding;
+        assert!((t - expected).abs() <= allowed, "{what}: {kind} at {t}, expected at {expected}");
+    }
+    one.len()
+}
+
+/// z + 0.6 sin 2z = x beside whole turns of it is the same curve, moved.
+#[test]
+fn a_fold_is_found_wherever_the_origin_is() {
+    for (turns, points) in
+        [(0.0, 50), (32.0, 50), (100.0, 50), (318.0, 50), (318.0, 20), (318.0, 7), (3183.0, 200)]
+    {
+        let far = turns * PI;
+        let mut m = Mechanism::new("moved");
+        let (x, z) = (m.length("x", far).unwrap(), m.length("z", far).unwrap());
+        m.add("x", drive(x, Law::sine(2.0, 3.0, 0.0) + Law::constant(far))).unwrap();
+        m.add("z", periodic(x, z)).unwrap();
+        let system = m.build().unwrap();
+        for engine in [Engine::Plain, Engine::Compiled] {
+            let found = run(&system, &linspace(0.0, 1.0, points), engine);
+            let Err(Error::Toggle { t, .. }) = found else {
+                panic!("{turns} {points} {engine:?}: {:?}", found.map(|motion| motion.summary()))
+            };
+            let at = 0.5 * (-1.0_f64 / 1.2).acos();
+            let expected = ((at + 0.6 * (2.0 * at).sin()) / 2.0).asin() / 3.0;
+            assert!((t - expected).abs() < 1e-9, "{turns} {points} {engine:?}: {t} {expected}");
+        }
+    }
+}
+
+/// The same beside a crank whose link is a thousand times as long.
+#[test]
+fn a_fold_is_found_beside_long_links() {
+    for length in [1.0, 1e3, 1e6] {
+        let mut m = Mechanism::new("long link");
+        let crank = m.link("crank", length).unwrap();
+        m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
+        m.add("motor", drive_angle(crank, Law::linear(0.3, 0.1))).unwrap();
+        let (x, z) = (m.length("x", 0.0).unwrap(), m.length("z", 0.0).unwrap());
+        m.add("x", drive(x, Law::sine(2.0, 3.0, 0.0))).unwrap();
+        m.add("z", periodic(x, z)).unwrap();
+        let system = m.build().unwrap();
+        for engine in [Engine::Plain, Engine::Compiled] {
+            for points in [8, 20, 50] {
+                let found = run(&system, &linspace(0.0, 1.0, points), engine);
+                let Err(Error::Toggle { t, .. }) = found else { panic!("{length} {points} {engine:?}") };
+                assert!((t - 0.311_783_3).abs() < 1e-6, "{length} {points} {engine:?}: {t}");
+            }
+        }
+    }
+}
+
+/// Explicit equations in (x − K).
+fn explicit(kind: usize, scale: f64, place: f64) -> kin::Result<System> {
+    let mut m = Mechanism::new("explicit");
+    let start = [0.0, 0.0, 0.2, 0.2][kind] * scale;
+    let beside = [0.0, 0.0, -0.96_f64.sqrt(), 0.456_776][kind] * scale;
+    let (x, y) = (m.length("x", place + start)?, m.length("y", place + beside)?);
+    let law = Law::sine(2.0 * scale, 3.0, 0.0) + Law::constant(place + start);
+    m.add("x", drive(x, law))?;
+    match kind {
+        0 => m.add("y", implicit(x, y, place, scale))?,
+        1 => m.add("y", cubic(x, y, place, scale))?,
+        2 => m.add("y", circle(x, y, place, scale))?,
+        _ => m.add("y", product(x, y, place, scale))?,
+    };
+    m.build()
+}
+
+#[test]
+fn explicit_equations_that_are_moved_and_scaled_do_the_same() {
+    let mut seen = 0;
+    for (kind, points) in (0..4).flat_map(|kind| [7, 20, 90].map(|points| (kind, points))) {
+        let times = linspace(0.0, 1.0, points);
+        let expected = run(&explicit(kind, 1.0, 0.0).unwrap(), &times, Engine::Plain);
+        for (scale, place) in
+            [(1.0, 1e6), (1.0, -1e6), (1.0, 777.7), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0), (1e6, -1e12)]
+        {
+            for engine in [Engine::Plain, Engine::Compiled] {
+                let found = run(&explicit(kind, scale, place).unwrap(), &times, engine);
+                let rounding = f64::EPSILON * place.abs() / scale;
+                let what = format!("equation {kind}, {points} times, by {scale} to {place}, {engine:?}");
+                seen += alike(&found, &expected, rounding, &what);
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+/// The mechanism at the origin and its like elsewhere, each from its own first position.
+fn pair(number: usize, frame: Frame) -> Option<[System; 2]> {
+    let build = |frame| system(number % FAMILIES.len(), &mut Random::of(number), frame).ok();
+    // Where it is not moved it is compared with what is of order 1, else with what rounding leaves of it.
+    let scale = if frame.place == 0.0 { 1.0 } else { frame.scale };
+    let mut here = build(Frame { scale, is_moved: false, ..frame })?;
+    let mut there = build(frame)?;
+    let q = here.position(0.0).ok()?.q;
+    here.set_initial(&q).ok()?;
+    let is_length = |name: &str| name.contains(".R_");
+    let moved = here.coordinate_names().iter().zip(&q);
+    let moved: Vec<f64> = moved
+        .map(|(name, q)| if is_length(name) { q * (frame.scale / scale) + frame.place } else { *q })
+        .collect();
+    there.set_initial(&moved).ok()?;
+    Some([here, there])
+}
+
+/// How many mechanisms a test run takes; `KIN_CAMPAIGN=1000` for many.
+fn count() -> usize {
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(30)
+}
+
+#[test]
+fn mechanisms_that_are_moved_and_scaled_do_the_same() {
+    let (mut seen, mut tried) = (0, 0);
+    for number in 0..count() {
+        let steps = Random::of(number + 7).one_of(&[3, 9, 36]);
+        let times = linspace(0.0, 1.0, steps + 1);
+        for (scale, place) in [(1.0, 1e6), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0)] {
+            // Far away rounding hides near-equal links, and whether two loops toggle at once.
+            if place != 0.0 && [0, 2, 5].contains(&(number % FAMILIES.len())) {
+                continue;
+            }
+            let Some([here, there]) = pair(number, Frame { scale, place, is_moved: true }) else { continue };
+            let expected = run(&here, &times, Engine::Plain);
+            for engine in [Engine::Plain, Engine::Compiled] {
+                let found = run(&there, &times, engine);
+                let rounding = f64::EPSILON * place.abs() / scale;
+                let what = format!(
+                    "number {number}, {} in {steps} steps, by {scale} to {place}, {engine:?}",
+                    FAMILIES[number % FAMILIES.len()]
+                );
+                seen += alike(&found, &expected, rounding, &what);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > count() && seen > tried / 5, "{tried} {seen}");
+}
