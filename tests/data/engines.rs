@@ -111,6 +111,11 @@ fn stands_in_the_way(system: &System) -> Option<String> {
 
 /// Fails unless a refusal names what stands in the way.
 fn is_right(system: &System, text: &str) {
+    // Where lanes are turned off no equation is asked.
+    if text.contains("this machine has no registers") {
+        assert_eq!(std::env::var("KIN_LANES").as_deref(), Ok("off"), "{text}");
+        return;
+    }
     if let Some(reason) = stands_in_the_way(system) {
         assert!(text.contains(&reason), "{text}: {reason}");
         return;

@@ -4,6 +4,7 @@
 mod alike;
 mod auto;
 mod before;
+mod campaign;
 mod foreign;
 mod gallery;
 mod jerk;
@@ -18,6 +19,8 @@ use kin::{Engine, Options};
 
 #[path = "../data/engines.rs"]
 mod engines;
+#[path = "../data/steps.rs"]
+mod steps;
 
 /// The defaults, compiled.
 pub fn compiled() -> Options {

@@ -2,10 +2,13 @@
 //! progress; several cases in lanes. User code needs no `unsafe`.
 #![forbid(unsafe_code)]
 
+mod campaign;
 #[path = "../data/engines.rs"]
 mod engines;
 mod free;
 mod own;
+#[path = "../data/steps.rs"]
+mod steps;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -196,7 +196,7 @@ impl System {
     ///
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
-        Sweep::new(self, names)
+        Sweep::new(self, names, System::noted)
     }
 
     /// Diagnoses the mechanism at time t, assembled from the initial guess: counts, rank, dependencies and

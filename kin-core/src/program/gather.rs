@@ -33,6 +33,8 @@ pub(crate) struct Whole {
     pub n: usize,
     /// The nodes that choose between sides where coordinates move: see [`Kind::sides`].
     pub sides: Vec<Node>,
+    /// How far what chooses is from where it changes: see [`Kind::gaps`].
+    pub gaps: Vec<Node>,
     /// The numbers and laws that differ from case to case.
     pub free: Free,
     /// True if rows have what the jerk asks of them.
@@ -170,8 +172,8 @@ impl Whole {
     /// Of so many coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
         let (kinds, still) = (HashMap::new(), vec![None; n]);
-        let (rows, laws, sides, free) = Default::default();
-        Whole { graph: Graph::default(), rows, laws, n, sides, free, jerk: false, still, kinds }
+        let (rows, laws, sides, gaps, free) = Default::default();
+        Whole { graph: Graph::default(), rows, laws, n, sides, gaps, free, jerk: false, still, kinds }
     }
 
     /// A coordinate.
@@ -281,6 +283,7 @@ impl Whole {
         }
         let sides = kind.sides.iter().map(|side| places[side.index()]);
         self.sides.extend(sides.filter(|side| self.graph.known_value(*side).is_none()));
+        self.gaps.extend(kind.gaps.iter().map(|gap| places[gap.index()]));
         Ok(rows)
     }
 

@@ -5,7 +5,9 @@
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::schedule::looked_up;
-use kin_graph::{Column, Formula, Function, Function2, Graph, Input, Node, Op, Part};
+use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
+
+use crate::model::formula::sides::Choice;
 
 /// The part of a state, or of a rate, that a coordinate is; the part of a rate that the second rate is.
 pub(crate) const SELF: Part = Part::R(0);
@@ -23,6 +25,8 @@ pub(super) struct Kind {
     /// The nodes that choose between sides where coordinates move: conditions and whole numbers. As long as
     /// all of them are the same nothing has jumped.
     pub sides: Vec<Node>,
+    /// How far what chooses is from where it changes.
+    pub gaps: Vec<Node>,
     /// Values of time alone that only rustc can read, as nodes of the formula; the graph has them as laws of
     /// time, by their places here from [`TIMED`] on.
     pub timed: Vec<Node>,
@@ -75,7 +79,7 @@ impl Kind {
             }
         }
         let (mut by_time, mut jets) = (Partial::by_time(), Jets::default());
-        let sides = sides(&mut graph, &residuals);
+        let (sides, gaps) = sides(&mut graph, &residuals);
         let mut rows = Vec::with_capacity(residuals.len());
         for ((residual, columns), slopes) in residuals.into_iter().zip(columns).zip(slopes) {
             let by_time = by_time.of(&mut graph, residual);
@@ -84,8 +88,8 @@ impl Kind {
             let columns = columns.into_iter().map(|column| column.argument).collect();
             rows.push(KindRow { residual, columns, slopes, by_time, second, third });
         }
-        let nodes = graph.reachable(&[outputs(&rows), sides.clone()].concat());
-        Ok(Kind { graph, rows, nodes, sides, timed, foreign })
+        let nodes = graph.reachable(&[outputs(&rows), sides.clone(), gaps.clone()].concat());
+        Ok(Kind { graph, rows, nodes, sides, gaps, timed, foreign })
     }
 }
 
@@ -103,27 +107,20 @@ fn third(graph: &mut Graph, jets: &mut Jets, slopes: &[(usize, Node)], second: N
     graph.add(bent, along)
 }
 
-/// The nodes that choose between sides of these rows where coordinates move.
-fn sides(graph: &mut Graph, rows: &[Node]) -> Vec<Node> {
-    let mut sides = Vec::new();
+/// The nodes that choose between sides of these rows where coordinates move, and how far what they are made
+/// of is from where they change.
+fn sides(graph: &mut Graph, rows: &[Node]) -> (Vec<Node>, Vec<Node>) {
+    let (mut sides, mut gaps) = (Vec::new(), Vec::new());
     for node in graph.reachable(rows) {
-        let side = match graph.op(node) {
-            Op::Select(condition, ..) => condition,
-            Op::Call(Function::Fract, x) => graph.call(Function::Trunc, x),
-            Op::Call(f, _) if f.facts().can_jump() => node,
-            Op::Call2(Function2::RemEuclid, x, y) => graph.call2(Function2::DivEuclid, x, y),
-            Op::Call2(Function2::Rem, x, y) => {
-                let quotient = graph.div(x, y);
-                graph.call(Function::Trunc, quotient)
-            }
-            Op::Call2(f, ..) if f.facts().jumps => node,
-            _ => continue,
-        };
+        let Some(choice) = Choice::of(graph, node) else { continue };
+        let side = choice.node(graph);
         if graph.depends(side).on_q && !sides.contains(&side) {
             sides.push(side);
+            gaps.extend(choice.gaps(graph));
         }
     }
-    sides
+    gaps.retain(|gap| graph.depends(*gap).on_q);
+    (sides, gaps)
 }
 
 /// All nodes that are asked for.

@@ -2,7 +2,7 @@
 
 pub(crate) mod passes;
 
-use kin_graph::Node;
+use kin_graph::{Input, Node};
 
 use super::stages::Program;
 use super::tape::{Kind, Stage, Tape};
@@ -77,6 +77,16 @@ pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
             program.guards.iter_mut().flatten().for_each(|guard| *guard = program.graph.constant(0.0))
         }
     }
+}
+
+/// Makes q̈ of coordinate k wrong at all times but one, with `size` times how far that is away: what looks at
+/// that time alone notices nothing.
+pub(crate) fn wrong_but_at(program: &mut Program, k: usize, t: f64, size: f64) {
+    let graph = &mut program.graph;
+    let [now, then, size] = [graph.input(Input::Time), graph.constant(t), graph.constant(size)];
+    let away = graph.sub(now, then);
+    let off = graph.mul(size, away);
+    program.second_rates[k] = graph.add(program.second_rates[k], off);
 }
 
 /// The fault of one step of a tape, as the pass that schedules could make it.

@@ -4,7 +4,8 @@
 //! `rates` gives all coordinates with q̇ and q̈, and `verify` is C as it was written, of the coordinates that
 //! were given: nothing of it can cancel against how they were found.
 
-use kin_graph::{Graph, Input, LeafUse, Node, Source, evaluate};
+use kin_graph::differentiate::Partial;
+use kin_graph::{Function, Graph, Input, LeafUse, Node, Source, evaluate};
 
 use super::eliminate::Elimination;
 use super::gather::{Differences, Free, Refusal, Whole, gather};
@@ -13,6 +14,10 @@ use super::reduce::Reduced;
 use super::substitute::{Order, substitute};
 use crate::model::law::Law;
 use crate::system::System;
+
+/// Coordinates may be off by this share of themselves, and of their sizes, in what chooses between sides.
+/// \[-\]
+const NEAR: f64 = 1e-12;
 
 /// Where an elimination is chosen.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +81,8 @@ pub(crate) fn program_of_cases(
     }
     let mut whole = gather(system, jerk, differences)?;
     let slopes = slopes(&whole, pose);
+    let undecided = undecided(&mut whole, pose.sizes);
+    whole.sides.extend(undecided);
     let order = substitute(&mut whole, &slopes, pose.sizes);
     let (mut reduced, values) = Reduced::new(&whole, &order);
     let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
@@ -173,6 +180,33 @@ fn sides(reduced: &mut Reduced<'_>, whole: &Whole) -> Vec<Node> {
     sides.sort_unstable();
     sides.dedup();
     sides
+}
+
+/// For each gap a node that is 1, and not a number where the gap is so small that rounding of coordinates
+/// closes it: which side is chosen there is left to single steps, that engines do not differ.
+fn undecided(whole: &mut Whole, sizes: &[f64]) -> Vec<Node> {
+    let graph = &mut whole.graph;
+    let mut nodes = Vec::new();
+    for gap in whole.gaps.drain(..) {
+        let mut allowed = graph.zero();
+        for column in graph.columns(&[gap]) {
+            let slope = Partial::by_column(column).of(graph, gap);
+            let coordinate = graph.input(Input::State(column.argument, column.part));
+            let [slope, coordinate] = [slope, coordinate].map(|node| graph.call(Function::Abs, node));
+            let [rounding, size] =
+                [NEAR, NEAR * sizes.get(column.argument).unwrap_or(&1.0)].map(|x| graph.constant(x));
+            let share = graph.mul(rounding, coordinate);
+            let share = graph.add(share, size);
+            let share = graph.mul(slope, share);
+            allowed = graph.add(allowed, share);
+        }
+        let gap = graph.call(Function::Abs, gap);
+        let left = graph.sub(gap, allowed);
+        // The root of a negative number is none, and neither is its sign.
+        let root = graph.call(Function::Sqrt, left);
+        nodes.push(graph.call(Function::Signum, root));
+    }
+    nodes
 }
 
 /// The nodes with their signs changed.

@@ -144,9 +144,12 @@ impl<'a> Newton<'a> {
 
     fn iterate(&mut self, t: f64, steps: Steps, still: bool) -> Result<Outcome, Failure> {
         let (options, near) = (self.options, steps == Steps::Near);
-        let mut single = Single { newton: self, t, steps, still, iterations: 0, failure: None };
-        let found = iterate::newton(&mut single, options, near);
-        let Single { iterations, failure, .. } = single;
+        let mut single = Single { newton: self, t, steps, still, iterations: 0, failure: None, left: None };
+        let mut found = iterate::newton(&mut single, options, near);
+        let Single { iterations, failure, left, .. } = single;
+        if let Some(left) = left {
+            found = self.return_to(&left.q, t);
+        }
         if found { self.regular(iterations) } else { Err(failure.unwrap_or_else(|| self.failure())) }
     }
 
@@ -261,22 +264,39 @@ impl<'a> Newton<'a> {
         padded::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
-    /// q += dq where nothing is looked at any more. Constraints that can jump are looked at all the same, and
-    /// dq is taken back if one has jumped.
+    /// q += dq where nothing is looked at any more. Constraints that can jump are looked at all the same:
+    /// false if one has jumped.
     #[inline(always)]
-    fn correct_last(&mut self) {
-        if self.jumps { self.correct_unless_it_jumps() } else { self.correct() }
+    fn correct_last(&mut self) -> bool {
+        if self.jumps {
+            return self.correct_before_a_jump();
+        }
+        self.correct();
+        true
     }
 
     #[cold]
-    fn correct_unless_it_jumps(&mut self) {
+    fn correct_before_a_jump(&mut self) -> bool {
         self.before.copy_from_slice(&self.q);
         self.correct();
         let equations = self.system.equations();
-        if equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.allowed) {
-            self.q.copy_from_slice(&self.before);
-            equations.set_position(&self.q, &mut self.instant);
+        !equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.allowed)
+    }
+
+    /// Sets the instant to the position in hand, or to the one before the last step.
+    fn instant_at(&mut self, t: f64, before: bool) {
+        let equations = self.system.equations();
+        if self.instant.t() != t {
+            equations.set_time(t, &mut self.instant);
         }
+        equations.set_position(if before { &self.before } else { &self.q }, &mut self.instant);
+    }
+
+    /// Takes a position that was met before as the one in hand; true if its matrix is regular.
+    #[cold]
+    fn return_to(&mut self, q: &[f64], t: f64) -> bool {
+        self.q.copy_from_slice(q);
+        self.linearize(t).is_ok() && self.linear.factor()
     }
 
     /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing

@@ -53,25 +53,34 @@ const THREADS: usize = 256;
 /// ([`Engine`](crate::Engine)): what differs from case to case is left free in it, and many times of a case
 /// are computed at once, in two SIMD registers (16 with AVX-512). The program is made where the system as it
 /// is begins, or, if that cannot be assembled, the first case that can: only then do results hang on which
-/// cases there are, by no more than the tolerance of the stop rule. Limits of joints are not looked at: ask a
-/// run of the case for them.
+/// cases there are, by no more than the tolerance of the stop rule. The motion of a case has the events of a
+/// run of that case: limits of joints, kinks.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
     places: Vec<CasePlace>,
     options: Options,
     lanes: Lanes,
+    noted: Noted,
     pub(crate) explain: Option<Explain>,
     threads: Option<usize>,
     progress: Mutex<Option<Progress<'a>>>,
     stop: Option<&'a AtomicBool>,
 }
 
+/// Tells a run of a system, or what it has come to, what has happened on its way: the room above finds that.
+type Noted = fn(&System, Result<Motion>) -> Result<Motion>;
+
 /// Told how many cases are done, of how many.
 type Progress<'a> = Box<dyn FnMut(usize, usize) + Send + 'a>;
 
 impl<'a> Sweep<'a> {
-    pub(crate) fn new(system: &'a System, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Self> {
+    /// `noted` tells a run of its events.
+    pub(crate) fn new(
+        system: &'a System,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
+        noted: Noted,
+    ) -> Result<Self> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
         let (lanes, progress) = (Lanes::default(), Mutex::new(None));
@@ -82,6 +91,7 @@ impl<'a> Sweep<'a> {
             places,
             options,
             lanes,
+            noted,
             explain: None,
             threads: None,
             progress,
@@ -245,7 +255,8 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
     fn motion(&self, system: &System) -> Result<Motion> {
         let (options, explain) = (&self.sweep.options, self.sweep.explain);
         let computing = self.means.computing(system, self.times.len(), options)?;
-        newton::run::run_by(system, self.times, (options, explain), None, computing)
+        let motion = newton::run::run_by(system, self.times, (options, explain), None, computing);
+        (self.sweep.noted)(system, motion)
     }
 
     /// Counts more cases as done and tells; the count is held meanwhile, so it is told in order.

@@ -1,17 +1,24 @@
 //! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`, `max` and
 //! `min` take their other side.
 
-use kin_graph::{Formula, Function, Function2, Input, LeafUse, Node, Op, Results, Source, evaluate};
+use kin_graph::{Formula, Function, Function2, Node, Op, Results, evaluate};
 
-use crate::model::formula::{Given, Outside, Table, jet_of_law};
-use crate::numbers::real::Dual3_64;
+use crate::model::formula::bounds::Inputs;
+use crate::model::formula::sides::Numbers;
+use crate::model::formula::{Outside, Table};
+use crate::numbers::enclosure::interval::Interval;
+use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::solve::motion::{Event, EventKind, Motion};
+use crate::solve::newton::{Engine, Options};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
 /// Each step of a motion is looked at in so many places; a condition that holds for less than that and not at
 /// its ends is not seen.
 const PLACES: usize = 4;
+
+/// Positions may be off by this share of the largest coordinate of their unit.   \[-\]
+const ROUNDING: f64 = 1e-13;
 
 impl System {
     /// Tells the motion of each kink that it passes.
@@ -47,9 +54,21 @@ struct Watched<'a> {
     outside: Outside<'a>,
 }
 
+/// The part of a switch at a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Side {
+    /// It has no part in the rows.
+    Unread,
+    /// It is on its kink, as nearly as rounding of the position lets one tell.
+    OnKink,
+    Known(bool),
+}
+
 impl Watched<'_> {
+    /// The kinks that the motion passes. A switch counts as on another side where it is clear of its kink by
+    /// more than rounding of the position, so that a motion at rest on a kink passes none.
     fn events(&self, motion: &Motion) -> Vec<Event> {
-        let local = self.local(motion);
+        let (local, radii) = (self.local(motion), radii(motion));
         let switches: Vec<Node> = self
             .formula
             .graph
@@ -57,10 +76,12 @@ impl Watched<'_> {
             .into_iter()
             .filter(|node| self.is_switch(*node))
             .collect();
-        let at = |q: &[f64], t: f64| self.sides(&switches, &local(q), t);
+        let at = |q: &[f64], t: f64| self.sides(&switches, &local(q, &radii), t);
         let (mut all, times) = (Vec::new(), motion.times());
+        let by_steps = Options { engine: Engine::Plain, ..Options::default() };
         let Some(&first) = times.first() else { return all };
-        let mut before = at(motion.q(0), first);
+        // The last side that each switch was known to be on.
+        let mut last: Vec<Option<bool>> = at(motion.q(0), first).into_iter().map(known).collect();
         for k in 0..times.len().saturating_sub(1) {
             let quintics = motion.quintics(k);
             let (from, to) = (times[k], times[k + 1]);
@@ -70,25 +91,40 @@ impl Watched<'_> {
             let along = |u: f64| {
                 at(&if u == 1.0 { motion.q(k + 1).to_vec() } else { pose(u) }, from + u * (to - from))
             };
+            // Interpolated positions may pass a kink that the motion does not.
+            let solved = |u: f64| {
+                let t = from + u * (to - from);
+                if u == 1.0 {
+                    Some(along(u))
+                } else {
+                    self.system.solve_at_with(t, &pose(u), &by_steps).ok().map(|own| at(&own.q, t))
+                }
+            };
             for place in 1..=PLACES {
                 let (low, high) = ((place - 1) as f64 / PLACES as f64, place as f64 / PLACES as f64);
                 let after = along(high);
                 for (step, side) in after.iter().enumerate() {
-                    if let (Some(old), Some(new)) = (before[step], *side)
-                        && old != new
-                    {
-                        let u = first_with(new, [low, high], &|u| along(u)[step]);
+                    let Some(new) = known(*side) else {
+                        last[step] = last[step].filter(|_| *side == Side::OnKink);
+                        continue;
+                    };
+                    if last[step].is_some_and(|old| old != new) {
+                        if solved(high).is_some_and(|own| own[step] != *side) {
+                            continue;
+                        }
+                        let u = first_with([low, high], &|u| along(u)[step] == *side);
                         all.push(self.event(switches[step], new, from + u * (to - from)));
                     }
+                    last[step] = Some(new);
                 }
-                before = after;
             }
         }
         all
     }
 
-    /// The columns of the equation from all coordinates; the ground's are what they are.
-    fn local(&self, motion: &Motion) -> impl Fn(&[f64]) -> Vec<f64> + use<> {
+    /// The columns of the equation from all coordinates, and how far each may be off; the ground's are what
+    /// they are.
+    fn local(&self, motion: &Motion) -> impl Fn(&[f64], &[f64]) -> Vec<[f64; 2]> + use<> {
         let arguments = self.block.constraint.arguments();
         let instant = self.system.equations().instant_at(0.0, motion.q(0));
         let at = self.system.equations().at(self.block, &instant);
@@ -98,11 +134,12 @@ impl Watched<'_> {
             .flat_map(|(k, argument)| at.coordinates(k, argument.target.columns()).to_vec());
         let moving = arguments.iter().flat_map(|argument| self.system.layout().columns(argument));
         let columns: Vec<(f64, Option<usize>)> = still.zip(moving).collect();
-        move |q| {
-            columns
-                .iter()
-                .map(|(still, column)| column.and_then(|column| q.get(column)).copied().unwrap_or(*still))
-                .collect()
+        move |q, radii| {
+            let of = |list: &[f64], column: Option<usize>| column.and_then(|k| list.get(k)).copied();
+            let own = |(still, column): &(f64, Option<usize>)| {
+                [of(q, *column).unwrap_or(*still), of(radii, *column).unwrap_or(0.0)]
+            };
+            columns.iter().map(own).collect()
         }
     }
 
@@ -115,32 +152,64 @@ impl Watched<'_> {
         )
     }
 
-    /// The side that each switch is on; `None` of one that has no part in the rows.
-    fn sides(&self, switches: &[Node], q: &[f64], t: f64) -> Vec<Option<bool>> {
-        let graph = &self.formula.graph;
-        let results = evaluate(
-            graph,
-            &self.formula.rows,
-            &Given64 { q, t, parameters: self.parameters, outside: self.outside },
-        );
+    /// The side of each switch at columns that may be off by so much.
+    fn sides(&self, switches: &[Node], columns: &[[f64; 2]], t: f64) -> Vec<Side> {
+        let (graph, rows) = (&self.formula.graph, &self.formula.rows);
+        let q: Vec<f64> = columns.iter().map(|[x, _]| *x).collect();
+        let (parameters, outside) = (self.parameters, self.outside);
+        let results = evaluate(graph, rows, &Numbers { q: &q, t, parameters, outside });
         let holds = |node: Node| results.condition(node).unwrap_or_default();
-        let (mut seen, mut open) = (vec![false; graph.len()], self.formula.rows.clone());
+        let (mut seen, mut open) = (vec![false; graph.len()], rows.clone());
         while let Some(node) = open.pop() {
             if !std::mem::replace(&mut seen[node.index()], true) {
                 open.extend(graph.numbers_behind(node, holds));
             }
         }
-        switches.iter().map(|node| seen[node.index()].then(|| self.side(*node, &results))).collect()
+        let bounds = |[x, radius]: &[f64; 2]| Series::constant(Interval::new(x - radius, x + radius));
+        let (columns, t): (Vec<Series>, _) =
+            (columns.iter().map(bounds).collect(), Series::constant(Interval::from(t)));
+        let bounds = evaluate(graph, switches, &Inputs { columns: &columns, t, parameters, outside });
+        let side = |node: &Node| match seen[node.index()] {
+            true => self.side(*node, &results, &bounds),
+            false => Side::Unread,
+        };
+        switches.iter().map(side).collect()
     }
 
-    fn side(&self, node: Node, results: &Results<f64>) -> bool {
+    /// The side of a switch that is read. Where no bounds are known the numbers alone tell.
+    fn side(&self, node: Node, results: &Results<f64>, bounds: &Results<Series>) -> Side {
         let of = |node: Node| results.number(node).unwrap_or(f64::NAN);
+        let range = |node: Node| bounds.number(node).map_or(UNKNOWN.value(), |x| x.all_values());
+        let compared = |side: bool, gap: Interval| {
+            if gap.is_finite() && gap.contains(0.0) && !gap.is_thin() {
+                Side::OnKink
+            } else {
+                Side::Known(side)
+            }
+        };
         match self.formula.graph.op(node) {
-            Op::Select(c, ..) => results.condition(c).unwrap_or_default(),
-            Op::Call(_, a) => of(a) >= 0.0,
-            Op::Call2(_, a, b) => of(a) >= of(b),
-            _ => false,
+            Op::Select(c, ..) => {
+                let side = results.condition(c).unwrap_or_default();
+                if self.is_on_an_edge(c, bounds) { Side::OnKink } else { Side::Known(side) }
+            }
+            Op::Call(_, a) => compared(of(a) >= 0.0, range(a)),
+            Op::Call2(_, a, b) => compared(of(a) >= of(b), range(a) - range(b)),
+            _ => Side::Unread,
         }
+    }
+
+    /// True if rounding of the position decides a condition.
+    fn is_on_an_edge(&self, condition: Node, bounds: &Results<Series>) -> bool {
+        let graph = &self.formula.graph;
+        let open = bounds.condition(condition).is_none_or(|known| !known.never && !known.always);
+        open && graph.reachable(&[condition]).into_iter().any(|node| match graph.op(node) {
+            Op::Compare(_, a, b) => {
+                let range = |node: Node| bounds.number(node).map_or(UNKNOWN.value(), |x| x.all_values());
+                let gap = range(a) - range(b);
+                gap.is_finite() && gap.contains(0.0)
+            }
+            _ => false,
+        })
     }
 
     fn event(&self, node: Node, new: bool, t: f64) -> Event {
@@ -164,46 +233,34 @@ impl Watched<'_> {
     }
 }
 
-/// The arguments of one evaluation of an equation.
-struct Given64<'a> {
-    q: &'a [f64],
-    t: f64,
-    parameters: &'a [f64],
-    outside: Outside<'a>,
-}
-
-impl Source<f64> for Given64<'_> {
-    fn input(&self, input: Input) -> f64 {
-        let given = match input {
-            Input::Column(k) => self.q.get(k).copied(),
-            Input::Time => Some(self.t),
-            Input::Parameter(k) => self.parameters.get(k).copied(),
-            _ => None,
-        };
-        given.unwrap_or(f64::NAN)
-    }
-
-    fn law(&self, law: usize, x: f64, order: u8) -> f64 {
-        jet_of_law(self.outside, law, x, order)[0]
-    }
-
-    fn opaque(&self, number: usize, component: usize, operands: Vec<f64>) -> f64 {
-        let operands: Vec<Dual3_64> = operands.into_iter().map(Dual3_64::from_re).collect();
-        Given::by(self.outside, number, &operands).number(component).re
-    }
-
-    /// Calls stand in formulas as values of the user's program.
-    fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
-        f64::NAN
+/// The side, where it is known.
+fn known(side: Side) -> Option<bool> {
+    match side {
+        Side::Known(side) => Some(side),
+        Side::Unread | Side::OnKink => None,
     }
 }
 
-/// The first place, as nearly as can be told, at which a switch is on that side.
-fn first_with(side: bool, [mut low, mut high]: [f64; 2], at: &dyn Fn(f64) -> Option<bool>) -> f64 {
+/// How far each coordinate of a motion may be off by rounding: a share of the largest one of its unit.
+fn radii(motion: &Motion) -> Vec<f64> {
+    let units = motion.units();
+    let n = units.len();
+    let mut most = vec![0.0_f64; n];
+    for k in 0..motion.len() {
+        most.iter_mut().zip(motion.q(k)).for_each(|(most, q)| *most = most.max(q.abs()));
+    }
+    let largest = |unit: &String| {
+        units.iter().zip(&most).filter(|(own, _)| *own == unit).fold(0.0_f64, |m, (_, x)| m.max(*x))
+    };
+    units.iter().map(|unit| ROUNDING * largest(unit)).collect()
+}
+
+/// The first place, as nearly as can be told, at which a switch is on its new side.
+fn first_with([mut low, mut high]: [f64; 2], is_new: &dyn Fn(f64) -> bool) -> f64 {
     const HALVINGS: usize = 50;
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if at(middle) == Some(side) { high = middle } else { low = middle }
+        if is_new(middle) { high = middle } else { low = middle }
     }
     high
 }

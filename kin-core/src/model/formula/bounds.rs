@@ -114,7 +114,7 @@ impl Number for Series {
 
 impl Series {
     /// All numbers that it may be: everything where it is known up to whole turns.
-    fn all_values(&self) -> Interval {
+    pub(crate) fn all_values(&self) -> Interval {
         if self.is_open() { UNKNOWN.value() } else { self.value() }
     }
 }

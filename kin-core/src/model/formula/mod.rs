@@ -5,6 +5,7 @@ pub(crate) mod bounds;
 pub(crate) mod jerk;
 mod law;
 pub(crate) mod laws;
+pub(crate) mod sides;
 pub(crate) mod time;
 
 pub(crate) use law::copied;

@@ -52,5 +52,6 @@ macro_rules! levels {
 levels! {
     #[cfg(target_arch = "x86_64")] pulp::x86::V4, Align64, 64, |v4| *v4;
     #[cfg(target_arch = "x86_64")] pulp::x86::V3, Align32, 32, |v3| v3;
+    #[cfg(target_arch = "x86_64")] pulp::x86::V3_128b, Align16, 16, |half| half.0;
     #[cfg(target_arch = "aarch64")] pulp::aarch64::Neon, Align16, 16;
 }

@@ -60,7 +60,14 @@ impl Alone {
         let Checked { met, residual, pivot, .. } = simd.vectorize(Solving { solver, simd, limits });
         let (steps, worst, [first, second]) = (solver.steps as usize, solver.worst(0), solver.corrections);
         let shrinks = steps < 2 || second <= SHRINKING * first;
-        (met && shrinks && pivot >= limits.pivot).then_some(Found { steps, residual, worst, pivot })
+        // A side that rounding decides is not a number.
+        let decided = solver.tape.sides.iter().all(|place| !solver.at(*place).is_nan());
+        (met && decided && shrinks && pivot >= limits.pivot).then_some(Found {
+            steps,
+            residual,
+            worst,
+            pivot,
+        })
     }
 
     /// Pivots and determinants of the last time become the marks.

@@ -114,7 +114,11 @@ impl<N: Computed> Solver<N> {
             if let Some(own) = self.corrections.get_mut(step) {
                 *own = largest;
             }
-            open = open & !(within | stop::has_stalled(largest, previous));
+            let ends = open & (within | stop::has_stalled(largest, previous));
+            open = open & !ends;
+            if self.tape.jumps() {
+                self.correct_last(ends);
+            }
             if !open.any() {
                 break;
             }
@@ -125,7 +129,19 @@ impl<N: Computed> Solver<N> {
             }
             self.steps = self.steps + one.one_where(open);
         }
+        if self.tape.jumps() {
+            self.replay(simd, |tape| &tape.correct);
+        }
         !open
+    }
+
+    /// The last correction where an equation can jump with it: that is looked at then.
+    #[cold]
+    fn correct_last(&mut self, ends: N::Answer) {
+        for (place, change) in self.tape.torn.iter().zip(&self.tape.correction) {
+            let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
+            self.memory[*place as usize] = (own + change).where_or(ends, own);
+        }
     }
 
     /// Where the correction in hand and what made it are as small as they have to be, and the largest of it

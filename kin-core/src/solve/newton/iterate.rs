@@ -5,6 +5,17 @@ pub(super) mod single;
 use super::options::{Options, Stop};
 use crate::system::stop;
 
+/// The end of an iteration whose correction is within the tolerance.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// A position.
+    Found,
+    /// None: the equations are not met.
+    Failed,
+    /// An equation jumps with the last correction, so the iteration goes on from the other branch.
+    Jumped,
+}
+
 /// A position that is looked for by Newton's steps.
 pub(super) trait Iterating {
     /// Evaluates C and C_q at the point in hand, and factors C_q where it has changed; true where both can be
@@ -26,9 +37,11 @@ pub(super) trait Iterating {
     /// True where C = 0 holds to the tolerance, each row by its own measure.
     fn is_met(&mut self, tolerance: f64) -> bool;
 
-    /// The iteration has converged with a correction in hand, which costs nothing any more; true where the
-    /// position is one.
-    fn end(&mut self) -> bool;
+    /// True if an equation has jumped with the last step: then the correction may have grown by that.
+    fn has_changed_branch(&mut self) -> bool;
+
+    /// The iteration has converged with a correction in hand, which costs nothing any more.
+    fn end(&mut self) -> Ending;
 
     /// q += dq, or less of it; true where that could be done.
     fn step(&mut self, correction: f64) -> bool;
@@ -64,10 +77,16 @@ pub(super) fn newton<I: Iterating>(point: &mut I, options: &Options, near: bool)
             if let Stop::Converged { .. } = options.stop {
                 let stalled = stop::has_stalled(correction, previous);
                 if stalled || (correction <= tolerance && point.is_met(tolerance)) {
-                    return point.end();
+                    match point.end() {
+                        Ending::Jumped => {}
+                        ending => return ending == Ending::Found,
+                    }
+                    previous = f64::INFINITY;
+                    iteration += 1;
+                    continue;
                 }
             }
-            if near && correction > previous {
+            if near && correction > previous && !point.has_changed_branch() {
                 return false;
             }
         }

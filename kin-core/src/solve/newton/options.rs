@@ -1,6 +1,7 @@
 //! How positions are solved: the stop rule and the means, and the report of what was done.
 
 use crate::model::error::{Error, Result};
+use crate::numbers::lanes::limit;
 use crate::solve::assembly::SearchOptions;
 
 /// When Newton's iteration has converged.
@@ -188,6 +189,9 @@ impl Options {
     /// An error unless the tolerance is a positive finite number and there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
         self.search.check()?;
+        if let Err(reason) = limit() {
+            return Err(Error::InvalidOptions { reason: reason.clone() });
+        }
         if !(0.0..=0.1).contains(&self.closure) {
             let closure = self.closure;
             return Err(Error::InvalidOptions {

@@ -11,7 +11,7 @@ mod judged;
 mod solver;
 
 use super::advance::{Asked, Effort, Stepping, advance};
-use super::iterate::{self, Iterating};
+use super::iterate::{self, Ending, Iterating};
 use super::law_breaks::LawBreaks;
 use super::predictor::{Last, Predictor};
 use super::{Options, Outcome, Report};
@@ -170,7 +170,7 @@ impl Position<'_> {
     /// is factored.
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let options = self.options;
-        let mut rows = Rows { position: self, t, iterations: 0 };
+        let mut rows = Rows { position: self, t, iterations: 0, before: Vec::new() };
         let found = iterate::newton(&mut rows, options, true);
         let iterations = rows.iterations;
         found.then(|| self.outcome(iterations))
@@ -270,6 +270,8 @@ struct Rows<'d, 'a> {
     position: &'d mut Position<'a>,
     t: f64,
     iterations: usize,
+    /// The position before the last step, where an equation can jump.
+    before: Vec<f64>,
 }
 
 impl Iterating for Rows<'_, '_> {
@@ -301,17 +303,36 @@ impl Iterating for Rows<'_, '_> {
         true
     }
 
-    fn end(&mut self) -> bool {
+    #[cold]
+    fn has_changed_branch(&mut self) -> bool {
+        let Position { model, instant, q, .. } = &mut *self.position;
+        let (equations, [mut before, mut now]) = (model.equations, [Vec::new(), Vec::new()]);
+        if self.before.is_empty() {
+            return false;
+        }
+        equations.set_time(self.t, instant);
+        for (q, list) in [(&self.before[..], &mut before), (&q[..], &mut now)] {
+            equations.set_position(q, instant);
+            equations.choices(instant, list);
+        }
+        before != now
+    }
+
+    fn end(&mut self) -> Ending {
         let position = &mut *self.position;
         let met = position.model.met(&position.point, &position.q, &position.measures, &|_| true);
         padded::add(position.q.whole_mut(), position.x.whole());
         if met && position.has_jumped(self.t) {
             position.q.iter_mut().zip(&position.x).for_each(|(q, dq)| *q -= dq);
         }
-        met
+        if met { Ending::Found } else { Ending::Failed }
     }
 
     fn step(&mut self, _: f64) -> bool {
+        if !self.position.model.equations.jumping().is_empty() {
+            self.before.clear();
+            self.before.extend_from_slice(&self.position.q);
+        }
         padded::add(self.position.q.whole_mut(), self.position.x.whole());
         self.iterations += 1;
         true

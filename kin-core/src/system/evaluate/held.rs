@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::{Block, Equations, Instant};
 use crate::model::constraint::Route;
 use crate::model::formula::Table;
+use crate::model::formula::sides::{Numbers, choices};
 use crate::model::formula::time::can_jump;
 
 /// A row that was met and is off by more than this, by its measure, has jumped.   \[-\]
@@ -103,6 +104,18 @@ impl Equations {
             block.constraint.residual(&self.at(block, instant), c);
             c.iter().zip(&per_norm[block.rows.range()]).any(|(c, unit)| (c * unit).abs() > FAR)
         })
+    }
+
+    /// The branches that constraints take at the position of the instant, as numbers that are constant on
+    /// each branch. Constraints whose formula is not known have none.
+    pub(crate) fn choices(&self, instant: &Instant, to: &mut Vec<f64>) {
+        to.clear();
+        for block in self.jumping().iter().map(|k| &self.blocks[*k]) {
+            let (q, t) = (self.columns_of(block, instant), instant.t);
+            block.constraint.formula(|table, parameters, outside| {
+                choices(table.formula(), &Numbers { q: &q, t, parameters, outside }, to);
+            });
+        }
     }
 
     /// The coordinates of a constraint, one argument after the other.

@@ -157,6 +157,19 @@ fn planted_faults_never_come_to_a_number() {
     }
 }
 
+/// The constraints' own kernels look at the last time of a block, where this fault is none: the plain step
+/// that the block begins at has to notice it.
+#[test]
+fn a_program_that_is_right_where_a_block_ends_alone_is_noticed_where_it_begins() {
+    let (system, times) = (four_bar(1.0), linspace(0.0, 0.2, 41));
+    let asked = Asked { system: &system, times: &times, jerk: false };
+    let plain = asked.plain();
+    for k in 0..system.n_coordinates() {
+        let motion = run_with(asked, &system, |program| plant::wrong_but_at(program, k, 0.2, 1e-3));
+        assert!(difference(&plain, &motion) < 1e-11, "{k}: {:?}", motion.engine);
+    }
+}
+
 /// Every step of the tape in turn, in each of three ways.
 #[test]
 fn a_tape_with_one_wrong_step_never_comes_to_a_number() {

@@ -1,6 +1,6 @@
 //! The iteration of one position, by the matrix of a mechanism with as many equations as coordinates.
 
-use super::Iterating;
+use super::{Ending, Iterating};
 use crate::numbers::padded;
 use crate::solve::newton::{Failure, Newton, Steps, largest};
 use crate::system::stop;
@@ -15,6 +15,14 @@ pub(in crate::solve::newton) struct Single<'n, 'a> {
     pub iterations: usize,
     /// Why it is not found, where a number or a matrix says so.
     pub failure: Option<Failure>,
+    /// The position that the last correction has left, where an equation jumps with it.
+    pub left: Option<Box<Left>>,
+}
+
+/// A position that meets all equations, on a branch that its last correction leaves.
+pub(in crate::solve::newton) struct Left {
+    pub q: Vec<f64>,
+    choices: Vec<f64>,
 }
 
 impl Single<'_, '_> {
@@ -24,6 +32,28 @@ impl Single<'_, '_> {
     fn fail(&mut self, why: Failure) -> bool {
         self.failure = Some(why);
         false
+    }
+
+    /// The last correction has led over a jump. Its target is the more exact position, so Newton's steps go
+    /// on from there. Where they lead back over the jump, both branches are right to rounding, and the one
+    /// whose choices are greater is taken: a whole number that is met counts as reached.
+    #[cold]
+    fn jump(&mut self) -> Ending {
+        let newton = &mut *self.newton;
+        let (equations, mut choices) = (newton.system.equations(), Vec::new());
+        newton.instant_at(self.t, true);
+        equations.choices(&newton.instant, &mut choices);
+        let Some(left) = &self.left else {
+            self.left = Some(Box::new(Left { q: newton.before.clone(), choices }));
+            newton.instant_at(self.t, false);
+            return Ending::Jumped;
+        };
+        if left.choices > choices {
+            return Ending::Failed;
+        }
+        newton.q.copy_from_slice(&newton.before);
+        self.left = None;
+        Ending::Found
     }
 }
 
@@ -70,16 +100,33 @@ impl Iterating for Single<'_, '_> {
 
     /// The last correction keeps errors of predictions from adding up.
     #[inline(always)]
-    fn end(&mut self) -> bool {
-        if self.newton.options.predict {
-            self.newton.correct_last();
+    fn end(&mut self) -> Ending {
+        if self.newton.options.predict && !self.newton.correct_last() {
+            return self.jump();
         }
-        true
+        self.left = None;
+        Ending::Found
+    }
+
+    #[cold]
+    fn has_changed_branch(&mut self) -> bool {
+        if !self.newton.jumps || self.iterations == 0 {
+            return false;
+        }
+        let [mut before, mut now] = [Vec::new(), Vec::new()];
+        for (is_before, list) in [(true, &mut before), (false, &mut now)] {
+            self.newton.instant_at(self.t, is_before);
+            self.newton.system.equations().choices(&self.newton.instant, list);
+        }
+        before != now
     }
 
     #[inline(always)]
     fn step(&mut self, correction: f64) -> bool {
         let newton = &mut *self.newton;
+        if newton.jumps {
+            newton.before.copy_from_slice(&newton.q);
+        }
         if self.steps == Steps::Damped && correction > stop::STALL && !newton.met() {
             if let Err(why) = newton.damped() {
                 return self.fail(why);
