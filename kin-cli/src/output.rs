@@ -60,11 +60,23 @@ pub fn reason(error: csv::Error) -> io::Error {
     }
 }
 
-/// Writes a table as CSV.
+/// A header or a text of a table as spreadsheets may read it: one that begins as a formula does (`=`, `+`,
+/// `-`, `@`, a tab, a carriage return) is written with `'` before it.
+pub fn as_text(text: &str) -> String {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    if is_formula { format!("'{text}") } else { text.to_string() }
+}
+
+/// The name that a header stands for: without the `'` that [`as_text`] puts before it.
+pub fn of_text(header: &str) -> &str {
+    header.strip_prefix('\'').filter(|name| as_text(name) == header).unwrap_or(header)
+}
+
+/// Writes a table of names and numbers as CSV.
 pub fn table(to: &str, header: &[String], rows: impl Iterator<Item = Vec<String>>) -> Result<(), Fault> {
     put(to, |to| {
         let mut table = csv::Writer::from_writer(to);
-        table.write_record(header).map_err(reason)?;
+        table.write_record(header.iter().map(|name| as_text(name))).map_err(reason)?;
         for row in rows {
             table.write_record(&row).map_err(reason)?;
         }
@@ -76,4 +88,23 @@ pub fn table(to: &str, header: &[String], rows: impl Iterator<Item = Vec<String>
 pub fn digits(value: f64) -> String {
     // −0 + 0 is 0, which reads better.
     format!("{:.16e}", value + 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn c7_a_text_is_no_formula_of_a_spreadsheet() {
+        for name in ["=a.x", "+a", "-a", "@a", "\ta", "\ra"] {
+            assert_eq!(as_text(name), format!("'{name}"));
+        }
+        for name in ["a.x", "'a", "a=b", "", "'=a"] {
+            assert_eq!(as_text(name), name);
+        }
+        // Names of a table of cases are read as a table of results has them.
+        for name in ["=a.x", "-a", "a.x", "'a"] {
+            assert_eq!(of_text(&as_text(name)), name);
+        }
+    }
 }

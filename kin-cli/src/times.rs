@@ -15,7 +15,7 @@ impl FromStr for Times {
     type Err = String;
 
     /// `0:1:361` is 361 times from 0 to 1, bit for bit those of `linspace(0.0, 1.0, 361)`; `0,0.5,1` are
-    /// three times.
+    /// three times. Errors: what is no time, and a span that is no number.
     fn from_str(text: &str) -> Result<Times, String> {
         let parts: Vec<&str> = text.split(':').collect();
         match parts[..] {
@@ -25,7 +25,14 @@ impl FromStr for Times {
                 if n == 0 || n > MOST {
                     return Err(format!("{n} times: give 1 to {MOST}"));
                 }
-                Ok(Times(linspace(number(from)?, number(to)?, n)))
+                let (from, to) = (number(from)?, number(to)?);
+                if !(to - from).is_finite() {
+                    return Err(format!(
+                        "from {from:e} to {to:e} is further than the largest number, {:e}; give times that are closer together",
+                        f64::MAX
+                    ));
+                }
+                Ok(Times(linspace(from, to, n)))
             }
             [list] => list.split(',').map(number).collect::<Result<_, _>>().map(Times),
             _ => Err("write FROM:TO:COUNT, such as 0:1:361, or a list, such as 0,0.5,1".to_string()),
@@ -71,6 +78,7 @@ mod tests {
             ("0:x:3", "`x` is no number"),
             ("0:inf:3", "`inf` is no number"),
             ("0:1:1000000000000", "1000000000000 times: give 1 to"),
+            ("1e308:-1e308:3", "from 1e308 to -1e308 is further than the largest number"),
         ] {
             let found = text.parse::<Times>().expect_err(text);
             assert!(found.contains(told), "{text}: {found}");

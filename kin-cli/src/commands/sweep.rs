@@ -38,7 +38,7 @@ pub fn sweep(asked: &Sweep, say: &Say) -> Result<(), Fault> {
     let job = Job { system: &system, names: &names, keep: &keep, times, options: &options };
     let mut table = csv::Writer::from_writer(output::open(&asked.out)?);
     let failed = |error: csv::Error| output::failed(&asked.out, &output::reason(error));
-    table.write_record(job.header()).map_err(failed)?;
+    table.write_record(job.header().iter().map(|name| output::as_text(name))).map_err(failed)?;
     let (all, mut done) = (range.len(), 0);
     say.progress(done, all, "cases");
     for block in range.collect::<Vec<usize>>().chunks(BLOCK) {
@@ -57,8 +57,8 @@ fn cases(file: &str) -> Result<Cases, Fault> {
     let text = model::text(file)?;
     let fail = |why: String| Fault::File(format!("{}: {why}", model::named(file)));
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-    let names: Vec<String> =
-        reader.headers().map_err(|error| fail(error.to_string()))?.iter().map(str::to_string).collect();
+    let headers = reader.headers().map_err(|error| fail(error.to_string()))?;
+    let names: Vec<String> = headers.iter().map(|header| output::of_text(header).to_string()).collect();
     if names.iter().all(String::is_empty) {
         return Err(fail("its first line names no parameter".to_string()));
     }

@@ -180,7 +180,14 @@ impl Registry {
                 "unknown law `{}`: add it with `Registry::with_law`, or read its text with `kin::text::registry()`, of the feature `text`",
                 data.kind
             )),
-            (None, None, _) => Err(format!("unknown law `{}`: add it with `Registry::with_law`", data.kind)),
+            (None, None, Some(_)) => Err(format!(
+                "unknown law `{}`; there are {}. A law of one's own stands in the file with its function as `text`",
+                data.kind,
+                self.law_kinds().join(", ")
+            )),
+            (None, None, None) => {
+                Err(format!("unknown law `{}`: add it with `Registry::with_law`", data.kind))
+            }
         }
     }
 
@@ -235,7 +242,7 @@ impl Registry {
     fn unknown(&self, kind: &str, arguments: usize) -> String {
         match self.constraints.keys().any(|(known, _)| known == kind) {
             true => format!("no `{kind}` is known with these {arguments} arguments"),
-            false if self.equations.is_some() => {
+            false if self.equations.is_some() || self.law_texts.is_some() => {
                 format!(
                     "unknown constraint `{kind}`: its equation stands neither in the library nor under `equations`"
                 )

@@ -194,13 +194,19 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
     // Times increase as a rule; those between finite ends are finite then. All pairs are looked at without a
     // way out, so that registers do it.
     if times.windows(2).fold(true, |rise, pair| rise & (pair[0] < pair[1]))
-        && times[0].is_finite()
-        && times[times.len() - 1].is_finite()
+        && (times[times.len() - 1] - times[0]).is_finite()
     {
         return Ok(());
     }
     if let Some((k, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
         return fail(format!("number {k} is {t}; give finite times"));
+    }
+    let (first, last) = (times[0], times[times.len() - 1]);
+    if !(last - first).is_finite() {
+        return fail(format!(
+            "from {first:e} to {last:e} is further than the largest number, {:e}; give times that are closer together",
+            f64::MAX
+        ));
     }
     let backwards = times.len() > 1 && times[1] < times[0];
     match times.windows(2).position(|pair| pair[0] == pair[1] || (pair[1] < pair[0]) != backwards) {
