@@ -9,7 +9,7 @@ use crate::model::coordinates::{PlanarBody, SpatialBody};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::model::motion::Series;
-use crate::solve::motion::csv::{reason, to_file};
+use crate::solve::motion::csv::{as_text, reason, to_file};
 use crate::system::System;
 
 /// A force below this share of the largest one is none.   \[-\]
@@ -135,7 +135,7 @@ impl Forces<'_> {
         let mut table = csv::Writer::from_writer(to);
         let time = format!("t [{}]", self.motion.unit_words().time());
         let names = columns.iter().map(|column| format!("{} [{}]", column.name(), column.unit()));
-        table.write_record(std::iter::once(time).chain(names)).map_err(reason)?;
+        table.write_record(std::iter::once(time).chain(names).map(as_text)).map_err(reason)?;
         for (k, t) in self.motion.times().iter().enumerate() {
             let values = columns.iter().map(|column| column.values()[k]);
             // −0 + 0 is 0, which reads better.

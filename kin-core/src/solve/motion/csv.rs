@@ -20,11 +20,18 @@ pub(crate) fn to_file(path: &Path, write: impl FnOnce(BufWriter<File>) -> std::i
     written().map_err(|source| Error::File { path: path.to_path_buf(), source })
 }
 
+/// A header or another text of a table as spreadsheets may read it: one that begins with `=`, `+`, `-`, `@`,
+/// a tab or a carriage return would be computed as a formula there, so it is written with `'` before it.
+pub(crate) fn as_text(text: String) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text }
+}
+
 impl Motion {
     /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈ (and all q⃛
     /// where the jerk was asked for) in the order of the coordinates, then the outputs; headers such as `t
     /// [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`; 17
-    /// significant digits.
+    /// significant digits. A header that begins as a formula of a spreadsheet does (`=`, `+`, `-`, `@`) is
+    /// written with `'` before it.
     ///
     /// Errors: a folder or file that cannot be written, by its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -42,7 +49,7 @@ impl Motion {
 
     /// Header and rows.
     fn table(&self, table: &mut csv::Writer<impl Write>) -> std::io::Result<()> {
-        table.write_record(self.headers()).map_err(reason)?;
+        table.write_record(self.headers().into_iter().map(as_text)).map_err(reason)?;
         let mut text = String::new();
         for k in 0..self.len() {
             let outputs = self.outputs().iter().filter_map(|output| output.values().get(k));
@@ -94,4 +101,33 @@ fn digits(text: &mut String, value: f64) {
     use std::fmt::Write;
     // −0 + 0 is 0, which reads better; writing to a String does not fail.
     let _ = write!(text, "{:.16e}", value + 0.0);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joints::drivers::drive;
+    use crate::{Law, Mechanism};
+
+    #[test]
+    fn c7_a_header_is_no_formula_of_a_spreadsheet() {
+        let mut m = Mechanism::new("m");
+        for (k, name) in ["=1+1", "+a", "-b", "@SUM(A1)", "plain", "a=b"].into_iter().enumerate() {
+            let x = m.length(name, 0.0).unwrap();
+            m.add(&format!("d{k}"), drive(x, Law::constant(-1.0))).unwrap();
+        }
+        let motion = m.build().unwrap().run([0.0]).unwrap();
+        let mut table = Vec::new();
+        motion.write_csv_to(&mut table).unwrap();
+        let text = String::from_utf8(table).unwrap();
+        let header = text.lines().next().unwrap();
+        assert!(
+            header
+                .starts_with("t [s],'=1+1 [m],'+a [m],'-b [m],'@SUM(A1) [m],plain [m],a=b [m],'=1+1' [m/s],"),
+            "{header}"
+        );
+        // Names stay what they are, and so do numbers below zero.
+        assert_eq!(motion.headers()[1], "=1+1 [m]");
+        assert!(text.lines().nth(1).unwrap().contains(",-1.0000000000000000e0,"), "{text}");
+    }
 }
