@@ -13,6 +13,9 @@ use crate::motion::Motion;
 use crate::numbers;
 use crate::system::System;
 
+/// Two times of an extreme are the same within this share of the motion's span.   \[-\]
+const SAME_TIME: f64 = 1e-9;
+
 /// Names, each with the lists of its value and its rates.
 type Derived<'py> = Vec<(String, Vec<Bound<'py, PyBytes>>)>;
 
@@ -117,7 +120,7 @@ pub enum Of {
     Turn(Turn),
 }
 
-/// The extreme of a measure at this place.
+/// The extreme of a measure at this place. Errors: there is none of this kind at that time.
 fn turning(
     system: &kin::System,
     motion: &kin::Motion,
@@ -128,7 +131,18 @@ fn turning(
     let ends = if is_max { found.max() } else { found.min() };
     let far = |one: &Extreme| (one.t - t).abs();
     let same = found.all().iter().copied().filter(|one| one.is_max == is_max);
-    Ok(same.chain([ends]).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(ends))
+    let nearest = same.chain([ends]).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(ends);
+    let [first, last] = [motion.times().first(), motion.times().last()].map(|t| t.copied().unwrap_or(0.0));
+    // An extreme that was found has its time exactly; one that was written down has lost some digits.
+    if far(&nearest) <= SAME_TIME * (last - first).abs().max(t.abs()) {
+        return Ok(nearest);
+    }
+    let word = if is_max { "maximum" } else { "minimum" };
+    let reason = format!(
+        "it has no {word} at t = {t}; the nearest one is at t = {}. Take an extreme of `system.extremes(motion, \"{what}\")`",
+        nearest.t
+    );
+    Err(kin::Error::InvalidConstraint { constraint: what.to_string(), kind: "extreme".to_string(), reason })
 }
 
 impl Of {

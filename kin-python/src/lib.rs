@@ -11,6 +11,7 @@ mod forces;
 mod given;
 mod held;
 mod law;
+mod measured;
 mod mechanism;
 mod motion;
 mod numbers;

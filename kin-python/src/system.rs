@@ -11,6 +11,7 @@ use pyo3::types::{PyBytes, PyDict};
 use serde_json::json;
 
 use crate::fault::{or_raise, unreadable};
+use crate::measured::What;
 use crate::motion::{Motion, Orders, quantity, series};
 use crate::numbers;
 use crate::options::{assembly_options, options};
@@ -298,14 +299,14 @@ impl System {
         Ok((found.label.to_string(), numbers::list(py, &found.q)?))
     }
 
-    fn measure<'py>(&self, py: Python<'py>, motion: &Motion, what: &str) -> PyResult<Orders<'py>> {
+    fn measure<'py>(&self, py: Python<'py>, motion: &Motion, what: What) -> PyResult<Orders<'py>> {
         let (system, motion) = (self.now(), &motion.0);
-        quantity(py, &or_raise(py, py.detach(|| system.measure(motion, what)))?)
+        quantity(py, &what.ask(py, |what| system.measure(motion, what))?)
     }
 
-    fn extremes(&self, py: Python<'_>, motion: &Motion, what: &str) -> PyResult<Turns> {
+    fn extremes(&self, py: Python<'_>, motion: &Motion, what: What) -> PyResult<Turns> {
         let (system, motion) = (self.now(), &motion.0);
-        or_raise(py, py.detach(|| system.extremes(motion, what))).map(|found| turns(&found))
+        what.ask(py, |what| system.extremes(motion, what)).map(|found| turns(&found))
     }
 
     /// Times at which a measure passes a value, and whether it rises there.
@@ -313,11 +314,11 @@ impl System {
         &self,
         py: Python<'_>,
         motion: &Motion,
-        what: &str,
+        what: What,
         value: f64,
     ) -> PyResult<Vec<(f64, bool)>> {
         let (system, motion) = (self.now(), &motion.0);
-        let found = or_raise(py, py.detach(|| system.crossings(motion, what, value)))?;
+        let found = what.ask(py, |what| system.crossings(motion, what, value))?;
         Ok(found.into_iter().map(|one| (one.t, one.rises)).collect())
     }
 

@@ -55,7 +55,6 @@ INSTEAD = {
     },
     "PointMotion": {"components": "r, v, a"},
     "Proof": {"error": "`steps`"},
-    "Quantity": {"renamed": "a dictionary of one's own"},
     "RotationMotion": {"components": "omega, alpha", "in_body": "omega_in_body"},
     "Samples": {"sampling": "count, seed"},
     "Sensitivities": {"by": "of", "compiled": "of"},

@@ -301,7 +301,7 @@ def _arguments_of_law(function: Callable[..., Any], name: str, place: tuple[str,
     hints = getattr(function, "__annotations__", {})
     with contextlib.suppress(NameError):
         hints = typing.get_type_hints(function)
-    arguments = []
+    arguments: list[Argument] = []
     for one, parameter in inspect.signature(function).parameters.items():
         if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD, parameter.KEYWORD_ONLY):
             _mistakes.at(place, f"`{name}`: a law has a variable and named parameters, `{name}(x, h)`, not `{parameter}`")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -58,6 +58,18 @@ class Quantity:
     def _of(told: tuple[str, str, list[bytes]], times: Any) -> "Quantity":
         name, unit, lists = told
         return Quantity(name, unit, times, *(array(one) for one in lists))
+
+    def renamed(self, name: str) -> "Quantity":
+        """The same under another name."""
+        return replace(self, name=name)
+
+    def __sub__(self, other: "Quantity") -> "Quantity":
+        """The difference of two measures of one motion, with its rates."""
+        if not isinstance(other, Quantity):
+            return NotImplemented
+        pairs = ((getattr(self, one), getattr(other, one)) for one in ("value", "velocity", "acceleration", "jerk"))
+        orders = (None if a is None or b is None else np.asarray(a) - np.asarray(b) for a, b in pairs)
+        return Quantity(f"{self.name} − {other.name}", self.unit, self.times, *orders)
 
     @property
     def rate(self) -> Any:
@@ -286,6 +298,16 @@ class Motion:
         key = coordinate_name(self.names, name.name if isinstance(name, Coordinate) else name)
         return Quantity._of(self._native.named(key), self.times)
 
+    def quantity(self, name: str, unit: str, orders: Any) -> Quantity:
+        """One number over the times of this motion that is computed from it: `orders` are x, ẋ, ẍ and, where it is known, x⃛, one
+        a time each, x in `unit`. It is for a measure that is a function of a motion (`system.extremes`); whoever computes it
+        answers for its rates."""
+        lists = [np.asarray(one, dtype=float) for one in orders]
+        if not 3 <= len(lists) <= 4 or any(one.shape != (len(self.times),) for one in lists):
+            text = f"`{name}`: x, its rate and its second rate are lists of {len(self.times)} numbers, one a time"
+            raise ValueError(text)
+        return Quantity(name, unit, self.times, *lists)
+
     def point(self, body: Union[PlanarBody, SpatialBody, Ground], local: Any = None) -> Point:
         """r, v and a of the point with local position `local` of a body, its origin where none is given.   [m, m/s, m/s²]"""
         if isinstance(body, Ground):
@@ -481,6 +503,17 @@ def _line(line: Any) -> tuple[Optional[str], list[float]]:
 
 
 _SHORT = {"x": "R_x", "y": "R_y", "z": "R_z"}
+
+
+def orders_of(made: Any) -> tuple[str, str, list[list[float]]]:
+    """What a function of a motion has given, as the native part takes it: name, unit, x, ẋ, ẍ and x⃛ (empty if there is none)."""
+    if not isinstance(made, Quantity):
+        raise TypeError(f"a measure is a function of a motion that gives a kin.Quantity, not {made!r}")
+    if made.velocity is None or made.acceleration is None:
+        text = f"`{made.name}` has no rates: give motion.quantity(name, unit, [x, rate, second_rate])"
+        raise ValueError(text)
+    rates = (made.value, made.velocity, made.acceleration, () if made.jerk is None else made.jerk)
+    return made.name, made.unit, [np.asarray(one, dtype=float).ravel().tolist() for one in rates]
 
 
 def coordinate_name(names: Any, name: str) -> str:

@@ -25,5 +25,5 @@ def short(kind: type[T]) -> type[T]:
     def __repr__(self: Any) -> str:
         return f"{type(self).__name__}({', '.join(f'{one.name}={shown(getattr(self, one.name))}' for one in fields(self))})"
 
-    kind.__repr__ = __repr__  # type: ignore[method-assign, assignment]
+    kind.__repr__ = __repr__  # type: ignore[method-assign]
     return kind

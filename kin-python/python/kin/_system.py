@@ -16,11 +16,13 @@ from ._forces import Forces
 from ._handles import Coordinate
 from ._pictures import Page, Picture
 from ._results import Assemblies, Assembly, Compiled, Proof, Solution
-from ._motion import Motion, Quantity, array, coordinate_name
+from ._motion import Motion, Quantity, array, coordinate_name, orders_of
 from ._values import flat
 
 Progress = Union[bool, Callable[[int, int], object], None]
 What = Union[str, Coordinate]
+# What can be measured of a motion: by a name, a coordinate, or a function of a motion that gives a quantity with its rates.
+Measure = Union[str, Coordinate, Callable[[Motion], Quantity]]
 
 
 class System:
@@ -194,20 +196,22 @@ class System:
         """True where something has mass or something acts, so that it can be asked for forces."""
         return self._native.has_forces()
 
-    def measure(self, motion: Motion, what: What) -> Quantity:
-        """A measure of a joint or a coordinate over a motion, with its rates."""
-        return Quantity._of(self._native.measure(motion._native, self._what(what)), motion.times)
+    def measure(self, motion: Motion, what: Measure) -> Quantity:
+        """A measure over a motion, with its rates: of a joint or a coordinate, or a function of the motion, such as
+        `lambda motion: motion.point(rod, (0.1, 0)).along((1, 0))`."""
+        return Quantity._of(self._native.measure(motion._native, self._measured(what)), motion.times)
 
-    def extremes(self, motion: Motion, what: What) -> Extremes:
-        """Where a measure turns round: dead centres, stroke, time ratio."""
-        found = self._native.extremes(motion._native, self._what(what))
+    def extremes(self, motion: Motion, what: Measure) -> Extremes:
+        """Where a measure turns round: dead centres, stroke, time ratio. A measure that is a function of a motion is called
+        for motions of one time too."""
+        found = self._native.extremes(motion._native, self._measured(what))
         name, unit, turns, stroke, ratio, least, most = found
         ends = Extreme(*least, is_max=False), Extreme(*most)
         return Extremes(name, unit, [Extreme(*one) for one in turns], stroke, ratio, *ends)
 
-    def crossings(self, motion: Motion, what: What, value: float) -> list[tuple[float, bool]]:
+    def crossings(self, motion: Motion, what: Measure, value: float) -> list[tuple[float, bool]]:
         """When a measure passes a value, and whether it rises there."""
-        return self._native.crossings(motion._native, self._what(what), value)
+        return self._native.crossings(motion._native, self._measured(what), value)
 
     def at(self, motion: Motion, t: float) -> Motion:
         """One pose, at any time of the motion: a motion of one time."""
@@ -347,6 +351,12 @@ class System:
             return float(value), system.gradient(motion, order, what, weights)
 
         return function
+
+    def _measured(self, what: Measure) -> Any:
+        """A measure as the native part takes it: a name, or a function of its motion."""
+        if not callable(what):
+            return self._what(what)
+        return lambda native: orders_of(what(Motion(native)))
 
     def _what(self, what: What) -> str:
         return coordinate_name(self.names, what.name if isinstance(what, Coordinate) else what)

@@ -1,6 +1,7 @@
 //! One number over time with its rates.
 
-use super::Series;
+use super::{Motion, Series};
+use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
 /// One number over time with its rates: a coordinate, the angle of a joint, a slide.
@@ -51,6 +52,28 @@ impl Quantity {
         let all = [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate];
         all.into_iter().zip(MARKS).for_each(|(series, mark)| series.rename(format!("{name}{mark}")));
         self
+    }
+}
+
+impl Motion {
+    /// One number over the times of this motion that is computed from it: x, ẋ, ẍ and x⃛ (empty where it is
+    /// not known), one a time each, x in `unit`. It is for a measure that is a function of a motion
+    /// ([`crate::Measure`]); whoever computes it answers for its rates.
+    ///
+    /// Errors: a list that is not one number a time; a number that is infinite or not a number.
+    pub fn quantity(&self, name: &str, unit: &str, orders: [Vec<f64>; 4]) -> Result<Quantity> {
+        for (values, mark) in orders.iter().zip(MARKS) {
+            let may_lack = mark == MARKS[3] && values.is_empty();
+            if values.len() != self.len() && !may_lack {
+                let what = format!("`{name}{mark}`, one number a time");
+                return Err(Error::WrongLength { what, expected: self.len(), found: values.len() });
+            }
+            if let Some(k) = values.iter().position(|value| !value.is_finite()) {
+                let (output, value, t) = (format!("{name}{mark}"), values[k], self.times()[k]);
+                return Err(Error::OutputNotFinite { output, value, t, units: self.unit_words().clone() });
+            }
+        }
+        Ok(Quantity::new(name, unit, (self.times(), self.unit_words()), orders))
     }
 }
 
