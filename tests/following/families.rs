@@ -66,8 +66,8 @@ pub const FAMILIES: [&str; 10] = [
     "RSSR",
 ];
 
-/// Where a mechanism stands and how large it is: at its place, or at the origin with what rounding made of its
-/// points there.
+/// Where a mechanism stands and how large it is: at its place, or at the origin with what rounding made of
+/// its points there.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     pub scale: f64,
@@ -253,13 +253,8 @@ pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<S
         4 => {
             let (bars, [a, b]) = (random.lengths::<3>(1.0, 3.0), random.lengths(0.5, 3.0));
             let dyad = [a, b, random.within(-1.0, 1.0), random.within(-2.0, 4.0)];
-            four_bar(
-                [random.within(0.3, 1.0), bars[0], bars[1], bars[2]],
-                law,
-                false,
-                Some(Some(dyad)),
-                frame,
-            )
+            let lengths = [random.within(0.3, 1.0), bars[0], bars[1], bars[2]];
+            four_bar(lengths, law, false, Some(Some(dyad)), frame)
         }
         5 => four_bar(random.lengths(0.3, 2.0), law, false, Some(None), frame),
         6 => {

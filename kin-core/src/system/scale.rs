@@ -52,8 +52,8 @@ pub(crate) fn sizes(
     layout.units.iter().map(|unit| if *unit == Unit::Metre { length } else { 1.0 }).collect()
 }
 
-/// The sizes by which steps of time are judged: those of [`sizes`], but for a length no more than the distance
-/// within which the equations that it stands in are nearly straight.
+/// The sizes by which steps of time are judged: those of [`sizes`], but for a length no more than the
+/// distance within which the equations that it stands in are nearly straight.
 ///
 /// The check of a step takes it that an equation changes its slopes by no more than they are within a size.
 /// Long links elsewhere, and how far the origin is, have no part in that.

@@ -133,8 +133,8 @@ impl<'a> Reduced<'a> {
         self.model.second_order(q, *t, dq, *dt).ok()
     }
 
-    /// From x to the critical point of f, which must be within `reach`, by steps down to `enough`; gives it and
-    /// the Hessian there.
+    /// From x to the critical point of f, which must be within `reach`, by steps down to `enough`; gives it
+    /// and the Hessian there.
     fn critical(&mut self, mut x: Vec<f64>, reach: f64, enough: f64) -> Option<(Vec<f64>, Matrix2<f64>)> {
         let (zeros, mut gone) = (vec![0.0; self.model.n()], Vector2::zeros());
         for _ in 0..ITERATIONS {
