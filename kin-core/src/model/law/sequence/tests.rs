@@ -69,8 +69,10 @@ fn each_part_has_its_own_variable() {
     assert_eq!([-9.0, 1.999].map(|x| law.jet(x)), [held(0.0); 2]);
     assert_eq!((law.jet(2.0), law.jet(2.5)), ([0.0, 0.0, 2.0, 0.0], [0.25, 1.0, 2.0, 0.0]));
     assert_eq!((law.jet(3.0), law.jet(4.0)), ([1.0, -1.0, 6.0, 0.0], [5.0, 13.0, 30.0, 48.0]));
-    assert_eq!([5.0, 5.001, 99.0].map(|x| law.jet(x)), [held(43.0); 3]);
-    assert_eq!([1.0, 2.5, 3.0, 4.5, 5.0].map(|x| law.fourth(x)), [0.0, 0.0, 48.0, 48.0, 0.0]);
+    // At the end of the last part the law is that part.
+    assert_eq!(law.jet(5.0), [43.0, 75.0, 102.0, 96.0]);
+    assert_eq!([5.001, 99.0].map(|x| law.jet(x)), [held(43.0); 2]);
+    assert_eq!([1.0, 2.5, 3.0, 4.5, 5.0].map(|x| law.fourth(x)), [0.0, 0.0, 48.0, 48.0, 48.0]);
     assert!(Law::sequence(0.0, Vec::<(f64, Law)>::new()).at(1.0).is_nan());
     let half =
         Law::sequence(-1.0, [(1.5, constant(2.0) * Law::polynomial(&[2.0, 1.0])), (0.5, constant(7.0))]);
