@@ -109,11 +109,12 @@ pub enum Engine {
 /// ([`crate::model::law::LawFunction::over`]): a motor that goes out and comes back within a step is
 /// followed. A law of one's own without bounds, and constraints on the dual route or written by hand in which
 /// time stands, are sampled at the eighths of each step instead; what they do between those is not seen.
-/// A run takes ten million smaller steps times coordinates at most, some seconds' worth, and twenty for each
-/// of its times. Where more would lead to the next time, the run ends with [`crate::Error::CannotFollow`]:
-/// give times that are nearer to one another. A toggle ends the run with [`crate::Error::Toggle`] at its time; change
-/// points are passed, and told by [`crate::Motion::singular_positions`]. Mechanisms with redundant equations
-/// are checked by prediction alone: at a singular position their runs end.
+/// A run takes ten million smaller steps times coordinates at most, some seconds' worth, and twenty for
+/// each of its times. Where more would lead to the next time, the run ends with
+/// [`crate::Error::CannotFollow`]: give times that are nearer to one another. A toggle ends the run with
+/// [`crate::Error::Toggle`] at its time; change points are passed, and told by
+/// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by prediction
+/// alone: at a singular position their runs end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
     /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it can be one
