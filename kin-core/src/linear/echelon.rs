@@ -95,41 +95,29 @@ impl Echelon {
 
     /// x with A x = 0, one for each free column, which is 1 in its own and 0 in the others'.
     pub(crate) fn null_space(&self) -> Vec<Sparse> {
-        let mut x = vec![0.0; self.shape.1];
-        self.free_columns.iter().map(|free| self.null_vector(*free, &mut x)).collect()
-    }
-
-    /// The vector of one free column. The buffer `x` is zero before and after.
-    fn null_vector(&self, free: usize, x: &mut [f64]) -> Sparse {
-        x[free] = 1.0;
-        let mut touched = vec![free];
-        for step in self.steps.iter().rev() {
-            let sum: f64 = step.upper.iter().map(|(column, value)| value * x[*column]).sum();
-            if sum != 0.0 {
-                x[step.column] = -sum / step.pivot;
-                touched.push(step.column);
-            }
-        }
-        taken(x, touched)
+        self.space(&self.free_columns, self.shape.1, |step| (step.column, &step.upper, step.pivot))
     }
 
     /// y with yᵀ A = 0, one for each free row, which is 1 in its own and 0 in the others'.
     pub(crate) fn left_null_space(&self) -> Vec<Sparse> {
-        let mut y = vec![0.0; self.shape.0];
-        self.free_rows.iter().map(|free| self.left_null_vector(*free, &mut y)).collect()
+        self.space(&self.free_rows, self.shape.0, |step| (step.row, &step.lower, 1.0))
     }
 
-    fn left_null_vector(&self, free: usize, y: &mut [f64]) -> Sparse {
-        y[free] = 1.0;
-        let mut touched = vec![free];
-        for step in self.steps.iter().rev() {
-            let sum: f64 = step.lower.iter().map(|(row, factor)| factor * y[*row]).sum();
-            if sum != 0.0 {
-                y[step.row] = -sum;
-                touched.push(step.row);
+    fn space(&self, free: &[usize], size: usize, of: fn(&Step) -> (usize, &Sparse, f64)) -> Vec<Sparse> {
+        let mut x = vec![0.0; size];
+        let vector = |free: &usize| {
+            x[*free] = 1.0;
+            let mut touched = vec![*free];
+            for (own, others, pivot) in self.steps.iter().rev().map(of) {
+                let sum: f64 = others.iter().map(|(k, value)| value * x[*k]).sum();
+                if sum != 0.0 {
+                    x[own] = -sum / pivot;
+                    touched.push(own);
+                }
             }
-        }
-        taken(y, touched)
+            taken(&mut x, touched)
+        };
+        free.iter().map(vector).collect()
     }
 }
 
@@ -150,7 +138,6 @@ fn odd(permutation: &[usize]) -> bool {
 
 /// A share of the largest entry below this is rounding.   \[-\]
 const SHARE: f64 = 1e-8;
-
 /// The entries at these indices that are more than rounding; leaves zeros there.
 fn taken(x: &mut [f64], mut touched: Vec<usize>) -> Sparse {
     touched.sort_unstable();

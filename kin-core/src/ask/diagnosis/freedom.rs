@@ -96,7 +96,7 @@ pub(super) fn infinitesimal(examined: &Examined<'_>, persistence: &[Persistence]
 
 /// The persistence of each freedom.
 ///
-/// What nothing holds at nearby poses of higher rank either is a freedom to first order at least. The
+/// A freedom that nearby poses of higher rank leave too is one of first order at least. The
 /// second-order test shows which of these are no more than that; where it decides nothing, a step along the
 /// freedom and back onto C = 0 does.
 pub(super) fn persistences(examined: &Examined<'_>) -> Vec<Persistence> {
