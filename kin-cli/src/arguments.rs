@@ -80,6 +80,17 @@ pub struct Motion {
     /// At the change points of these numbers, counted from 0, turns into the other branch
     #[arg(long, value_delimiter = ',', value_name = "NUMBERS", value_parser = change_point)]
     pub turning: Vec<usize>,
+    #[command(flatten)]
+    pub closure: Closure,
+}
+
+/// How far redundant equations may contradict one another.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Closure {
+    /// How far redundant equations may contradict one another, as a share of the mechanism's size, from 0 to
+    /// 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
+    #[arg(long = "closure", value_name = "SHARE", default_value_t = 0.0)]
+    pub share: f64,
 }
 
 /// The number of a change point.
@@ -144,6 +155,8 @@ pub struct Check {
     /// standard output
     #[arg(long)]
     pub names: bool,
+    #[command(flatten)]
+    pub closure: Closure,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -13,7 +13,7 @@ use crate::say::Say;
 /// Reads, builds and assembles.
 pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
-    let found = system.position(asked.at)?;
+    let found = system.position_with(asked.at, &kin::Options::closure(asked.closure.share))?;
     say.note(&format!(
         "{}: {} coordinates, {} equations; at t = {} {} it is assembled, |C| ≤ {:.0e}",
         system.name(),
