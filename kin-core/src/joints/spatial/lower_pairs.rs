@@ -201,7 +201,8 @@ macro_rules! zero_can_be_chosen {
     ($($joint:ident),*) => {$(
         impl $joint {
             /// The same joint with the zero of its measured angle where the direction f_i of body i lies
-            /// along f_j of body j; of both only what is across the axis counts. Global directions as drawn:
+            /// along f_j of body j; of both only what is across the axis counts. An f that `h_i` has is
+            /// replaced, so that the last zero counts. Global directions as drawn:
             /// `m.local_direction(body, f)`.
             ///
             /// A direction along the axis is refused where the joint is added.

@@ -1,6 +1,6 @@
 //! Laws made of laws: sums, products, multiples and compositions, exact to the third derivative.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Div, Mul};
 
 use kin_graph::{Graph, Node};
 
@@ -51,6 +51,15 @@ impl Mul<f64> for Law {
 
     fn mul(self, factor: f64) -> Law {
         factor * self
+    }
+}
+
+impl Div<f64> for Law {
+    type Output = Law;
+
+    /// f(x)/divisor, as the multiple of the law by 1/divisor.
+    fn div(self, divisor: f64) -> Law {
+        divisor.recip() * self
     }
 }
 
