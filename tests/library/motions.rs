@@ -74,6 +74,44 @@ fn the_zero_of_a_hinge_is_where_it_was_chosen() {
     }
 }
 
+/// A row of `zeros.json`: axes and directions of a body that stands as the ground does, and the angle of f_i
+/// from f_j about them.
+#[derive(serde::Deserialize)]
+struct Zero {
+    h_i: (V, Option<V>),
+    h_j: V,
+    f_i: V,
+    f_j: V,
+    angle: f64,
+}
+
+type V = (f64, f64, f64);
+
+/// The table is that of the wheel's tests too. An f that the axis has of its own is replaced.
+#[test]
+fn c4_zeros_of_hinges_sleeves_and_tables() {
+    let rows: Vec<Zero> = serde_json::from_str(include_str!("zeros.json")).unwrap();
+    let o = vec3(0.0, 0.0, 0.0);
+    for Zero { h_i: (h, f), h_j, f_i, f_j, angle } in rows {
+        let h_i = f.map_or_else(|| Axis::along(h), |f| Axis::new(h, f));
+        for joint in ["hinge", "sleeve", "table"] {
+            let mut m = Mechanism::new("m");
+            let a = m.spatial("a", SpatialPose::at(o)).unwrap();
+            match joint {
+                "hinge" => m.add(joint, spatial::revolute(a, Ground, o, o, h_i, h_j).zero(f_i, f_j)),
+                "sleeve" => m.add(joint, spatial::cylindrical(a, Ground, o, o, h_i, h_j).zero(f_i, f_j)),
+                _ => m.add(joint, spatial::planar(a, Ground, o, o, h_i, h_j).zero(f_i, f_j)),
+            }
+            .unwrap();
+            m.add("still", spatial::fixed(a, o, EulerParameters::identity())).unwrap();
+            let system = m.build().unwrap();
+            let motion = system.run([0.0]).unwrap();
+            let found = system.measure(&motion, format!("{joint}.angle")).unwrap();
+            near(found.value.values()[0], angle, 1e-12);
+        }
+    }
+}
+
 #[test]
 fn a_zero_along_the_axis_is_refused() {
     let mut m = Mechanism::new("m");
@@ -299,4 +337,12 @@ fn tuples_and_arrays_are_points() {
     let motion = m.build().unwrap().run_both([0.0, 1.0]).unwrap();
     near(motion.point(a, (0.5, 0.0)).unwrap().r()[0].x, 1.0, 1e-14);
     near(motion.point(b, (1.0, 0.0, 0.0)).unwrap().r()[1].x, 1.0_f64.cos(), 1e-14);
+}
+
+#[test]
+fn b10_a_law_is_divided_by_a_number() {
+    let (law, half) = (Law::sine(0.3, 2.0, 0.1), Law::sine(0.3, 2.0, 0.1) / 2.0);
+    for x in [-1.0, 0.0, 0.7] {
+        assert_eq!(half.jet(x), law.jet(x).map(|of| 0.5 * of));
+    }
 }
