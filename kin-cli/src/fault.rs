@@ -21,7 +21,7 @@ pub enum Fault {
     Pipe,
 }
 
-/// What errors call by its name in Rust, and the same in the words of the command.
+/// Words of Rust in errors, each with the words of the command.
 const WORDS: [(&str, &str); 8] = [
     ("; `Options::memory` allows", "; a run may take"),
     (
@@ -130,7 +130,7 @@ mod tests {
     /// Every sentence of an error that the command can meet is in its own words: the texts of Kin's sources,
     /// by the names of Rust in them. What is told by rustc alone, or to programs in Rust alone, is listed.
     #[test]
-    fn c8_no_error_of_the_command_speaks_of_rust() {
+    fn no_error_of_the_command_speaks_of_rust() {
         const TO_PROGRAMS: [&str; 9] = [
             "Registry::",
             "kin::text",

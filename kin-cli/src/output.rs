@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn c7_a_text_is_no_formula_of_a_spreadsheet() {
+    fn a_text_is_no_formula_of_a_spreadsheet() {
         for name in ["=a.x", "+a", "-a", "@a", "\ta", "\ra"] {
             assert_eq!(as_text(name), format!("'{name}"));
         }

@@ -64,6 +64,7 @@ pub use mechanism::{
     ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Mechanism, Pose, Preferred,
     SpatialPose, deg, linspace, pose,
 };
+pub use model::error::surface::Surface;
 pub use model::growth::{Growth, Unbounded};
 pub use model::jammed::Jammed;
 pub use model::loads::{
@@ -71,10 +72,10 @@ pub use model::loads::{
 };
 pub use model::no_derivative::NoDerivative;
 pub use model::not_unique::NotUnique;
-pub use model::surface::Surface;
 pub use model::units::Units;
 pub use motion::{
-    Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, RotationMotion, Series,
+    Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, QuantityValues,
+    RotationMotion, Series,
 };
 pub use nalgebra;
 pub use newton::{CrossedBreak, Engine, Follow, Options, Report, Stop};

@@ -306,7 +306,7 @@ impl System {
             rank: found.rank,
             pivot: found.pivot,
             movable: found.movable,
-            dependent: found.dependent,
+            dependent: found.dependent.into(),
             unmet,
             drawn: false,
             diagnosis: None,

@@ -22,6 +22,15 @@ mod watch;
 
 #[pyo3::pymodule]
 mod _native {
+    use pyo3::prelude::*;
+
+    /// Messages name what Python calls them.
+    #[pymodule_init]
+    fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        kin::Surface::Python.choose();
+        Ok(())
+    }
+
     #[pymodule_export]
     use crate::design::{Derivatives, gradient, samples, toggle_by, tolerance};
     #[pymodule_export]

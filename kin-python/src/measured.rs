@@ -1,8 +1,8 @@
-//! What is measured of a motion: by a name, or by a function of Python.
+//! Measures of a motion: by a name, or by a function of Python.
 
 use std::sync::{Mutex, PoisonError};
 
-use kin::{Error, Measure, Quantity};
+use kin::{Error, Measure, Quantity, QuantityValues};
 use pyo3::prelude::*;
 
 use crate::fault::or_raise;
@@ -59,7 +59,9 @@ impl Measured {
         let made =
             function.call1(py, (given,)).and_then(|made| made.extract::<(String, String, [Vec<f64>; 4])>(py));
         match made {
-            Ok((name, unit, orders)) => motion.quantity(&name, &unit, orders),
+            Ok((name, unit, [value, rate, second_rate, third_rate])) => {
+                motion.quantity(&name, &unit, QuantityValues { value, rate, second_rate, third_rate })
+            }
             Err(exception) => {
                 *self.failed.lock().unwrap_or_else(PoisonError::into_inner) = Some(exception);
                 Err(Error::Stopped { done: 0, all: 0, motion: None })

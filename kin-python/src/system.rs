@@ -38,6 +38,9 @@ type Solved<'py> =
 type Proved = (String, bool, Vec<Step>, Vec<String>, Vec<Option<Vec<f64>>>);
 type Step = (f64, f64, Option<(Vec<f64>, Vec<f64>)>, Option<(f64, String)>);
 
+/// The label and the pose of each assembly; whether these are all, and the reason.
+type Listed<'py> = (Vec<(String, Bound<'py, PyBytes>)>, String, String);
+
 /// A program: in words, coordinates that are given and left, blocks, steps.
 type Program = (String, Vec<String>, Vec<String>, Vec<usize>, usize);
 
@@ -264,7 +267,7 @@ impl System {
         py: Python<'py>,
         t: f64,
         keywords: &Bound<'py, PyDict>,
-    ) -> PyResult<(Vec<(String, Bound<'py, PyBytes>)>, String, String)> {
+    ) -> PyResult<Listed<'py>> {
         let (system, options) = (self.now(), assembly_options(keywords)?);
         let found = or_raise(py, py.detach(|| system.assemblies_with(t, &options)))?;
         let one = |one: &kin::Assembly| Ok((one.label.to_string(), numbers::list(py, &one.q)?));

@@ -52,7 +52,7 @@ def refused(line):
 
 
 @pytest.mark.parametrize("line", LINES)
-def test_c8_a_cure_can_be_followed(line):
+def test_a_cure_can_be_followed(line):
     """What the error says to write is written in place of the right side: the function is read then, and its value is that
     of the line with plain numbers."""
     text = refused(line)
@@ -72,13 +72,13 @@ def test_c8_a_cure_can_be_followed(line):
 
 
 @pytest.mark.parametrize("line", NONE)
-def test_c8_where_there_is_no_cure_the_error_says_so(line):
+def test_where_there_is_no_cure_the_error_says_so(line):
     text = refused(line)
     assert NONE[line] in text
     assert not re.search(r"write kin\.(gamma|erf|float|complex|int|print)", text)
 
 
-def test_c8_an_assert_of_a_coordinate_is_a_branch_and_of_a_parameter_a_requirement():
+def test_an_assert_of_a_coordinate_is_a_branch_and_of_a_parameter_a_requirement():
     assert 'write kin.branch(x > 0, "why")' in refused("assert x > 0; r = 1.0")
     assert 'write kin.require(k > 0, "why")' in refused("assert k > 0; r = 1.0")
     assert traced('kin.branch(x > 0, "why"); r = 1.0').text and traced('kin.require(k > 0, "why"); r = 1.0').text
@@ -88,7 +88,7 @@ def test_c8_an_assert_of_a_coordinate_is_a_branch_and_of_a_parameter_a_requireme
 TO_RUST = ("Registry::", "kin::text", "Constraint::jerk_rhs", "Lanes::Best", "SpatialPose::", "Axis::new", "spatial::", "Law::constant")
 
 
-def test_c8_no_sentence_of_kin_has_names_of_rust_in_python():
+def test_no_sentence_of_kin_has_names_of_rust_in_python():
     """All texts of errors in the sources, as Python shows them."""
     sources = pathlib.Path(__file__).parents[2] / "kin-core" / "src"
     looked_at = 0
@@ -104,7 +104,7 @@ def test_c8_no_sentence_of_kin_has_names_of_rust_in_python():
     assert looked_at > 250
 
 
-def test_c8_errors_of_a_run_are_in_words_of_python():
+def test_errors_of_a_run_are_in_words_of_python():
     m = kin.Mechanism("m")
     x = m.length("x", 0.0)
     m.add("d", kin.drive(x, 0.0))
@@ -118,7 +118,7 @@ def test_c8_errors_of_a_run_are_in_words_of_python():
         kin.Mechanism.from_json(m.to_json().replace('"drive"', '"drove"'))
 
 
-def test_c8_docstrings_have_names_of_python():
+def test_docstrings_have_names_of_python():
     for module in (kin, kin.spatial, kin.loads):
         for name in module.__all__:
             doc = getattr(getattr(module, name), "__doc__", "") or ""

@@ -99,7 +99,7 @@ def test_arrays_become_splines():
         Law.spline([1, 2, 3], [1, 2])
 
 
-def test_b10_a_law_has_parameters():
+def test_a_law_has_parameters():
     @kin.law
     def lift(phi, h, u: kin.Vec2, inner: Law, k: float = 2.0):
         """A lift with parameters."""
@@ -143,14 +143,14 @@ def of_a_body(x, inner: kin.Planar):
     return x
 
 
-def test_b10_a_function_with_defaults_drives():
+def test_a_function_with_defaults_drives():
     m = kin.Mechanism("m")
     for k in (1, 2):
         m.add(f"d{k}", kin.drive(m.length(f"x{k}", 0.0), lambda t, k=k: k * t))
     assert m.build().run([2.0]).q[0].tolist() == [2.0, 4.0]
 
 
-def test_b10_laws_and_numbers():
+def test_laws_and_numbers():
     f, x = Law.sine(0.3, 2.0, 0.1), 0.37
     y, d = f.at(x), kin.Mechanism("m").dimension("d", 4.0)
     for made, value in [
@@ -173,7 +173,7 @@ def test_b10_laws_and_numbers():
         (lambda f: 2.0**f, np.exp2), (lambda f: abs(f), np.abs), (lambda f: np.abs(f), np.abs), (lambda f: np.float64(1) / f, lambda y: y / y),
     ],
 )  # fmt: skip
-def test_b10_a_function_of_a_law_says_how_it_is_written(make, value):
+def test_a_function_of_a_law_says_how_it_is_written(make, value):
     f = Law.sine(0.3, 2.0, 0.1)
     with pytest.raises(TypeError) as found:
         make(f)
@@ -182,7 +182,7 @@ def test_b10_a_function_of_a_law_says_how_it_is_written(make, value):
     assert made.at(0.37) == pytest.approx(float(value(f.at(0.37))), rel=1e-14)
 
 
-def test_b10_laws_refuse_what_is_no_number():
+def test_laws_refuse_what_is_no_number():
     f = Law.ramp(1.0)
     for wrong in ("a", None, [1.0], True, 1j, np.complex128(1j)):
         for make in (lambda: f * wrong, lambda: wrong * f, lambda: f + wrong, lambda: wrong - f, lambda: f / wrong):
@@ -191,3 +191,10 @@ def test_b10_laws_refuse_what_is_no_number():
     for make in (lambda: kin.maximum(f, 1.0), lambda: kin.hypot(1.0, f), lambda: np.heaviside(f, 1.0), lambda: f % 2):
         with pytest.raises((TypeError, kin.ConstraintError)):
             make()
+
+
+def test_the_range_of_a_law_is_that_of_its_table():
+    assert kin.Law.spline([0, 1, 2], [0, 1, 4]).range() == kin.LawRange(0.0, 2.0, "line")
+    assert (kin.Law.spline([0, 1, 2], [0, 1, 4]) / 2).range() == kin.LawRange(0.0, 2.0, "line")
+    assert kin.Law.sequence(0.0, [(1.0, kin.Law.constant(2.0))]).range().last == 1.0
+    assert kin.Law.sine(1.0, 2.0).range() is None

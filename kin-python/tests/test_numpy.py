@@ -34,7 +34,7 @@ def agrees(body):
 
 
 @pytest.mark.parametrize("scalar", SCALARS, ids=lambda one: f"{type(one).__name__}-{one.dtype}")
-def test_c2_scalars_of_numpy_before_and_after_a_traced_number(scalar):
+def test_scalars_of_numpy_before_and_after_a_traced_number(scalar):
     plain = scalar.item() if scalar.dtype != np.longdouble else float(scalar)
     # NumPy computes with plain numbers in the precision of the scalar, Kin always in double precision.
     given = lambda x: scalar if isinstance(x, Coord) else plain  # noqa: E731
@@ -45,7 +45,7 @@ def test_c2_scalars_of_numpy_before_and_after_a_traced_number(scalar):
 
 
 @pytest.mark.parametrize("scalar", SCALARS, ids=lambda one: f"{type(one).__name__}-{one.dtype}")
-def test_c2_scalars_of_numpy_and_a_dimension(scalar):
+def test_scalars_of_numpy_and_a_dimension(scalar):
     plain = float(scalar)
     a = kin.Mechanism("m").dimension("a", 1.5)
     if scalar.dtype == bool:
@@ -64,7 +64,7 @@ ARRAYS = [np.array([1.0, 2.0]), np.array([1, 2]), np.array([[1.0, 2.0], [3.0, 4.
 
 
 @pytest.mark.parametrize("array", ARRAYS, ids=lambda one: f"{one.shape}-{one.dtype}")
-def test_c2_arrays_before_and_after_a_traced_number(array):
+def test_arrays_before_and_after_a_traced_number(array):
     given = lambda x: array if isinstance(x, Coord) else array.astype(float)  # noqa: E731
     for act in OPERATORS:
         agrees(lambda x, z, k: [(act(given(x), x) * z).sum(), (act(x, given(x)) * z).sum(), (given(x) * k * x).sum()])
@@ -72,7 +72,7 @@ def test_c2_arrays_before_and_after_a_traced_number(array):
     assert made.shape == array.shape and [one.value for one in made.ravel()] == [float(one) * 1.5 for one in array.ravel()]
 
 
-def test_c2_arrays_of_traced_numbers():
+def test_arrays_of_traced_numbers():
     matrix = np.array([[1.0, 2.0], [3.0, 4.0]])
     agrees(lambda x, z, k: list(matrix @ np.array([x, z])) + list(np.array([x, z]) @ matrix) + [np.array([x, z]) @ np.array([x, k])])
     agrees(lambda x, z, k: list(np.float64(2) * np.array([x, z]) + np.array([1.0, 2.0]) * x) + [np.dot(np.array([x, z]), [3.0, 4.0])])
@@ -88,7 +88,7 @@ BINARY = [np.add, np.subtract, np.multiply, np.divide, np.floor_divide, np.remai
           np.arctan2, np.maximum, np.minimum, np.fmax, np.fmin]  # fmt: skip
 
 
-def test_c2_functions_of_numpy():
+def test_functions_of_numpy():
     for function in UNARY:
         agrees(lambda x, z, k, f=function: [f(x) + z, f(k * 0.5) + x])
         assert function(kin.Mechanism("m").dimension("a", 0.5)).value == pytest.approx(float(function(0.5)), rel=1e-15)
@@ -97,7 +97,7 @@ def test_c2_functions_of_numpy():
     agrees(lambda x, z, k: [*np.divmod(np.float64(2), x), *divmod(x, np.float64(0.3))])
 
 
-def test_c2_vectors_and_matrices():
+def test_vectors_and_matrices():
     A, u = np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([0.3, 0.4])
 
     @kin.constraint
@@ -127,7 +127,7 @@ def test_c2_vectors_and_matrices():
         (lambda x: np.vectorize(float)(np.array([x])), "is no plain number here"),
     ],
 )
-def test_c2_what_numpy_cannot_do_is_told(body, words):
+def test_what_numpy_cannot_do_is_told(body, words):
     with pytest.raises(kin.ConstraintError, match=words):
 
         @kin.constraint
@@ -136,14 +136,14 @@ def test_c2_what_numpy_cannot_do_is_told(body, words):
 
 
 @pytest.mark.parametrize("left, right", [(np.array([1.0, 2.0, 3.0]), 0), (np.str_("a"), 0), (0, np.datetime64("2020-01-01"))])
-def test_c2_what_is_no_number_is_a_type_error(left, right):
+def test_what_is_no_number_is_a_type_error(left, right):
     v, a = kin.vec2(1, 2), kin.Mechanism("m").dimension("a", 1.0)
     for one in (v,) if isinstance(left, np.ndarray) else (v, a):
         with pytest.raises(TypeError):
             operator.add(left, one) if right == 0 else operator.add(one, right)
 
 
-def test_c2_complex_numbers_are_no_numbers_of_kin():
+def test_complex_numbers_are_no_numbers_of_kin():
     """Their imaginary part is not forgotten."""
     z, m = np.complex128(1 + 1j), kin.Mechanism("m")
     a = m.dimension("a", 1.0)

@@ -157,7 +157,7 @@ def typed(function):
 
 
 @pytest.mark.parametrize("function", SWALLOWING, ids=lambda one: one.__name__)
-def test_c3_an_error_that_the_function_catches_fails_at_its_end(function):
+def test_an_error_that_the_function_catches_fails_at_its_end(function):
     with pytest.raises(kin.ConstraintError) as found:
         kin.constraint(typed(function))
     first, last = function.__code__.co_firstlineno, function.__code__.co_firstlineno + 14
@@ -166,7 +166,7 @@ def test_c3_an_error_that_the_function_catches_fails_at_its_end(function):
         assert f"`{function.__name__}` catches this error" in str(found.value)
 
 
-def test_c3_so_do_potentials_forces_and_laws():
+def test_so_do_potentials_forces_and_laws():
     def energy(x: Coord):
         with contextlib.suppress(Exception):
             return math.cos(x)
@@ -182,7 +182,7 @@ def test_c3_so_do_potentials_forces_and_laws():
             make(energy if make is kin.potential else force)
 
 
-def test_c3_what_fails_with_plain_numbers_too_may_be_caught():
+def test_what_fails_with_plain_numbers_too_may_be_caught():
     """Such an error is the function's own: it does the same with plain numbers."""
 
     def one_or_all(x):
@@ -207,7 +207,7 @@ def test_c3_what_fails_with_plain_numbers_too_may_be_caught():
     assert m.terms(f(m.length("x", 0.7), m.length("z", 0.5)), [0.7, 0.5], [0.0, 0.0]).c == pytest.approx(0.5 - 3 * 0.7)
 
 
-def test_c3_an_inner_function_that_fails_is_its_own():
+def test_an_inner_function_that_fails_is_its_own():
     """The function that is traced makes another one; its mistake is not this one's."""
 
     @kin.constraint

@@ -1,4 +1,5 @@
-//! Structures that are rigid in second order only: one verdict by run and diagnosis, and what play does to them.
+//! Structures that are rigid in second order only: one verdict by run and diagnosis, and what play does to
+//! them.
 
 use kin::diagnosis::Persistence;
 use kin::prelude::*;

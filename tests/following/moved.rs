@@ -1,4 +1,4 @@
-//! What happens in a motion does not depend on where the origin is and how large the mechanism is.
+//! Events of a motion do not depend on where the origin is and how large the mechanism is.
 
 use kin::prelude::*;
 use kin::{Engine, Error, Options, SingularKind};
@@ -169,7 +169,7 @@ fn pair(number: usize, frame: Frame) -> Option<[System; 2]> {
 
 /// How many mechanisms a test run takes; `KIN_CAMPAIGN=1000` for many.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(30)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(12)
 }
 
 #[test]

@@ -89,7 +89,7 @@ type V = (f64, f64, f64);
 
 /// The table is that of the wheel's tests too. An f that the axis has of its own is replaced.
 #[test]
-fn c4_zeros_of_hinges_sleeves_and_tables() {
+fn zeros_of_hinges_sleeves_and_tables() {
     let rows: Vec<Zero> = serde_json::from_str(include_str!("zeros.json")).unwrap();
     let o = vec3(0.0, 0.0, 0.0);
     for Zero { h_i: (h, f), h_j, f_i, f_j, angle } in rows {
@@ -340,7 +340,7 @@ fn tuples_and_arrays_are_points() {
 }
 
 #[test]
-fn b10_a_law_is_divided_by_a_number() {
+fn a_law_is_divided_by_a_number() {
     let (law, half) = (Law::sine(0.3, 2.0, 0.1), Law::sine(0.3, 2.0, 0.1) / 2.0);
     for x in [-1.0, 0.0, 0.7] {
         assert_eq!(half.jet(x), law.jet(x).map(|of| 0.5 * of));

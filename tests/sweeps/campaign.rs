@@ -6,7 +6,7 @@ use crate::steps::{Case, difference, random};
 
 /// How many cases a test run takes; `KIN_CAMPAIGN=30000` is the whole campaign, for a release build.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(240)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
 }
 
 /// Cases of each sweep: enough of them for a program to pay.

@@ -185,16 +185,23 @@ fn no_case_at_all_is_a_sweep_too() {
 
 /// How many kinds of machine with lanes this one is: none, if it is old.
 fn kinds_of_machine() -> usize {
+    let most = match std::env::var("KIN_LANES").as_deref() {
+        Ok("off") => 0,
+        Ok("4") => 2,
+        Ok("8") => 4,
+        _ => 8,
+    };
     #[cfg(target_arch = "x86_64")]
-    let kinds = [
-        is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
-        is_x86_feature_detected!("avx512f")
+    let kinds = {
+        let has_avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        let has_avx512 = is_x86_feature_detected!("avx512f")
             && is_x86_feature_detected!("avx512bw")
-            && is_x86_feature_detected!("avx512dq"),
-    ];
+            && is_x86_feature_detected!("avx512dq");
+        [(2, has_avx2), (4, has_avx2), (8, has_avx512)]
+    };
     #[cfg(not(target_arch = "x86_64"))]
-    let kinds = [cfg!(target_arch = "aarch64")];
-    kinds.into_iter().filter(|has| *has).count()
+    let kinds = [(2, cfg!(target_arch = "aarch64"))];
+    kinds.into_iter().filter(|(lanes, has)| *has && *lanes <= most).count()
 }
 
 fn with_lanes(

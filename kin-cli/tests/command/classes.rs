@@ -178,7 +178,7 @@ fn of_motions() -> Vec<Line> {
     vec![
         ("CannotBeDriven", 1, "nothing drives", run("free", &free, "0:1:3")),
         ("NoConvergence", 1, "t = 0 s: ", asked(&["check", m, "--set", "C.u_i.x=20"])),
-        ("SingularAt", 1, "has rank 8", asked(&["check", change_points, "--set", "motor.law.f0=0"])),
+        ("SingularAt", 1, "rank 8 here", asked(&["check", change_points, "--set", "motor.law.f0=0"])),
         (
             "Toggle",
             3,

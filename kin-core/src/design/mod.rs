@@ -11,8 +11,8 @@
 //! forward (`sensitivities.rs`, `solver.rs`), and transposed every parameter at once (`adjoint.rs`), which is
 //! what optimisers ask for (`objective.rs`). Along a motion of many times all of it is one tape, and the walk
 //! is for what is left (`variation/`). Measures are asked for what they read (`partials.rs`, `measured.rs`).
-//! The time of a toggle stands by itself (`toggle.rs`). With tolerances of dimensions derivatives tell how far a
-//! measure, or an extreme or a stroke of it (`feature.rs`), may be off (`tolerance/`).
+//! The time of a toggle stands by itself (`toggle.rs`). With tolerances of dimensions derivatives tell how
+//! far a measure, or an extreme or a stroke of it (`feature.rs`), may be off (`tolerance/`).
 
 mod adjoint;
 mod along;

@@ -21,7 +21,6 @@ pub mod motion;
 pub(crate) mod no_derivative;
 pub(crate) mod not_unique;
 pub mod state;
-pub(crate) mod surface;
 pub mod terms;
 pub(crate) mod units;
 pub mod verdict;

@@ -76,6 +76,21 @@ impl Wide {
         Wide { x: root(self.x * f64::powi(2.0, left as i32)), e: (self.e - left) / n }.normal()
     }
 
+    /// A function of a number that f64 does not have.
+    fn call_beyond(self, f: Function) -> Self {
+        match f {
+            Function::Ln => self.logarithm(),
+            Function::Ln1p if self.e > 0 => self.logarithm(),
+            Function::Log2 => Wide::new(self.x.log2() + self.e as f64),
+            Function::Log10 => Wide::new(self.logarithm().value() / std::f64::consts::LN_10),
+            Function::Sqrt => self.root(2, f64::sqrt),
+            Function::Cbrt => self.root(3, f64::cbrt),
+            Function::Asinh if self.e > 0 => Wide::new(self.twice().logarithm().value().copysign(self.x)),
+            Function::Acosh if self.e > 0 && self.x > 0.0 => self.twice().logarithm(),
+            _ => Wide::new(f.value()(self.value())),
+        }
+    }
+
     /// ± 2 |x|, whose logarithm arsinh and arcosh of large numbers are.
     fn twice(self) -> Self {
         Wide { x: self.x.abs(), e: self.e.saturating_add(1) }
@@ -158,15 +173,7 @@ impl Number for Wide {
             Function::Cosh if u.abs() > ORDINARY => large(1.0, Wide::new(u.abs()).exponential()),
             Function::Abs => Wide { x: self.x.abs(), e: self.e },
             _ if self.is_ordinary() => Wide::new(f.value()(u)),
-            Function::Ln => self.logarithm(),
-            Function::Ln1p if self.e > 0 => self.logarithm(),
-            Function::Log2 => Wide::new(self.x.log2() + self.e as f64),
-            Function::Log10 => Wide::new(self.logarithm().value() / std::f64::consts::LN_10),
-            Function::Sqrt => self.root(2, f64::sqrt),
-            Function::Cbrt => self.root(3, f64::cbrt),
-            Function::Asinh if self.e > 0 => Wide::new(self.twice().logarithm().value().copysign(self.x)),
-            Function::Acosh if self.e > 0 && self.x > 0.0 => self.twice().logarithm(),
-            _ => Wide::new(f.value()(u)),
+            _ => self.call_beyond(f),
         }
     }
 

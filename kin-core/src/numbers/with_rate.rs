@@ -63,6 +63,10 @@ impl<N: Number> Mul for WithRate<N> {
     }
 }
 
+fn product<N: Number>(a: N, b: N) -> N {
+    a * b
+}
+
 impl<N: Number> Div for WithRate<N> {
     type Output = Self;
 
@@ -70,7 +74,7 @@ impl<N: Number> Div for WithRate<N> {
         let x = self.x / other.x.clone();
         let parts = [
             self.rate.map(|rate| rate / other.x.clone()),
-            other.rate.map(|rate| -(x.clone() * rate / other.x.clone())),
+            other.rate.map(|rate| -product(x.clone(), rate / other.x.clone())),
         ];
         WithRate::with(x, parts)
     }

@@ -14,7 +14,7 @@ pub use crate::model::body::{Body, Vector};
 pub use crate::model::motion::{EngineCounts, Event, EventKind, Motion, Series};
 pub use planar::Line;
 pub use point::PointMotion;
-pub use quantity::Quantity;
+pub use quantity::{Quantity, QuantityValues};
 pub use rotation::RotationMotion;
 pub use summary::Displaced;
 

@@ -120,7 +120,7 @@ impl<'a> Newton<'a> {
             residual: 0.0,
             steps: 0,
             steps_before: 0,
-            jumps: options.predict && !equations.jumping().is_empty(),
+            jumps: !equations.jumping().is_empty(),
         }
     }
 

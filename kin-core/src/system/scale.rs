@@ -1,6 +1,8 @@
 //! Characteristic sizes: what makes tolerances, ranks and the check of steps the same in mm, m and km, and
 //! wherever the origin is.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::model::layout::Layout;
 use crate::model::units::Unit;
 use crate::numbers::random::Random;
@@ -44,7 +46,7 @@ pub(crate) fn sizes(
     (q, t): (&[f64], f64),
     links: &[f64],
 ) -> Vec<f64> {
-    let length = lever(layout, equations, values)
+    let length = lever(layout, equations, values, (q, t))
         .or_else(|| largest(links.iter().copied()))
         .or_else(|| median(bends(layout, equations, (q, t), LADDER.map(power)).distances))
         .or_else(|| largest(lengths(layout).map(|column| q[column])))
@@ -83,20 +85,24 @@ fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
     layout.units.iter().enumerate().filter(|(_, unit)| **unit == Unit::Metre).map(|(column, _)| column)
 }
 
-/// The median lever of the constraints that have one: rows of angles alone, such as those of an axis, say
-/// nothing of lengths.
-fn lever(layout: &Layout, equations: &Equations, values: &[f64]) -> Option<f64> {
+/// The median lever of the constraints that have one.
+///
+/// Rows of angles alone, such as those of an axis, say nothing of lengths. A row with a length may turn with
+/// its angles until a lever vanishes (l cos θ = x at θ = 0), so slopes count at these angles and a quarter
+/// turn further on.
+fn lever(layout: &Layout, equations: &Equations, values: &[f64], (q, t): (&[f64], f64)) -> Option<f64> {
+    let turned = turned(layout, equations, (q, t));
     let (mut levers, mut rows): (Vec<f64>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
     for block in &equations.blocks {
         rows.clear();
         rows.resize(block.rows().len(), [0.0; 2]);
-        let entries = equations.entries.get(block.values()).unwrap_or_default();
-        for (entry, value) in entries.iter().zip(values.get(block.values()).unwrap_or_default()) {
-            if let Some((row, column)) = *entry {
-                let kind = usize::from(layout.units[column] != Unit::Metre);
-                let most = &mut rows[row - block.rows().start][kind];
-                *most = most.max(value.abs());
-            }
+        for place in block.values() {
+            let Some((row, column)) = equations.entries[place] else { continue };
+            let kind = usize::from(layout.units[column] != Unit::Metre);
+            let most = &mut rows[row - block.rows().start][kind];
+            // Where C was no number there are no slopes.
+            let slope = |all: &[f64]| all.get(place).map_or(0.0, |slope| slope.abs());
+            *most = most.max(slope(values)).max(slope(&turned));
         }
         let both = rows.iter().filter(|row| row[0] > 0.0);
         let [per_length, per_angle] =
@@ -105,6 +111,16 @@ fn lever(layout: &Layout, equations: &Equations, values: &[f64]) -> Option<f64> 
     }
     levers.retain(|lever| lever.is_finite() && *lever > 0.0);
     median(levers)
+}
+
+/// C_q where every angle is a quarter turn further on.
+fn turned(layout: &Layout, equations: &Equations, (q, t): (&[f64], f64)) -> Vec<f64> {
+    let turn = |(q, unit): (&f64, &Unit)| if *unit == Unit::Radian { q + FRAC_PI_2 } else { *q };
+    let q: Vec<f64> = q.iter().zip(&layout.units).map(turn).collect();
+    let mut values = vec![0.0; equations.entries.len()];
+    equations.set_constants(&mut values);
+    equations.linearize(&q, &equations.instant_at(t, &q), &mut vec![0.0; equations.rows], &mut values);
+    values
 }
 
 fn median(mut all: Vec<f64>) -> Option<f64> {

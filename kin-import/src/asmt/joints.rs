@@ -91,8 +91,8 @@ impl Reading {
         Ok(())
     }
 
-    /// Adds the constraint of a joint. True if motions and limits can be of this joint: not of a coupling, nor
-    /// of a joint that is left out.
+    /// Adds the constraint of a joint. True if motions and limits can be of this joint: not of a coupling,
+    /// nor of a joint that is left out.
     fn add_joint(
         &mut self,
         of: &Tree<'_>,

@@ -71,7 +71,7 @@ from ._functions import (
 )
 from ._handles import Coordinate, Ground, Link, PlanarBody, SpatialBody, SpatialLink, ground
 from ._joint import Joint
-from ._law import Law
+from ._law import Law, LawRange
 from ._load import Force, Load, Potential, force, potential
 from ._mechanism import Mechanism, Terms
 from ._motion import Break, Displaced, Event, Motion, Peak, Point, Quantity, Rotation
@@ -121,6 +121,7 @@ __all__ = [
     "Growth",
     "Joint",
     "Law",
+    "LawRange",
     "Link",
     "Load",
     "LookedAt",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
 import numpy as np
@@ -12,6 +13,16 @@ from . import _native
 from ._dimension import Dimension, NumberLike, valued, written
 from ._mistakes import KINS
 from ._ufunc import Operand
+
+
+@dataclass(frozen=True)
+class LawRange:
+    """The arguments from `first` to `last` that a law is made for. Beyond them the law is the straight line of its end
+    (`beyond == "line"`) or keeps the value of its end (`"held"`), and a run that goes there warns."""
+
+    first: float
+    last: float
+    beyond: str
 
 
 class Law(Operand):
@@ -234,6 +245,11 @@ class Law(Operand):
         return self._order(x, 3)
 
     __call__ = at
+
+    def range(self) -> Optional[LawRange]:
+        """The arguments that the law is made for: those of a table, of the parts of a sequence; None if it has no ends."""
+        found = self._native.range()
+        return None if found is None else LawRange(*found)
 
     def _order(self, x: Any, order: int) -> Any:
         law = self._native

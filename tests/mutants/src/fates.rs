@@ -1,4 +1,4 @@
-//! What is known of mutants from earlier runs, so that a run that was ended goes on where it stopped.
+//! The record of mutants from earlier runs, so that a run that was ended goes on where it stopped.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -24,7 +24,7 @@ struct Killed {
 }
 
 impl Fates {
-    /// What the folder of a part keeps; nothing if there is no record, or if it cannot be read.
+    /// The record in the folder of a part; empty if there is none, or if it cannot be read.
     pub fn read(folder: &Path, sources: &[Source]) -> Fates {
         let path = folder.join("killed.json");
         let record = fs::read(&path)

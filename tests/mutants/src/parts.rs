@@ -54,7 +54,7 @@ impl Part {
             .ok_or_else(|| format!("no part `{name}`; there are {}", names()))?)
     }
 
-    /// What cargo is given to build and run the tests of this part.
+    /// The arguments by which cargo builds and runs the tests of this part.
     pub fn arguments(&self) -> Vec<&'static str> {
         let programs = self.tests.iter().flat_map(|test| ["--test", test]);
         ["-p", "kin-core", "-p", "kin", "--lib"].into_iter().chain(programs).collect()

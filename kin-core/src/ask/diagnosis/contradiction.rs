@@ -222,8 +222,8 @@ impl Search<'_> {
         self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
     }
 
-    /// The drivers where there are several: one that holds a body in line with others takes no part in what is
-    /// missing along that line, although it is what keeps the body from giving way.
+    /// The drivers where there are several: one that holds a body in line with others takes no part in what
+    /// is missing along that line, although it is what keeps the body from giving way.
     fn in_line(&self, open: &[usize]) -> Vec<usize> {
         let model = &self.model;
         let block_of = |row: usize| model.equations.block_index(row);

@@ -18,12 +18,12 @@ const STILL: f64 = 1e-6;
 const LOOKED_AT: usize = 24;
 
 /// Directions are kept as long as all of them together take at most so many numbers.
-const KEPT: usize = 1 << 22;
+const MOST_NUMBERS: usize = 1 << 22;
 
 /// All freedoms at the pose, with what is known of their persistence.
 pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Freedom> {
     let (n, free) = (examined.model().n(), &examined.here.free);
-    let keeps = n.saturating_mul(free.len()) <= KEPT;
+    let keeps = n.saturating_mul(free.len()) <= MOST_NUMBERS;
     let found = free.iter().zip(persistence).enumerate();
     found
         .map(|(k, ((column, _), persistence))| {

@@ -34,6 +34,9 @@ const PROFILE: f64 = 1e-5;
 /// A number that moves by less than this share of its largest value stands still.   \[-\]
 const STILL: f64 = 1e-9;
 
+/// Values are known to this share of their characteristic size: what misses by less has not moved.   \[-\]
+const ROUNDING: f64 = 1e-11;
+
 /// No step is cut into parts shorter than this share of it.   \[-\]
 const SHORTEST: f64 = 1e-7;
 
@@ -70,6 +73,8 @@ struct Refining<'a> {
     clock: Clock<'a>,
     /// How far each coordinate moves, and at last what is asked.
     sizes: Vec<f64>,
+    /// By how much rounding may move each of them.
+    rounding: Vec<f64>,
     profiles: Vec<Profile>,
     added: usize,
 }
@@ -98,6 +103,7 @@ impl<'a> Refining<'a> {
             run: Run::new(system, options, None)?,
             clock: Clock::new(system, motion),
             sizes: Vec::new(),
+            rounding: rounding(system, motion),
             profiles: profiles(system, motion),
             added: 0,
         };
@@ -179,13 +185,14 @@ impl<'a> Refining<'a> {
 
     /// True if the pose at the time in the middle is where quintics through the others lead.
     fn fits(&self, [a, middle, b]: [f64; 3], at: &dyn Fn(usize, usize) -> [f64; 3]) -> bool {
-        self.sizes.iter().enumerate().all(|(j, size)| {
+        self.sizes.iter().zip(&self.rounding).enumerate().all(|(j, (size, rounding))| {
             let curve = Quintic::between([a, b], [at(0, j), at(2, j)]);
             let (u, [x, rate, _]) = ((middle - a) / (b - a), at(1, j));
             let (value, slope) = (curve.at(u), curve.slope(u));
+            let allowed = (MISS * size).max(*rounding);
             // A number that is none cannot be followed better.
             let off = |miss: f64, allowed: f64| miss > allowed;
-            !off((value - x).abs(), MISS * size) && !off((slope - (b - a) * rate).abs(), RATES * MISS * size)
+            !off((value - x).abs(), allowed) && !off((slope - (b - a) * rate).abs(), RATES * allowed)
         })
     }
 
@@ -222,6 +229,16 @@ impl<'a> Refining<'a> {
             self.system.pose_near(t, &q, from.has_jerk())
         })
     }
+}
+
+/// By how much rounding may move each coordinate, and at last what is asked of them.
+fn rounding(system: &System, motion: &Motion) -> Vec<f64> {
+    if motion.is_empty() {
+        return vec![0.0; system.n_coordinates() + 1];
+    }
+    let sizes = system.model().measure(motion.q(0), motion.times()[0]).sizes;
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    sizes.into_iter().chain([largest]).map(|size| ROUNDING * size).collect()
 }
 
 /// The laws whose arguments move with coordinates.

@@ -65,7 +65,7 @@ pub(super) fn worst<M: Measure>(
 ) -> ([Option<f64>; 2], LookedAt) {
     let n = names.len();
     let bent = second.map(|second| second.hessian.clone());
-    let centre = || Place { off: vec![0.0; n], value: followed.nominal };
+    let centre = || Deviation { off: vec![0.0; n], value: followed.nominal };
     let mut walk = Walk {
         followed,
         sources,
@@ -86,7 +86,7 @@ pub(super) fn worst<M: Measure>(
 }
 
 /// A place, by how much each dimension is off, and the value there.
-struct Place {
+struct Deviation {
     off: Vec<f64>,
     value: f64,
 }
@@ -101,7 +101,7 @@ struct Walk<'a, M> {
     seen: Vec<Vec<f64>>,
     corners: usize,
     /// The places with the smallest and the largest value.
-    worst: [Place; 2],
+    worst: [Deviation; 2],
     unassembled: Option<Vec<f64>>,
 }
 
@@ -128,7 +128,7 @@ impl<M: Measure> Walk<'_, M> {
             Some(value) => {
                 for (worst, side) in self.worst.iter_mut().zip(SIDES) {
                     if side * value > side * worst.value {
-                        *worst = Place { off: off.clone(), value };
+                        *worst = Deviation { off: off.clone(), value };
                     }
                 }
             }
@@ -244,7 +244,7 @@ impl<M: Measure> Walk<'_, M> {
     fn onward(&mut self) {
         for (which, side) in SIDES.into_iter().enumerate() {
             for _ in 0..STEPS {
-                let Place { off, value } = &self.worst[which];
+                let Deviation { off, value } = &self.worst[which];
                 let (off, before) = (off.clone(), *value);
                 let moved = self.names.iter().zip(off.iter().copied());
                 let Some(system) = self.followed.system.off(moved) else { break };

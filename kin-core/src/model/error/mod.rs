@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use crate::model::{blame::Culprit, motion::Motion, units::Units, verdict::Diagnosis, words};
-
 mod carried;
 mod other_motion;
+pub(crate) mod surface;
 mod text;
 
 pub use carried::Result;
@@ -63,7 +63,7 @@ pub enum Error {
         /// Bodies and coordinates that can move although everything that drives stands still.
         movable: Vec<String>,
         /// Equations that depend on one another.
-        dependent: Vec<String>,
+        dependent: Box<[String]>,
         /// An equation that is far from being met where the search ended; `None` at a position.
         unmet: Option<Box<str>>,
         /// True if this is the pose that was given as the guess, which meets every equation.

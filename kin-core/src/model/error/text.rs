@@ -1,7 +1,7 @@
 //! The sentences of error messages that depend on what is known.
 
+use crate::model::error::surface::Surface;
 use crate::model::motion::Motion;
-use crate::model::surface::Surface;
 use crate::model::units::Units;
 use crate::model::verdict::Diagnosis;
 use crate::model::words::{at, bytes, count, list, row, time};

@@ -4,11 +4,14 @@ use std::ops::{Add, Div, Mul};
 
 use kin_graph::{Graph, Node};
 
-use super::breaks::{MOST_BREAKS, Samples, left_jet, merged, sharpest};
-use super::parts::{by_part, range_of_composed, set, show, slope};
+mod composed;
+
+use super::breaks::{merged, sharpest};
+use super::parts::{by_part, set, show};
 use super::{Break, Law, LawFunction, LawRange, trusted_parts};
 use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::Series;
+use composed::Composed;
 
 impl Law {
     /// f(g(x)), this law after `inner`.
@@ -59,7 +62,7 @@ impl Div<f64> for Law {
 
     /// f(x)/divisor, as the multiple of the law by 1/divisor.
     fn div(self, divisor: f64) -> Law {
-        divisor.recip() * self
+        Law::new(Multiple { factor: divisor.recip(), law: self })
     }
 }
 
@@ -279,129 +282,6 @@ impl LawFunction for Multiple {
         }
         let mut law = self.law.clone();
         set(&mut law, "law", name, value).then(|| self.factor * law)
-    }
-}
-
-/// f(g(x))
-struct Composed {
-    outer: Law,
-    inner: Law,
-}
-
-impl Composed {
-    /// The outer law's jet, that of its left side where a break of it is passed backwards: the right side is
-    /// that of x.
-    fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
-        let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
-        let begins = || self.outer.range().is_some_and(|range| range.from == g);
-        if falls && !self.outer.breaks(g, g).is_empty() && !begins() {
-            return left_jet(&self.outer, g, 1e-9 * g.abs().max(1e-3));
-        }
-        self.outer.jet(g)
-    }
-
-    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law takes their
-    /// places.
-    fn with_outer<I: IntoIterator<Item = Break>>(
-        &self,
-        mut all: Vec<Break>,
-        from: f64,
-        to: f64,
-        list: impl Fn(&Law, f64, f64) -> I,
-    ) -> Vec<Break> {
-        if self.outer.is_smooth() {
-            return all;
-        }
-        let places: Vec<f64> = [from].into_iter().chain(all.iter().map(|b| b.x)).chain([to]).collect();
-        let least = all.len();
-        for pair in places.windows(2) {
-            let samples = Samples::between(&self.inner, pair[0], pair[1]);
-            let (low, high) = samples.range();
-            for outer in list(&self.outer, low, high) {
-                all.extend(samples.preimages(outer.x).into_iter().map(|x| Break { x, order: outer.order }));
-            }
-            if all.len() - least > MOST_BREAKS {
-                break;
-            }
-        }
-        merged(all)
-    }
-}
-
-impl LawFunction for Composed {
-    /// The chain rule to the third order (Faà di Bruno).
-    fn jet(&self, x: f64) -> [f64; 4] {
-        let [g, g1, g2, g3] = self.inner.jet(x);
-        let [f, f1, f2, f3] = self.outer_jet([g, g1, g2, g3]);
-        [f, f1 * g1, f2 * g1 * g1 + f1 * g2, f3 * g1 * g1 * g1 + 3.0 * f2 * g1 * g2 + f1 * g3]
-    }
-
-    fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
-        let inner = self.inner.written(graph, x)?;
-        self.outer.written(graph, inner)
-    }
-
-    fn kind(&self) -> &str {
-        "composed"
-    }
-
-    fn description(&self) -> &str {
-        "A law of a law: f(g(x))."
-    }
-
-    fn trusted(&self) -> Vec<String> {
-        trusted_parts(self)
-    }
-
-    fn over(&self, x: &Series) -> Option<Series> {
-        self.outer.over(&self.inner.over(x)?)
-    }
-
-    fn fourth(&self, x: f64) -> f64 {
-        let ([g, g1, g2, g3], g4) = (self.inner.jet(x), self.inner.fourth(x));
-        let ([_, f1, f2, f3], f4) = (self.outer.jet(g), self.outer.fourth(g));
-        f4 * g1.powi(4) + 6.0 * f3 * g1 * g1 * g2 + f2 * (3.0 * g2 * g2 + 4.0 * g1 * g3) + f1 * g4
-    }
-
-    fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
-        self.with_outer(self.inner.breaks(from, to), from, to, |outer, low, high| outer.breaks(low, high))
-    }
-
-    fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
-        let inner = self.inner.breaks(from, to);
-        sharpest(self.with_outer(inner, from, to, |outer, low, high| outer.sharpest_break(low, high)))
-    }
-
-    fn is_smooth(&self) -> bool {
-        self.inner.is_smooth() && self.outer.is_smooth()
-    }
-
-    fn range(&self) -> Option<LawRange> {
-        range_of_composed(&self.outer, &self.inner)
-    }
-
-    fn refusal(&self) -> Option<String> {
-        self.inner.refusal().or_else(|| self.outer.refusal())
-    }
-
-    fn parts(&self) -> Vec<(String, Law)> {
-        vec![("outer".to_string(), self.outer.clone()), ("inner".to_string(), self.inner.clone())]
-    }
-
-    fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-        show(&self.outer, "outer", visit);
-        show(&self.inner, "inner", visit);
-    }
-
-    fn by_parameter(&self, name: &str) -> Option<Law> {
-        let outer = by_part(&self.outer, "outer", name).map(|outer| outer.compose(&self.inner));
-        outer.or_else(|| Some(slope(&self.outer).compose(&self.inner) * by_part(&self.inner, "inner", name)?))
-    }
-
-    fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
-        let (mut outer, mut inner) = (self.outer.clone(), self.inner.clone());
-        (set(&mut outer, "outer", name, value) || set(&mut inner, "inner", name, value))
-            .then(|| outer.compose(&inner))
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::{Display, Formatter, Result};
 use super::change::{Change, GlobalPoint, Resize, Size};
 use super::gap::{Asks, Step};
 use super::text::{SHOWN, number};
-use crate::model::surface::Surface;
+use crate::model::error::surface::Surface;
 use crate::model::words::list;
 
 /// The cause that a change gives, where the change has been tried; it is told first.

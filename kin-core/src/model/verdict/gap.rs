@@ -28,9 +28,9 @@ pub struct Gap {
     /// The other drivers, and what those of one coordinate ask for.
     #[serde(default)]
     pub against: Vec<Against>,
-    /// True if an equation of the mechanism can jump where coordinates move (`floor`, `%`, `signum`, an `if`),
-    /// or may do so for all that is known of it: then the residual is the one that was found, and a smaller
-    /// one, or none, may be near.
+    /// True if an equation of the mechanism can jump where coordinates move (`floor`, `%`, `signum`, an
+    /// `if`), or may do so for all that is known of it: then the residual is the one that was found, and a
+    /// smaller one, or none, may be near.
     #[serde(default)]
     pub can_jump: bool,
     /// The jumps that were found beside the pose.

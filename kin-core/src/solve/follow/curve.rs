@@ -183,7 +183,7 @@ impl<'a> Curve<'a> {
         self.linear.solution().to_vec()
     }
 
-    /// What rounding of x makes of a place, by the measures: far from the origin it is large.
+    /// The error of a place by rounding of x, in units of the measures: far from the origin it is large.
     pub(super) fn rounding(&self, x: &[f64]) -> f64 {
         let shares = x.iter().zip(&self.sizes).map(|(x, size)| (x / size).abs());
         64.0 * f64::EPSILON * shares.fold(1.0, f64::max)

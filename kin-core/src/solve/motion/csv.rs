@@ -105,12 +105,11 @@ fn digits(text: &mut String, value: f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::joints::drivers::drive;
     use crate::{Law, Mechanism};
 
     #[test]
-    fn c7_a_header_is_no_formula_of_a_spreadsheet() {
+    fn a_header_is_no_formula_of_a_spreadsheet() {
         let mut m = Mechanism::new("m");
         for (k, name) in ["=1+1", "+a", "-b", "@SUM(A1)", "plain", "a=b"].into_iter().enumerate() {
             let x = m.length(name, 0.0).unwrap();

@@ -18,6 +18,19 @@ pub struct Quantity {
     pub third_rate: Series,
 }
 
+/// The values of a [`Quantity`], one for each time of a motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct QuantityValues {
+    /// x
+    pub value: Vec<f64>,
+    /// ẋ
+    pub rate: Vec<f64>,
+    /// ẍ
+    pub second_rate: Vec<f64>,
+    /// x⃛; empty if it is not known.
+    pub third_rate: Vec<f64>,
+}
+
 /// Marks of derivatives after a name: x, x', x'', x'''.
 pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
 
@@ -56,12 +69,13 @@ impl Quantity {
 }
 
 impl Motion {
-    /// One number over the times of this motion that is computed from it: x, ẋ, ẍ and x⃛ (empty where it is
-    /// not known), one a time each, x in `unit`. It is for a measure that is a function of a motion
-    /// ([`crate::Measure`]); whoever computes it answers for its rates.
+    /// Makes a quantity of `values` that were computed from this motion, with x in `unit`. It is for a
+    /// measure that is a function of a motion ([`crate::Measure`]). Kin does not check the rates.
     ///
     /// Errors: a list that is not one number a time; a number that is infinite or not a number.
-    pub fn quantity(&self, name: &str, unit: &str, orders: [Vec<f64>; 4]) -> Result<Quantity> {
+    pub fn quantity(&self, name: &str, unit: &str, values: QuantityValues) -> Result<Quantity> {
+        let QuantityValues { value, rate, second_rate, third_rate } = values;
+        let orders = [value, rate, second_rate, third_rate];
         for (values, mark) in orders.iter().zip(MARKS) {
             let may_lack = mark == MARKS[3] && values.is_empty();
             if values.len() != self.len() && !may_lack {

@@ -30,8 +30,8 @@ const ALONG: f64 = 10.0;
 
 pub(super) const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
 
-/// What a run may still spend on smaller steps of time. It is counted, not timed: the verdict is the same on
-/// each machine.
+/// The work that a run may still spend on smaller steps of time. It is counted, not timed, so that the
+/// verdict is the same on each machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
     /// Smaller steps that are left.
@@ -110,7 +110,7 @@ pub(super) trait Stepping {
         asked: Asked,
     ) -> Result<Outcome>;
 
-    /// What the run may still spend.
+    /// The work that the run may still spend.
     fn effort(&mut self) -> &mut Effort;
 
     /// Why steps are not taken, where that is not that they are too long.

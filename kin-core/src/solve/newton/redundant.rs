@@ -8,10 +8,11 @@
 mod begin;
 mod errors;
 mod judged;
+mod rows;
 mod solver;
 
 use super::advance::{Asked, Effort, Stepping, advance};
-use super::iterate::{self, Ending, Iterating};
+use super::iterate;
 use super::law_breaks::LawBreaks;
 use super::predictor::{Last, Predictor};
 use super::{Options, Outcome, Report};
@@ -25,6 +26,7 @@ use crate::system::evaluate::{Instant, finite};
 use crate::system::scaled::{Measures, Model, Point, TOLERANCE};
 use crate::system::{Solution, System};
 use errors::unmet;
+use rows::Rows;
 use solver::Solver;
 pub(crate) use solver::solved;
 
@@ -262,80 +264,6 @@ impl Position<'_> {
     /// q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
-    }
-}
-
-/// A position that all rows ask for.
-struct Rows<'d, 'a> {
-    position: &'d mut Position<'a>,
-    t: f64,
-    iterations: usize,
-    /// The position before the last step, where an equation can jump.
-    before: Vec<f64>,
-}
-
-impl Iterating for Rows<'_, '_> {
-    fn look(&mut self) -> bool {
-        self.position.steps += 1;
-        self.position.factor(self.t).is_some()
-    }
-
-    fn residual(&self) -> f64 {
-        self.position.point.c.iter().fold(0.0, |m, c| c.abs().max(m))
-    }
-
-    fn solve(&mut self) {
-        let Position { rhs, point, .. } = &mut *self.position;
-        rhs.iter_mut().zip(&point.c).for_each(|(rhs, c)| *rhs = -c);
-        self.position.solve_for_rhs();
-    }
-
-    fn correction(&self) -> f64 {
-        padded::largest_share(self.position.x.whole(), self.position.shares.whole())
-    }
-
-    fn correction_but_for_rounding(&self, _: f64) -> f64 {
-        self.correction()
-    }
-
-    /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
-    fn is_met(&mut self, _: f64) -> bool {
-        true
-    }
-
-    #[cold]
-    fn has_changed_branch(&mut self) -> bool {
-        let Position { model, instant, q, .. } = &mut *self.position;
-        let (equations, [mut before, mut now]) = (model.equations, [Vec::new(), Vec::new()]);
-        if self.before.is_empty() {
-            return false;
-        }
-        equations.set_time(self.t, instant);
-        for (q, list) in [(&self.before[..], &mut before), (&q[..], &mut now)] {
-            equations.set_position(q, instant);
-            equations.choices(instant, list);
-        }
-        before != now
-    }
-
-    fn end(&mut self) -> Ending {
-        let position = &mut *self.position;
-        let met = position.model.met(&position.point, &position.q, &position.measures, &|_| true);
-        padded::add(position.q.whole_mut(), position.x.whole());
-        if met && position.has_jumped(self.t) {
-            position.q.iter_mut().zip(&position.x).for_each(|(q, dq)| *q -= dq);
-        }
-        if met { Ending::Found } else { Ending::Failed }
-    }
-
-    fn step(&mut self, _: f64) -> bool {
-        if !self.position.model.equations.jumping().is_empty() {
-            self.before.clear();
-            self.before.extend_from_slice(&self.position.q);
-        }
-        padded::add(self.position.q.whole_mut(), self.position.x.whole());
-        self.iterations += 1;
-        true
     }
 }
 

@@ -19,8 +19,8 @@ const LOOKED_AT: usize = 8;
 
 /// The pose, or the singular pose of lower rank beside it at which C = 0 holds as well.
 ///
-/// With l and n the nearly null vectors of C_q, the coordinates s for which l · C_q(q + Σ s n) n = 0 are those
-/// of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then met again.
+/// With l and n the nearly null vectors of C_q, the coordinates s for which l · C_q(q + Σ s n) n = 0 are
+/// those of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then met again.
 pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measures) -> Vec<f64> {
     let tolerance = ROUNDING.max(model.closure);
     let near = NEAR.max(30.0 * model.closure.sqrt());

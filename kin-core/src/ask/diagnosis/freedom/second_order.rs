@@ -90,11 +90,10 @@ fn is_definite(form: &[Vec<f64>]) -> bool {
             if !(pivot > FLAT * size && pivot > FLAT) {
                 return false;
             }
-            for i in k + 1..a.len() {
-                let factor = a[i][k] / pivot;
-                for j in k..a.len() {
-                    a[i][j] -= factor * a[k][j];
-                }
+            let (done, rest) = a.split_at_mut(k + 1);
+            for row in rest {
+                let factor = row[k] / pivot;
+                row.iter_mut().zip(&done[k]).skip(k).for_each(|(x, own)| *x -= factor * own);
             }
             true
         })

@@ -1,5 +1,6 @@
 use super::*;
 use crate::model::law::Ends;
+use crate::model::law::breaks::MOST_BREAKS;
 use crate::model::law::tests::{bounded, listed, near, own, shown};
 use crate::numbers::enclosure::{Interval, ONE};
 

@@ -98,10 +98,12 @@ impl Iterating for Single<'_, '_> {
         self.newton.is_within(tolerance)
     }
 
-    /// The last correction keeps errors of predictions from adding up.
+    /// The last correction keeps errors of predictions from adding up, and where equations jump it decides
+    /// the branch.
     #[inline(always)]
     fn end(&mut self) -> Ending {
-        if self.newton.options.predict && !self.newton.correct_last() {
+        let is_corrected = self.newton.options.predict || self.newton.jumps;
+        if is_corrected && !self.newton.correct_last() {
             return self.jump();
         }
         self.left = None;
