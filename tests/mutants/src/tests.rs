@@ -51,7 +51,7 @@ impl Tests {
     pub fn new(programs: Vec<Program>, folder: &Path, longest: f64, jobs: usize) -> Result<Tests> {
         let mut names = Vec::new();
         for (k, program) in programs.iter().enumerate() {
-            let listed = command(program).args(["--list", "--format", "terse"]).output()?;
+            let listed = command(program, 600.0).args(["--list", "--format", "terse"]).output()?;
             let listed = String::from_utf8(listed.stdout)?;
             names.extend(
                 listed
@@ -66,9 +66,11 @@ impl Tests {
             let log = logs.join(k.to_string());
             let _ = std::fs::remove_file(&log);
             let begin = Instant::now();
-            let mut child = only(&programs[*program], &[name]).env("KIN_MUTANTS_REACHED", &log).spawn()?;
+            let mut child = only(&programs[*program], &[name], longest.min(600.0))
+                .env("KIN_MUTANTS_REACHED", &log)
+                .spawn()?;
             // One that takes longer than all may together would not be run anyway.
-            if !wait(&mut child, longest.min(600.0))? {
+            if !ends_well(&mut child, longest.min(600.0))? {
                 println!(
                     "left out, for it fails without a mutant, or takes too long: {} {name}",
                     programs[*program].name
@@ -169,16 +171,19 @@ impl Tests {
         let names: Vec<&String> = group.iter().map(|k| &self.tests[*k].name).collect();
         let seconds: f64 = group.iter().map(|k| self.tests[*k].seconds).sum();
         let program = &self.programs[self.tests[group[0]].program];
-        let mut child = only(program, &names).env("KIN_MUTANT", mutant.to_string()).spawn()?;
-        wait(&mut child, 2.0 + 3.0 * seconds)
+        let limit = 2.0 + 3.0 * seconds;
+        let mut child = only(program, &names, limit).env("KIN_MUTANT", mutant.to_string()).spawn()?;
+        ends_well(&mut child, limit)
     }
 }
 
-/// A program of tests, which is not to take all memory: some mutants do not end.
-fn command(program: &Program) -> Command {
+/// A program of tests that may take so many seconds of a processor, and not all memory: some mutants do not
+/// end. Seconds by the clock would kill mutants of what else the machine is doing.
+fn command(program: &Program, seconds: f64) -> Command {
     let mut command = Command::new("sh");
     command
-        .args(["-c", "ulimit -v 8000000; exec \"$0\" \"$@\""])
+        .args(["-c", "ulimit -v 8000000; ulimit -t \"$0\"; exec \"$@\""])
+        .arg(seconds.ceil().to_string())
         .arg(&program.path)
         .current_dir(&program.folder);
     // one process takes one core, and its random numbers are the same each time
@@ -190,21 +195,22 @@ fn command(program: &Program) -> Command {
     command
 }
 
-fn only(program: &Program, names: &[impl AsRef<str>]) -> Command {
-    let mut command = command(program);
+fn only(program: &Program, names: &[impl AsRef<str>], seconds: f64) -> Command {
+    let mut command = command(program, seconds);
     command.args(["--exact", "--test-threads=1"]).args(names.iter().map(AsRef::as_ref)).stdout(Stdio::null());
     command
 }
 
-/// True if a process ends well, and in time.
-fn wait(child: &mut Child, seconds: f64) -> Result<bool> {
+/// True if a process ends well. One that waits, and so takes no seconds of a processor, is ended by the clock.
+fn ends_well(child: &mut Child, seconds: f64) -> Result<bool> {
+    const CLOCK: f64 = 20.0;
     let begin = Instant::now();
     let mut pause = 1;
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok(status.success());
         }
-        if begin.elapsed().as_secs_f64() > seconds {
+        if begin.elapsed().as_secs_f64() > CLOCK * seconds {
             child.kill()?;
             child.wait()?;
             return Ok(false);

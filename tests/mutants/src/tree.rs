@@ -205,6 +205,11 @@ fn copy(from: &Path, to: &Path, except: &[PathBuf]) -> Result<()> {
         }
         if entry.file_type()?.is_dir() {
             copy(&path, &there, except)?;
+        } else if path.is_dir() {
+            // a link, which leads to the same place in the copy
+            if !there.exists() {
+                std::os::unix::fs::symlink(fs::read_link(&path)?, &there)?;
+            }
         } else {
             let bytes = fs::read(&path)?;
             if fs::read(&there).map_or(true, |old| old != bytes) {
