@@ -10,6 +10,7 @@ mod closed;
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]
 mod data;
+mod energy;
 mod engines;
 mod errors;
 mod examples;

@@ -216,3 +216,60 @@ fn names_that_no_measure_has_are_told_with_those_there_are() {
     assert!(told("lid.angle").contains("guide.slide"), "{}", told("lid.angle"));
     assert!(told("").contains("it acts along ``"));
 }
+
+/// Between the times of a coarse grid, where a step is more than half a turn, turns are counted from the nearer
+/// end; a length is not counted at all.
+#[test]
+fn forces_between_coarse_times_follow_turns_and_lengths() {
+    let mut m = Mechanism::new("winch");
+    let drum = m.spatial("drum", SpatialPose::at(ORIGIN)).expect("a body");
+    let (h, ground) = (vec3(0.0, 0.6, 0.8), m.ground());
+    m.add("sleeve", spatial::cylindrical(drum, ground, ORIGIN, ORIGIN, h, h)).expect("a joint");
+    m.add("motor", spatial::drive_turn(drum, ground, h, h, Law::ramp(1.0))).expect("a driver");
+    let along = spatial::drive_slide(drum, ground, ORIGIN, ORIGIN, h, Law::ramp(2.0));
+    m.add("rack", along).expect("a driver");
+    m.load("coil", loads::spring_damper("sleeve.angle", 7.0, 0.0, 0.0)).expect("a load");
+    m.load("spring", loads::spring_damper("sleeve.slide", 3.0, 0.0, 0.0)).expect("a load");
+    let system = m.build().expect("a system");
+    for times in [linspace(0.0, 40.0, 11), linspace(0.0, 40.0, 11).into_iter().rev().collect()] {
+        let motion = system.run(times).expect("a motion");
+        let forces = system.forces(&motion).expect("forces");
+        let first = system.measure(&motion, "sleeve.angle").expect("a measure").value.values()[0];
+        // Backwards in time turns count from where the run begins.
+        let turns = first - motion.times()[0];
+        for at in [1.0, 3.0, 13.5, 22.9, 37.2] {
+            let level = [("motor", 7.0 * (at + turns)), ("rack", 6.0 * at)];
+            for (name, level) in level {
+                let found = forces.drive(name).expect("a driver").effort().crossings(level);
+                assert_eq!(found.len(), 1, "{name} at {at}: {found:?}");
+                assert!((found[0].t - at).abs() < 1e-9, "{name} at {at}: {found:?}");
+            }
+        }
+    }
+}
+
+/// Dampers between a body that slides and turns and points of the ground off its origin.
+#[test]
+fn dampers_against_the_ground_in_space_take_rates_of_the_body_alone() {
+    let damper = |along: bool| {
+        let mut m = Mechanism::new("sleeve");
+        let body = m.spatial("body", SpatialPose::at(ORIGIN)).expect("a body");
+        let (h, ground) = (vec3(0.0, 0.6, 0.8), m.ground());
+        let far = vec3(0.3, 1.2, 1.6);
+        m.add("sleeve", spatial::cylindrical(body, ground, ORIGIN, far, h, h)).expect("a joint");
+        m.add("turn", spatial::drive_turn(body, ground, h, h, Law::ramp(2.0))).expect("a driver");
+        let law = Law::constant(0.4) + Law::ramp(0.7);
+        m.add("rack", spatial::drive_slide(body, ground, ORIGIN, far, h, law)).expect("a driver");
+        let load = match along {
+            true => loads::viscous("sleeve.slide", 5.0),
+            false => loads::viscous(loads::spatial::slide(body, ground, ORIGIN, far, h), 5.0),
+        };
+        m.load("damper", load).expect("a load");
+        let system = m.build().expect("a system");
+        let motion = system.run(linspace(0.0, 1.0, 11)).expect("a motion");
+        efforts(&system.forces_by(&motion, kin::Engine::Plain).expect("forces"), "rack")
+    };
+    for along in [true, false] {
+        assert!(apart(&damper(along), &[3.5; 11]) < 1e-12, "{along}: {:?}", damper(along));
+    }
+}
