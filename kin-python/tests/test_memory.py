@@ -1,6 +1,6 @@
 """Memory stays flat: builds, runs, mistakes, laws, texts and forces leave nothing behind.
 
-Some thousands by default; `KIN_BUILDS=100000`, which `.ci/python` sets, is the full count.
+Some thousands by default; `KIN_BUILDS=100000`, which `.ci/python --engines` sets, is the full count.
 """
 
 import gc

@@ -29,7 +29,7 @@ const COPY: &str = "__WRITTEN::{closure#0}::";
 const LONGEST: Duration = Duration::from_secs(20);
 
 #[test]
-#[ignore = "takes minutes: `.ci/run` runs it"]
+#[ignore = "takes minutes: `.ci/nightly campaigns` runs it"]
 fn mutants_are_refused_in_the_users_words_or_are_read_as_rustc_reads_them() {
     let wanted = std::env::var("KIN_MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(300);
     let mutants = mutants(wanted);
