@@ -25,7 +25,7 @@ use crate::linear::{Linear, RANK};
 use crate::numbers::padded::{self, Padded};
 use crate::system::System;
 use crate::system::evaluate::{Bad, Instant};
-use crate::system::stop;
+use crate::system::{scale::Turned, stop};
 use iterate::single::Single;
 
 /// A position with a pivot below this cannot be told from a singular one.   \[-\]
@@ -87,6 +87,8 @@ pub(crate) struct Newton<'a> {
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
+    /// What the sizes were measured by.
+    turned: Turned,
     /// 1 / s_j
     shares: Padded,
     /// How far each row may be off.
@@ -115,6 +117,7 @@ impl<'a> Newton<'a> {
             instant: equations.instant(),
             linear: system.linear(),
             sizes: vec![1.0; n],
+            turned: Turned::default(),
             shares: Padded::new(n, 1.0),
             allowed: vec![0.0; n],
             residual: 0.0,

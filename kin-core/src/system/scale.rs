@@ -46,7 +46,20 @@ pub(crate) fn sizes(
     (q, t): (&[f64], f64),
     links: &[f64],
 ) -> Vec<f64> {
-    let length = lever(layout, equations, values, (q, t))
+    let turned = Turned::new(layout, equations, (q, t));
+    sizes_with(&turned, layout, equations, values, (q, t), links)
+}
+
+/// The same with slopes a quarter turn further on that are known.
+pub(crate) fn sizes_with(
+    turned: &Turned,
+    layout: &Layout,
+    equations: &Equations,
+    values: &[f64],
+    (q, t): (&[f64], f64),
+    links: &[f64],
+) -> Vec<f64> {
+    let length = lever(layout, equations, [values, &turned.values])
         .or_else(|| largest(links.iter().copied()))
         .or_else(|| median(bends(layout, equations, (q, t), LADDER.map(power)).distances))
         .or_else(|| largest(lengths(layout).map(|column| q[column])))
@@ -90,8 +103,7 @@ fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
 /// Rows of angles alone, such as those of an axis, say nothing of lengths. A row with a length may turn with
 /// its angles until a lever vanishes (l cos θ = x at θ = 0), so slopes count at these angles and a quarter
 /// turn further on.
-fn lever(layout: &Layout, equations: &Equations, values: &[f64], (q, t): (&[f64], f64)) -> Option<f64> {
-    let turned = turned(layout, equations, (q, t));
+fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2]) -> Option<f64> {
     let (mut levers, mut rows): (Vec<f64>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
     for block in &equations.blocks {
         rows.clear();
@@ -102,7 +114,7 @@ fn lever(layout: &Layout, equations: &Equations, values: &[f64], (q, t): (&[f64]
             let most = &mut rows[row - block.rows().start][kind];
             // Where C was no number there are no slopes.
             let slope = |all: &[f64]| all.get(place).map_or(0.0, |slope| slope.abs());
-            *most = most.max(slope(values)).max(slope(&turned));
+            *most = most.max(slope(slopes[0])).max(slope(slopes[1]));
         }
         let both = rows.iter().filter(|row| row[0] > 0.0);
         let [per_length, per_angle] =
@@ -114,13 +126,31 @@ fn lever(layout: &Layout, equations: &Equations, values: &[f64], (q, t): (&[f64]
 }
 
 /// C_q where every angle is a quarter turn further on.
-fn turned(layout: &Layout, equations: &Equations, (q, t): (&[f64], f64)) -> Vec<f64> {
-    let turn = |(q, unit): (&f64, &Unit)| if *unit == Unit::Radian { q + FRAC_PI_2 } else { *q };
-    let q: Vec<f64> = q.iter().zip(&layout.units).map(turn).collect();
-    let mut values = vec![0.0; equations.entries.len()];
-    equations.set_constants(&mut values);
-    equations.linearize(&q, &equations.instant_at(t, &q), &mut vec![0.0; equations.rows], &mut values);
-    values
+#[derive(Debug, Default)]
+pub(crate) struct Turned {
+    /// The position from which the angles are turned.
+    q: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Turned {
+    pub(crate) fn new(layout: &Layout, equations: &Equations, (q, t): (&[f64], f64)) -> Self {
+        let turn = |(q, unit): (&f64, &Unit)| if *unit == Unit::Radian { q + FRAC_PI_2 } else { *q };
+        let turned: Vec<f64> = q.iter().zip(&layout.units).map(turn).collect();
+        let mut values = vec![0.0; equations.entries.len()];
+        equations.set_constants(&mut values);
+        let instant = equations.instant_at(t, &turned);
+        equations.linearize(&turned, &instant, &mut vec![0.0; equations.rows], &mut values);
+        Turned { q: q.to_vec(), values }
+    }
+
+    /// True if these slopes serve at q too: no angle is further from where they were taken than that the
+    /// larger of the slopes here and there is at least half of the largest of any angle.
+    pub(crate) fn serves(&self, layout: &Layout, q: &[f64]) -> bool {
+        const NEAR: f64 = 0.5;
+        let angles = layout.units.iter().zip(self.q.iter().zip(q)).filter(|(unit, _)| **unit == Unit::Radian);
+        self.q.len() == q.len() && angles.into_iter().all(|(_, (from, to))| (to - from).abs() <= NEAR)
+    }
 }
 
 fn median(mut all: Vec<f64>) -> Option<f64> {

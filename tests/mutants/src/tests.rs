@@ -201,7 +201,7 @@ fn only(program: &Program, names: &[impl AsRef<str>], seconds: f64) -> Command {
     command
 }
 
-/// True if a process ends well. One that waits, and so takes no seconds of a processor, is ended by the clock.
+/// True if a process ends well. One that waits takes no seconds of a processor, and is ended by the clock.
 fn ends_well(child: &mut Child, seconds: f64) -> Result<bool> {
     const CLOCK: f64 = 20.0;
     let begin = Instant::now();

@@ -58,7 +58,8 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
 /// Takes the characteristic sizes of the point in hand; without C_q if that is not finite there.
 fn measure(newton: &mut Newton<'_>, t: f64) {
     let finite = newton.linearize(t).is_ok();
-    take(newton, sizes(newton, finite));
+    let sizes = sizes(newton, finite);
+    take(newton, sizes);
 }
 
 /// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth
@@ -71,10 +72,15 @@ fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
 }
 
 /// Characteristic sizes of the point in hand, by its C_q if that is finite.
-fn sizes(newton: &Newton<'_>, finite: bool) -> Vec<f64> {
-    let (system, values) = (newton.system, if finite { newton.linear.values() } else { &[] });
-    let at = (&newton.q[..], newton.instant.t());
-    scale::sizes(system.layout(), system.equations(), values, at, system.links())
+fn sizes(newton: &mut Newton<'_>, finite: bool) -> Vec<f64> {
+    let system = newton.system;
+    let (layout, equations) = (system.layout(), system.equations());
+    let t = newton.instant.t();
+    if !newton.turned.serves(layout, &newton.q) {
+        newton.turned = scale::Turned::new(layout, equations, (&newton.q, t));
+    }
+    let values = if finite { newton.linear.values() } else { &[] };
+    scale::sizes_with(&newton.turned, layout, equations, values, (&newton.q, t), system.links())
 }
 
 /// Takes the sizes by which steps of time are judged, where these are others, and solves once more with them.
