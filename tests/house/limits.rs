@@ -98,7 +98,7 @@ fn lines_end_at_110_columns() {
 /// The map and the first page are read as a whole: they end where a reader's patience does.
 #[test]
 fn the_map_and_the_first_page_are_short() {
-    for (page, most) in [("ARCHITECTURE.md", 80), ("README.md", 70)] {
+    for (page, most) in [("ARCHITECTURE.md", 80), ("README.md", 100)] {
         let text = std::fs::read_to_string(std::path::Path::new(crate::ROOT).join(page)).expect("readable");
         let lines = text.lines().count();
         assert!(lines <= most, "{page} has {lines} lines, at most {most}");
