@@ -55,13 +55,23 @@ mod guide {
     }
 
     pages! {
-        Constraints "../docs/guide/constraints.md";
         Mechanisms "../docs/guide/mechanisms.md";
+        Assemblies "../docs/guide/assemblies.md";
+        Constraints "../docs/guide/constraints.md";
+        ConstraintByHand "../docs/guide/constraint-by-hand.md";
         Motions "../docs/guide/motions.md";
+        DeadCentres "../docs/guide/dead-centres.md";
+        LongRuns "../docs/guide/long-runs.md";
+        Proofs "../docs/guide/proofs.md";
         Sweeps "../docs/guide/sweeps.md";
         Diagnosis "../docs/guide/diagnosis.md";
+        Redundant "../docs/guide/redundant.md";
         Forces "../docs/guide/forces.md";
+        Loads "../docs/guide/loads.md";
+        Friction "../docs/guide/friction.md";
         Design "../docs/guide/design.md";
+        Gradients "../docs/guide/gradients.md";
+        Tolerances "../docs/guide/tolerances.md";
         Pictures "../docs/guide/pictures.md";
         Text "../docs/guide/text.md";
     }

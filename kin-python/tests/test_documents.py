@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).resolve().parents[1]
-GUIDE = HERE.parent / "docs" / "guide" / "python.md"
-PAGE = GUIDE.read_text(encoding="utf-8")
-PROGRAMS = re.findall(r"^```python\n(.*?)^```", PAGE, re.M | re.S)
+GUIDE = HERE.parent / "docs" / "guide"
+PAGES = {path.stem: path.read_text(encoding="utf-8") for path in sorted(GUIDE.glob("*.md"))}
+NAMED = [(name, one) for name, page in PAGES.items() for one in re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)]
+PROGRAMS = [one for _, one in NAMED]
 
 
 def run(program, folder):
@@ -25,7 +26,7 @@ def run(program, folder):
 
 
 ENGINES = ("scipy", "torch", "jax", "ray", "dask", "pyspark")
-IDS = [" ".join([str(k), *(name for name in ENGINES if f"import {name}" in one)]) for k, one in enumerate(PROGRAMS)]
+IDS = [" ".join([page, str(k), *(name for name in ENGINES if f"import {name}" in one)]) for k, (page, one) in enumerate(NAMED)]
 
 
 @pytest.mark.parametrize("k", range(len(PROGRAMS)), ids=IDS)
@@ -60,5 +61,5 @@ def test_notebooks_run(path, tmp_path):
 
 def test_figures_of_the_guide_are_plausible():
     """The table of times is there, with a figure in each row."""
-    rows = [line for line in PAGE.splitlines() if line.startswith("| ") and " × " in line]
+    rows = [line for line in PAGES["python"].splitlines() if line.startswith("| ") and " × " in line]
     assert len(rows) >= 2

@@ -6,31 +6,31 @@ pub fn all() -> Vec<Mistake> {
     vec![
         Mistake {
             title: "Millimetres among metres",
-            line: r#"let coupler = m.link("coupler", 3500.0)?; // 3.5 was meant"#,
+            line: r#"let coupler = m.link("coupler", 3500.0)?; // intended: 3.5"#,
             culprit: "coupler",
             told: |wrong| run(driven([1.0, if wrong { 3500.0 } else { 3.5 }, 3.0], 4.0, 0.0)),
         },
         Mistake {
             title: "A decimal point too far to the left",
-            line: r#"let coupler = m.link("coupler", 0.35)?; // 3.5 was meant"#,
+            line: r#"let coupler = m.link("coupler", 0.35)?; // intended: 3.5"#,
             culprit: "motor",
             told: |wrong| run(driven([1.0, if wrong { 0.35 } else { 3.5 }, 3.0], 4.0, 1.0)),
         },
         Mistake {
             title: "A decimal point too far to the right",
-            line: r#"let rocker = m.link("rocker", 30.0)?; // 3.0 was meant"#,
+            line: r#"let rocker = m.link("rocker", 30.0)?; // intended: 3.0"#,
             culprit: "rocker",
             told: |wrong| run(driven([1.0, 3.5, if wrong { 30.0 } else { 3.0 }], 4.0, 0.0)),
         },
         Mistake {
-            title: "Links that are too short together",
-            line: r#"let coupler = m.link("coupler", 0.5)?; // 3.0 was meant"#,
+            title: "Links whose sum is too short",
+            line: r#"let coupler = m.link("coupler", 0.5)?; // intended: 3.0"#,
             culprit: "coupler",
             told: |wrong| run(driven([1.0, if wrong { 0.5 } else { 3.0 }, 2.5], 4.0, PI)),
         },
         Mistake {
             title: "A pin in millimetres",
-            line: r#"m.add("C", revolute(ground, rocker, vec2(4000.0, 0.0), rocker.start()))?; // 4.0 was meant"#,
+            line: r#"m.add("C", revolute(ground, rocker, vec2(4000.0, 0.0), rocker.start()))?; // intended: 4.0"#,
             culprit: "C",
             told: |wrong| run(driven([1.0, 3.5, 3.0], if wrong { 4000.0 } else { 4.0 }, 0.0)),
         },
@@ -42,7 +42,7 @@ pub fn all() -> Vec<Mistake> {
         },
         Mistake {
             title: "A rod that is too short",
-            line: r#"m.add("rod", distance(crank, slider, crank.end(), vec2(0.0, 0.0), 0.1))?; // 1.0 was meant"#,
+            line: r#"m.add("rod", distance(crank, slider, crank.end(), vec2(0.0, 0.0), 0.1))?; // intended: 1.0"#,
             culprit: "rod.length",
             told: rod,
         },

@@ -7,8 +7,8 @@ use crate::engines::Engines;
 pub fn all() -> Vec<Mistake> {
     vec![
         Mistake {
-            title: "A name given twice",
-            line: r#"m.link("crank", 3.5)?; // there is a crank already"#,
+            title: "Two bodies with the same name",
+            line: r#"m.link("crank", 3.5)?; // the mechanism already has a crank"#,
             culprit: "crank",
             told: twice,
         },
@@ -37,13 +37,13 @@ pub fn all() -> Vec<Mistake> {
             told: grounded,
         },
         Mistake {
-            title: "A number that is none",
+            title: "A parameter that is not a number",
             line: r#"m.add("D", distance(crank, ground, crank.end(), vec2(0.0, 0.0), (-1.0_f64).sqrt()))?;"#,
             culprit: "D",
             told: not_a_number,
         },
         Mistake {
-            title: "A parameter that there is not",
+            title: "A parameter that does not exist",
             line: r#"system.set("O.u_i.z", 0.1)?;"#,
             culprit: "O.u_i.z",
             told: no_parameter,

@@ -6,8 +6,8 @@ pub fn all() -> Vec<Mistake> {
     vec![
         Mistake { title: "No motor", line: "// nothing drives the crank", culprit: "crank", told: missing },
         Mistake {
-            title: "A motor too many",
-            line: r#"m.add("motor 2", drive_angle(rocker, Law::constant(2.0)))?; // and `motor` turns the crank"#,
+            title: "A second motor that contradicts the first",
+            line: r#"m.add("motor 2", drive_angle(rocker, Law::constant(2.0)))?; // `motor` already turns the crank"#,
             culprit: "motor 2",
             told: crank_and_rocker,
         },
@@ -18,26 +18,26 @@ pub fn all() -> Vec<Mistake> {
             told: two_speeds,
         },
         Mistake {
-            title: "A motor too many, between two links",
+            title: "A second motor between two links",
             line: r#"m.add("motor 2", drive_relative_angle(rocker, coupler, Law::linear(0.2, 1.0)))?;"#,
             culprit: "motor 2",
             told: relative,
         },
         Mistake {
-            title: "A motor that asks for more than there is",
+            title: "A motor that requests an angle out of reach",
             line: r#"m.add("motor", drive_angle(rocker, Law::linear(0.3, 1.0)))?; // the rocker's least angle is 1.77"#,
             culprit: "motor",
             told: beyond_reach,
         },
         Mistake {
             title: "The crank is driven twice and the hand not at all",
-            line: r#"m.add("motor 3", drive_angle(upper_arm, Law::linear(0.6, 1.0)))?; // drive_angle(hand, …) was meant"#,
+            line: r#"m.add("motor 3", drive_angle(upper_arm, Law::linear(0.6, 1.0)))?; // intended: drive_angle(hand, …)"#,
             culprit: "motor 3",
             told: wrong_body,
         },
         Mistake {
-            title: "A place and an angle of one link",
-            line: r#"m.add("place", drive(crank.x(), Law::constant(0.1)))?; // the crank turns already"#,
+            title: "A position and an angle of the same link",
+            line: r#"m.add("place", drive(crank.x(), Law::constant(0.1)))?; // `motor` already turns the crank"#,
             culprit: "place",
             told: place_and_angle,
         },

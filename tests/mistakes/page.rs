@@ -10,9 +10,9 @@ use super::{Mistake, all};
 /// So many are in the documentation; the others are in this folder.
 const IN_DOCS: usize = 25;
 
-const HEAD: &str = "# Mistakes, and what Kin says of them\n\nEach of these is a test: the message is word for word what is told, and what it says to do \
-is done there and leaves a mechanism that moves. What is named first is what a designer would change first: a driver before a joint, a length \
-before a joint, and a slip of the pen before either.\n";
+const HEAD: &str = "# Mistakes, and the messages of Kin\n\nEach section shows one mistake: the faulty line of the program, and the message that Kin prints for it. A test \
+checks each message word for word. The test then follows the advice of the message, and the mechanism moves.\n\nA message names first what a designer would check first. \
+A wrong point or unit comes before a driver or a length. A driver or a length comes before a joint.\n";
 
 /// Every mistake with its message.
 static MESSAGES: LazyLock<Vec<(Mistake, String)>> = LazyLock::new(|| {

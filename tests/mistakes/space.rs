@@ -21,7 +21,7 @@ pub fn all() -> Vec<Mistake> {
         },
         Mistake {
             title: "A rod between two balls",
-            line: r#"m.add("B", spatial::spherical(rod, rocker, rod.end(), rocker.end()))?; // and so is its other end"#,
+            line: r#"m.add("B", spatial::spherical(rod, rocker, rod.end(), rocker.end()))?; // `A` is also a ball joint"#,
             culprit: "rod",
             told: rod,
         },
@@ -32,20 +32,20 @@ pub fn all() -> Vec<Mistake> {
             told: second_hinge,
         },
         Mistake {
-            title: "A hinge that asks for the opposite axis",
+            title: "A hinge with the opposite axis",
             line: r#"m.add("hinge 2", spatial::revolute(door, ground, z, z, z, -z))?;"#,
             culprit: "hinge 2",
             told: opposite,
         },
         Mistake {
-            title: "A global axis where a local one is wanted",
-            line: r#"m.add("hinge", spatial::revolute(wheel, ground, o, o, y, y))?; // m.local_direction(wheel, y) was meant"#,
+            title: "A global axis in place of a local axis",
+            line: r#"m.add("hinge", spatial::revolute(wheel, ground, o, o, y, y))?; // intended: m.local_direction(wheel, y)"#,
             culprit: "wheel",
             told: axis,
         },
         Mistake {
             title: "A part that is off by five nanometres",
-            line: r#"let third = m.link("crank 3", 1.0 + 5e-9)?; // as it was imported"#,
+            line: r#"let third = m.link("crank 3", 1.0 + 5e-9)?; // an imported length"#,
             culprit: "Options::closure(6e-9)",
             told: imported,
         },

@@ -18,13 +18,21 @@ fn folder(page: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages").join(page);
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(folder.join("out")).expect("a folder");
-    std::fs::create_dir_all(folder.join("examples/mechanisms")).expect("a folder");
-    for entry in std::fs::read_dir(format!("{ROOT}/examples/mechanisms")).expect("the ready mechanisms") {
-        let from = entry.expect("an entry").path();
-        std::fs::copy(&from, folder.join("examples/mechanisms").join(from.file_name().expect("a name")))
-            .expect("copied");
+    for ready in ["examples/mechanisms", "examples/import"] {
+        std::fs::create_dir_all(folder.join(ready)).expect("a folder");
+        for entry in std::fs::read_dir(format!("{ROOT}/{ready}")).expect("the ready mechanisms") {
+            let from = entry.expect("an entry").path();
+            std::fs::copy(&from, folder.join(ready).join(from.file_name().expect("a name"))).expect("copied");
+        }
     }
     folder
+}
+
+/// The names of the pages of the guide, without `.md`.
+fn pages() -> Vec<String> {
+    let entries = std::fs::read_dir(format!("{ROOT}/docs/guide")).expect("the guide");
+    let names = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
+    names.filter_map(|name| name.strip_suffix(".md").map(ToString::to_string)).collect()
 }
 
 fn shell(line: &str, folder: &Path) -> Command {
@@ -56,7 +64,7 @@ fn watched(line: &str, folder: &Path) {
 #[test]
 fn every_command_line_of_the_guide_does_what_it_says() {
     let mut count = 0;
-    for page in ["command", "text"] {
+    for page in &pages() {
         let folder = folder(page);
         for (file, json) in [("slot", blocks("text", "json")), ("arm", blocks("command", "json"))] {
             std::fs::write(folder.join(format!("out/{file}.json")), json.concat()).expect("written");
