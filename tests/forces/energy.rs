@@ -19,8 +19,8 @@ fn off(found: &Series, exact: impl Fn(f64) -> f64) -> f64 {
     found.times().iter().zip(found.values()).map(|(t, x)| (x - exact(*t)).abs()).fold(0.0, f64::max)
 }
 
-/// A bar that swings, with a point that has mass, a torsion spring, a spring to the ground and a damper, which
-/// has no energy.
+/// A bar that swings, with a point that has mass, a torsion spring, a spring to the ground and a damper,
+/// which has no energy.
 #[test]
 fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     let law = Law::constant(0.4) + Law::sine(0.8, 2.0, 0.3);

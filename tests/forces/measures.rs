@@ -217,8 +217,8 @@ fn names_that_no_measure_has_are_told_with_those_there_are() {
     assert!(told("").contains("it acts along ``"));
 }
 
-/// Between the times of a coarse grid, where a step is more than half a turn, turns are counted from the nearer
-/// end; a length is not counted at all.
+/// Between the times of a coarse grid, where a step is more than half a turn, turns are counted from the
+/// nearer end; a length is not counted at all.
 #[test]
 fn forces_between_coarse_times_follow_turns_and_lengths() {
     let mut m = Mechanism::new("winch");
