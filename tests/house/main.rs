@@ -4,6 +4,7 @@ mod comments;
 mod imports;
 mod limits;
 mod lists;
+mod papers;
 mod reading;
 mod signatures;
 mod words;

@@ -30,7 +30,7 @@ right hand; `EulerParameters` (e0, e1, e2, e3), scalar first; `Law` a law. Angle
 it is seen from body j.
 
 *Rows* are the freedoms removed. *Left* are the freedoms left between two bodies, or to one body in the world. *Ex.* marks joints whose bodies may be
-exchanged together with their parameters. *Measures* are what `System::measure` can be asked for by name, such as `\"slot.slide\"`.
+exchanged together with their parameters. *Measures* are the names that `System::measure` takes, such as `\"slot.slide\"`.
 ";
 
 /// A paragraph of a doc comment as one line of a table.
@@ -140,7 +140,7 @@ fn page() -> String {
         };
         let _ = writeln!(text, "| `{name}` | {} | {shown} | {order} |", tidy(law.description()));
     }
-    text += "\nA law of one's own: `#[law]` on a function of one variable, or `impl LawFunction`.\n";
+    text += "\nA user-defined law: `#[law]` on a function of one variable, or `impl LawFunction`.\n";
     text
 }
 

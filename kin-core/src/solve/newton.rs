@@ -87,7 +87,7 @@ pub(crate) struct Newton<'a> {
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
-    /// What the sizes were measured by.
+    /// Slopes by which the sizes were measured.
     turned: Turned,
     /// 1 / s_j
     shares: Padded,

@@ -47,7 +47,7 @@ def slide(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, h_j: Axi
 def turn(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: AxisLike) -> Joint:
     """The turn of body i in body j about an axis, from f_j to f_i: an angle to act along. [rad] `h_i`, `h_j`:
     the common axis in either body, held parallel by a joint. Between −π and π: a spring that is wound
-    further belongs on a coordinate of its own (`spatial.relative_angle`). Signs: a torque along it turns i
+    further belongs on a separate coordinate (`spatial.relative_angle`). Signs: a torque along it turns i
     right-handed about h_j, and j the other way.
     """
     return joint("turn", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i), ("h_j", "Axis",

@@ -89,8 +89,8 @@ def parallel(i: PlanarLike, j: PlanarLike, h_i: Vec2Like, h_j: Vec2Like) -> Join
     """Parallel directions: h_i × h_j = 0. [–]
 
     Removes 1 freedom. `h_i`, `h_j`: local directions, whose lengths scale the row. The equation holds for
-    opposite directions too; a position found with h_i · h_j < 0 is told as an error. Shabana, section 3.4.
-    Signs: h_i and h_j point the same way; the row is positive where h_j is counter-clockwise of h_i.
+    opposite directions too; a position found with h_i · h_j < 0 is an error. Shabana, section 3.4. Signs:
+    h_i and h_j point the same way; the row is positive where h_j is counter-clockwise of h_i.
     """
     return joint("parallel", [("i", "Planar", i), ("j", "Planar", j), ("h_i", "Vec2", h_i), ("h_j", "Vec2",
         h_j)])
@@ -184,11 +184,11 @@ def cam_roller(
     """Cam with a roller: s − ρ e(φ) − r n(φ) = 0, s the roller's centre as the cam sees it, n the normal of
     the edge at φ. [m, m]
 
-    Removes 2 freedoms, and brings one of its own, the angle `phi` of the point of contact as the cam sees
-    it: 1 in all. `centre`: of the roller, local to the follower; `radius`: r; `profile`: ρ(φ), the distance
-    of the edge from the origin of the cam's frame, 2π-periodic. With T = (ρ′, ρ) in the directions e(φ) and
-    across, n = (ρ, −ρ′)/|T|. A hollow edge must be less curved than the roller. Norton. Signs: φ is
-    counter-clockwise positive from the cam's own x-axis; n points out of the cam, to the roller's side.
+    Removes 2 freedoms and adds one, the angle `phi` of the point of contact as the cam sees it: 1 in all.
+    `centre`: of the roller, local to the follower; `radius`: r; `profile`: ρ(φ), the distance of the edge
+    from the origin of the cam's frame, 2π-periodic. With T = (ρ′, ρ) in the directions e(φ) and across, n =
+    (ρ, −ρ′)/|T|. A hollow edge must be less curved than the roller. Norton. Signs: φ is counter-clockwise
+    positive from the cam's own x-axis; n points out of the cam, to the roller's side.
     """
     return joint("cam_roller", [("cam", "Planar", cam), ("follower", "Planar", follower), ("phi", "Coord",
         phi), ("centre", "Vec2", centre), ("radius", "f64", radius), ("profile", "Law", profile)])
@@ -310,8 +310,8 @@ def linear_coupling(q: Sequence[CoordinateLike], k: Sequence[NumberLike], c: Num
 
     Removes 1 freedom. `q`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`); `k`: a factor
     for each; `c`: what they add up to. A differential, a planetary train by its turns, a platform held by
-    ropes over pulleys. To drive a sum, couple it with a coordinate of its own and drive that. Norton,
-    Design of Machinery, ch. 9. Signs: those of the coordinates.
+    ropes over pulleys. To drive a sum, couple it with a separate coordinate and drive that. Norton, Design
+    of Machinery, ch. 9. Signs: those of the coordinates.
     """
     return joint("linear_coupling", [("q", "[Coord; N]", q), ("k", "[f64; N]", k), ("c", "f64", c)])
 
@@ -339,9 +339,9 @@ def point_on_path(
     """A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j = 0.
     [m]
 
-    Removes 2 freedoms, and brings one of its own, the coordinate `s` along the path: 1 in all. A block in a
-    slot. `x_i`, `y_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body".
-    Signs: the laws are coordinates in the frame of body i; `s` grows the way they run.
+    Removes 2 freedoms and adds one, the coordinate `s` along the path: 1 in all. A block in a slot. `x_i`,
+    `y_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body". Signs: the laws
+    are coordinates in the frame of body i; `s` grows the way they run.
     """
     return joint("point_on_path", [("i", "Planar", i), ("j", "Planar", j), ("s", "Coord", s), ("x_i", "Law",
         x_i), ("y_i", "Law", y_i), ("u_j", "Vec2", u_j)])

@@ -70,8 +70,8 @@ def parallel(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: Vec3Like) -> Jo
     """Parallel axes: f_i · h_j = g_i · h_j = 0. [–, –]
 
     Removes 2 freedoms. `h_i`, `h_j`: the axes; f_i and g_i are across h_i, the length of h_j scales the
-    rows. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error.
-    Haug, section 9.4. Signs: h_i and h_j point the same way.
+    rows. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
+    section 9.4. Signs: h_i and h_j point the same way.
     """
     return joint("parallel", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i), ("h_j",
         "Vec3", h_j)])
@@ -129,9 +129,9 @@ def point_on_path(
     """A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j = 0.
     [m]
 
-    Removes 3 freedoms, and brings one of its own, the coordinate `s` along the path: 2 in all. `x_i`,
-    `y_i`, `z_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body". Signs: the
-    laws are coordinates in the frame of body i; `s` grows the way they run.
+    Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i`, `z_i`:
+    ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body". Signs: the laws are
+    coordinates in the frame of body i; `s` grows the way they run.
     """
     return joint("point_on_path", [("i", "Spatial", i), ("j", "Spatial", j), ("s", "Coord", s), ("x_i",
         "Law", x_i), ("y_i", "Law", y_i), ("z_i", "Law", z_i), ("u_j", "Vec3", u_j)])
@@ -170,10 +170,10 @@ def revolute(
     """Hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two dot-1). [m, –, –]
 
     Removes 5 freedoms. `u_i`, `u_j`: local position of P on the axis; `h_i`, `h_j`: the axis in either
-    body. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error.
-    Haug, section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j,
-    right-handed about h_j. Where it is zero is chosen by `.zero(f_i, f_j)`: where f_i of body i lies along
-    f_j of body j; unchosen these are the f that `Axis.along` gives h_i and h_j (x for z, y for x, z for y).
+    body. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
+    section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j, right-
+    handed about h_j. Where it is zero is chosen by `.zero(f_i, f_j)`: where f_i of body i lies along f_j of
+    body j; unchosen these are the f that `Axis.along` gives h_i and h_j (x for z, y for x, z for y).
     """
     return joint("revolute", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -213,9 +213,9 @@ def cylindrical(
     Removes 4 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body. These are
     h_i × h_j = 0 and h_i × d = 0 of the lecture ("Cylindrical Joint Constraint") in the two directions
     across h_i, which keep full rank at every pose. The equations hold for opposite axes too; a position
-    found with h_i · h_j < 0 is told as an error. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j
-    · d. Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of `revolute`.
-    The slide grows as i moves along h_j in j.
+    found with h_i · h_j < 0 is an error. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
+    Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of `revolute`. The
+    slide grows as i moves along h_j in j.
     """
     return joint("cylindrical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -253,10 +253,10 @@ def planar(
     """Planar joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j · (r_Pi − r_Pj) = 0 (dot-2). [–, –, m]
 
     Removes 3 freedoms. `u_i`, `u_j`: points of the common plane; `h_i`, `h_j`: its normal in either body.
-    The equations hold for opposite normals too; a position found with h_i · h_j < 0 is told as an error.
-    Haug, section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j,
-    right-handed about h_j, its zero chosen as of `revolute`. The last row is positive where P_i is on the
-    side to which h_j points.
+    The equations hold for opposite normals too; a position found with h_i · h_j < 0 is an error. Haug,
+    section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j, right-
+    handed about h_j, its zero chosen as of `revolute`. The last row is positive where P_i is on the side to
+    which h_j points.
     """
     return joint("planar", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -277,10 +277,10 @@ def screw(
     Removes 5 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body, with f_i
     over f_j where the points meet; `lead`: way of i along h_j per turn about h_j. The turn of f_i is taken
     back by 2π h_j · d / lead and what is left is zero, so that any number of turns is counted without a
-    jump. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error.
-    Where another joint holds the axes in line: `thread`. Haug, section 9.4. Measures: `angle`, the turn of
-    f_i from f_j; `slide`, h_j · d. Signs: the angle is the turn of i in j, right-handed about h_j; the
-    slide grows as i moves along h_j in j; `lead` is above zero for a right-hand thread.
+    jump. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Where
+    another joint holds the axes in line: `thread`. Haug, section 9.4. Measures: `angle`, the turn of f_i
+    from f_j; `slide`, h_j · d. Signs: the angle is the turn of i in j, right-handed about h_j; the slide
+    grows as i moves along h_j in j; `lead` is above zero for a right-hand thread.
     """
     return joint("screw", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("lead", "f64", lead)])
@@ -299,8 +299,8 @@ def constant_velocity(
     Removes 4 freedoms. `u_i`, `u_j`: the centre P; `h_i`, `h_j`: the shafts, with the same direction where
     they are in line, f_i over f_j. The second equation says that i is bent against j about an axis across
     the shafts, without twist: both turn by the same angle at every moment. It holds for shafts twisted by
-    180° too; a position found with f_i · f_j + g_i · g_j < 0 is told as an error. Hunt, Kinematic Geometry
-    of Mechanisms. Signs: h_i and h_j point the same way along the drive line, from one shaft to the other;
+    180° too; a position found with f_i · f_j + g_i · g_j < 0 is an error. Hunt, Kinematic Geometry of
+    Mechanisms. Signs: h_i and h_j point the same way along the drive line, from one shaft to the other;
     then both turn the same way about them.
     """
     return joint("constant_velocity", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
@@ -314,13 +314,13 @@ def relative_angle(
     h_i: AxisLike,
     h_j: AxisLike,
 ) -> Joint:
-    """A coordinate of its own for the turn of body i in body j: the turn of f_i from f_j about h_j, taken back
+    """A separate coordinate for the turn of body i in body j: the turn of f_i from f_j about h_j, taken back
     by φ, is zero. [rad]
 
-    Removes 1 freedom, and brings one of its own, the coordinate `phi`, which counts any number of turns.
-    `h_i`, `h_j`: the common axis in either body, held parallel by another joint; f_i and f_j are where the
-    angle counts from. With it turns can be driven, and coupled by `coupling`. Haug, section 9.4. Signs: φ
-    is the turn of i in j, right-handed about h_j, zero where f_i lies along f_j.
+    Removes 1 freedom and adds one, the coordinate `phi`, which counts any number of turns. `h_i`, `h_j`:
+    the common axis in either body, held parallel by another joint; f_i and f_j are where the angle counts
+    from. With it turns can be driven, and coupled by `coupling`. Haug, section 9.4. Signs: φ is the turn of
+    i in j, right-handed about h_j, zero where f_i lies along f_j.
     """
     return joint("relative_angle", [("i", "Spatial", i), ("j", "Spatial", j), ("phi", "Coord", phi), ("h_i",
         "Axis", h_i), ("h_j", "Axis", h_j)])
@@ -370,14 +370,14 @@ def gear_by_radii(
     """Pair of gears on a frame by their radii: the turns of the wheels in the frame, taken back by φ0 + s/r_i
     and by −s/r_j, are zero. [rad, rad]
 
-    Removes 2 freedoms, and brings one of its own, the length `s` that has rolled through the mesh: 1 in
-    all. `i`, `j`: the wheels, each with its axis `h_i`, `h_j` and the same axis in the frame, `a_i`, `a_j`,
-    held parallel by other joints; f is where a turn counts from. `r_i`, `r_j`: pitch radii (of bevel gears
-    at the same distance from the apex, of friction wheels of any ratio), one below zero for a ring with
-    inner teeth; `phase`: φ0, the turn of i when that of j is zero. `s` counts any number of turns, and can
-    be driven. Norton, Design of Machinery, ch. 9. Signs: turns are right-handed about a_i and a_j; `s`
-    grows with the turn of i. With axes that point out of the frame alike (from the apex of bevel gears) the
-    wheels turn against each other.
+    Removes 2 freedoms and adds one, the length `s` that has rolled through the mesh: 1 in all. `i`, `j`:
+    the wheels, each with its axis `h_i`, `h_j` and the same axis in the frame, `a_i`, `a_j`, held parallel
+    by other joints; f is where a turn counts from. `r_i`, `r_j`: pitch radii (of bevel gears at the same
+    distance from the apex, of friction wheels of any ratio), one below zero for a ring with inner teeth;
+    `phase`: φ0, the turn of i when that of j is zero. `s` counts any number of turns, and can be driven.
+    Norton, Design of Machinery, ch. 9. Signs: turns are right-handed about a_i and a_j; `s` grows with the
+    turn of i. With axes that point out of the frame alike (from the apex of bevel gears) the wheels turn
+    against each other.
     """
     return joint("gear_by_radii", [("i", "Spatial", i), ("j", "Spatial", j), ("frame", "Spatial", frame),
         ("s", "Coord", s), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("a_i", "Axis", a_i), ("a_j", "Axis",
@@ -464,8 +464,8 @@ def revolute_revolute(
 
     Removes 4 freedoms. `u_i`, `h_i`, `u_j`, `h_j`: the hinges; `length`: l of the common normal; `twist`:
     α, from h_i to h_j about d by the right-hand rule, zero for parallel hinges (Denavit and Hartenberg's
-    link). The equations hold for an opposite h_j too; a position found so is told as an error. Haug,
-    section 9.4. Signs: d points from i to j; `twist` is right-handed about d and turns h_i into h_j.
+    link). The equations hold for an opposite h_j too; a position found so is an error. Haug, section 9.4.
+    Signs: d points from i to j; `twist` is right-handed about d and turns h_i into h_j.
     """
     return joint("revolute_revolute", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("length", "f64", length),
@@ -487,8 +487,8 @@ def revolute_cylindrical(
 
     Removes 3 freedoms. `u_i`, `h_i`: the hinge; `u_j`, `h_j`: the axis on which the sleeve turns and
     slides; `length`: l of the common normal; `twist`: α, from h_i to h_j about d. The equations hold for an
-    opposite h_j too; a position found so is told as an error. Haug, section 9.4. Signs: d points from i to
-    the axis of j; `twist` is right-handed about d and turns h_i into h_j.
+    opposite h_j too; a position found so is an error. Haug, section 9.4. Signs: d points from i to the axis
+    of j; `twist` is right-handed about d and turns h_i into h_j.
     """
     return joint("revolute_cylindrical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("length", "f64", length),

@@ -43,7 +43,7 @@ pub fn slide(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) -> f64 {
 /// The turn of body i in body j about an axis, from f_j to f_i: an angle to act along.      \[rad\]
 ///
 /// `h_i`, `h_j`: the common axis in either body, held parallel by a joint. Between −π and π: a spring that is
-/// wound further belongs on a coordinate of its own (`spatial::relative_angle`).
+/// wound further belongs on a separate coordinate (`spatial::relative_angle`).
 ///
 /// Signs: a torque along it turns i right-handed about h_j, and j the other way.
 #[constraint]

@@ -111,7 +111,7 @@ pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
 /// Linear coupling of two to six coordinates: Σ k_n q_n − c = 0.
 ///
 /// A differential whose cage turns by half of what its two wheels turn: `linear_coupling([left, right, cage],
-/// [1.0, 1.0, -2.0], 0.0)`. To drive a sum, couple it with a coordinate of its own and drive that. The
+/// [1.0, 1.0, -2.0], 0.0)`. To drive a sum, couple it with a separate coordinate and drive that. The
 /// constraint itself is [`type@linear_coupling`].
 #[must_use]
 pub fn linear_coupling<const N: usize>(

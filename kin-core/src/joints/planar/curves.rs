@@ -60,7 +60,7 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 /// Cam with a roller: s − ρ e(φ) − r n(φ) = 0, s the roller's centre as the cam sees it, n the normal of the
 /// edge at φ.    \[m, m\]
 ///
-/// Removes 2 freedoms, and brings one of its own, the angle `phi` of the point of contact as the cam sees it:
+/// Removes 2 freedoms and adds one, the angle `phi` of the point of contact as the cam sees it:
 /// 1 in all. `centre`: of the roller, local to the follower; `radius`: r; `profile`: ρ(φ), the distance of
 /// the edge from the origin of the cam's frame, 2π-periodic. With T = (ρ′, ρ) in the directions e(φ) and
 /// across, n = (ρ, −ρ′)/|T|. A hollow edge must be less curved than the roller. Norton.

@@ -19,7 +19,7 @@ pub fn moving_point(i: Planar, j: Planar, x_i: Law, y_i: Law, u_j: Vec2, t: Time
 /// A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j = 0.
 ///    \[m\]
 ///
-/// Removes 2 freedoms, and brings one of its own, the coordinate `s` along the path: 1 in all. A block in a
+/// Removes 2 freedoms and adds one, the coordinate `s` along the path: 1 in all. A block in a
 /// slot. `x_i`, `y_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body".
 ///
 /// Signs: the laws are coordinates in the frame of body i; `s` grows the way they run.

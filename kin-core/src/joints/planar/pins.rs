@@ -69,7 +69,7 @@ pub fn angle(i: Planar, j: Planar, theta0: f64) -> f64 {
 /// Parallel directions: h_i × h_j = 0.      \[–\]
 ///
 /// Removes 1 freedom. `h_i`, `h_j`: local directions, whose lengths scale the row. The equation holds for
-/// opposite directions too; a position found with h_i · h_j < 0 is told as an error. Shabana, section 3.4.
+/// opposite directions too; a position found with h_i · h_j < 0 is an error. Shabana, section 3.4.
 ///
 /// Signs: h_i and h_j point the same way; the row is positive where h_j is counter-clockwise of h_i.
 #[constraint]

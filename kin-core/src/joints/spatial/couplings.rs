@@ -7,10 +7,10 @@ use std::f64::consts::TAU;
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
-/// A coordinate of its own for the turn of body i in body j: the turn of f_i from f_j about h_j, taken back
+/// A separate coordinate for the turn of body i in body j: the turn of f_i from f_j about h_j, taken back
 /// by φ, is zero.    \[rad\]
 ///
-/// Removes 1 freedom, and brings one of its own, the coordinate `phi`, which counts any number of turns.
+/// Removes 1 freedom and adds one, the coordinate `phi`, which counts any number of turns.
 /// `h_i`, `h_j`: the common axis in either body, held parallel by another joint; f_i and f_j are where the
 /// angle counts from. With it turns can be driven, and coupled by `coupling`. Haug, section 9.4.
 ///
@@ -90,7 +90,7 @@ pub fn rack_and_pinion(
 /// Pair of gears on a frame by their radii: the turns of the wheels in the frame, taken back by φ0 + s/r_i
 /// and by −s/r_j, are zero.    \[rad, rad\]
 ///
-/// Removes 2 freedoms, and brings one of its own, the length `s` that has rolled through the mesh: 1 in all.
+/// Removes 2 freedoms and adds one, the length `s` that has rolled through the mesh: 1 in all.
 /// `i`, `j`: the wheels, each with its axis `h_i`, `h_j` and the same axis in the frame, `a_i`, `a_j`, held
 /// parallel by other joints; f is where a turn counts from. `r_i`, `r_j`: pitch radii (of bevel gears at the
 /// same distance from the apex, of friction wheels of any ratio), one below zero for a ring with inner teeth;

@@ -6,7 +6,7 @@ use kin_macros::constraint;
 /// Parallel axes: f_i · h_j = g_i · h_j = 0.      \[–, –\]
 ///
 /// Removes 2 freedoms. `h_i`, `h_j`: the axes; f_i and g_i are across h_i, the length of h_j scales the rows.
-/// The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error. Haug,
+/// The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
 /// section 9.4.
 ///
 /// Signs: h_i and h_j point the same way.

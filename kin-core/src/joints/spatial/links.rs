@@ -32,7 +32,7 @@ pub fn revolute_spherical(
 ///
 /// Removes 4 freedoms. `u_i`, `h_i`, `u_j`, `h_j`: the hinges; `length`: l of the common normal; `twist`: α,
 /// from h_i to h_j about d by the right-hand rule, zero for parallel hinges (Denavit and Hartenberg's link).
-/// The equations hold for an opposite h_j too; a position found so is told as an error. Haug, section 9.4.
+/// The equations hold for an opposite h_j too; a position found so is an error. Haug, section 9.4.
 ///
 /// Signs: d points from i to j; `twist` is right-handed about d and turns h_i into h_j.
 #[constraint]
@@ -65,7 +65,7 @@ pub fn revolute_revolute(
 ///
 /// Removes 3 freedoms. `u_i`, `h_i`: the hinge; `u_j`, `h_j`: the axis on which the sleeve turns and slides;
 /// `length`: l of the common normal; `twist`: α, from h_i to h_j about d. The equations hold for an opposite
-/// h_j too; a position found so is told as an error. Haug, section 9.4.
+/// h_j too; a position found so is an error. Haug, section 9.4.
 ///
 /// Signs: d points from i to the axis of j; `twist` is right-handed about d and turns h_i into h_j.
 #[constraint]

@@ -37,7 +37,7 @@ pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters)
 /// Hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two dot-1).      \[m, –, –\]
 ///
 /// Removes 5 freedoms. `u_i`, `u_j`: local position of P on the axis; `h_i`, `h_j`: the axis in either body.
-/// The equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error. Haug,
+/// The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
 /// section 9.4. Measure: `angle`, the turn of f_i from f_j.
 ///
 /// Signs: the angle is the turn of i in j, right-handed about h_j. Where it is zero is chosen by `.zero(f_i,
@@ -87,7 +87,7 @@ pub fn prismatic(
 /// Removes 4 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body. These are h_i
 /// × h_j = 0 and h_i × d = 0 of the lecture ("Cylindrical Joint Constraint") in the two directions across
 /// h_i, which keep full rank at every pose. The equations hold for opposite axes too; a position found with
-/// h_i · h_j < 0 is told as an error. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
+/// h_i · h_j < 0 is an error. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
 ///
 /// Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of
 /// [`revolute`](fn@revolute). The slide grows as i moves along h_j in j.
@@ -125,7 +125,7 @@ pub fn universal(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Vec3, h_j: V
 /// Planar joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j · (r_Pi − r_Pj) = 0 (dot-2).      \[–, –, m\]
 ///
 /// Removes 3 freedoms. `u_i`, `u_j`: points of the common plane; `h_i`, `h_j`: its normal in either body. The
-/// equations hold for opposite normals too; a position found with h_i · h_j < 0 is told as an error. Haug,
+/// equations hold for opposite normals too; a position found with h_i · h_j < 0 is an error. Haug,
 /// section 9.4. Measure: `angle`, the turn of f_i from f_j.
 ///
 /// Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of
@@ -148,7 +148,7 @@ pub fn planar(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3
 /// Removes 5 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body, with f_i over
 /// f_j where the points meet; `lead`: way of i along h_j per turn about h_j. The turn of f_i is taken back by
 /// 2π h_j · d / lead and what is left is zero, so that any number of turns is counted without a jump. The
-/// equations hold for opposite axes too; a position found with h_i · h_j < 0 is told as an error. Where
+/// equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Where
 /// another joint holds the axes in line: [`thread`](fn@super::thread). Haug, section 9.4. Measures: `angle`,
 /// the turn of f_i from f_j; `slide`, h_j · d.
 ///
@@ -172,7 +172,7 @@ pub fn screw(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Axis,
 /// Removes 4 freedoms. `u_i`, `u_j`: the centre P; `h_i`, `h_j`: the shafts, with the same direction where
 /// they are in line, f_i over f_j. The second equation says that i is bent against j about an axis across the
 /// shafts, without twist: both turn by the same angle at every moment. It holds for shafts twisted by 180°
-/// too; a position found with f_i · f_j + g_i · g_j < 0 is told as an error. Hunt, *Kinematic Geometry of
+/// too; a position found with f_i · f_j + g_i · g_j < 0 is an error. Hunt, *Kinematic Geometry of
 /// Mechanisms*.
 ///
 /// Signs: h_i and h_j point the same way along the drive line, from one shaft to the other; then both turn

@@ -19,7 +19,7 @@ pub fn moving_point(i: Spatial, j: Spatial, x_i: Law, y_i: Law, z_i: Law, u_j: V
 /// A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j = 0.
 ///    \[m\]
 ///
-/// Removes 3 freedoms, and brings one of its own, the coordinate `s` along the path: 2 in all. `x_i`, `y_i`,
+/// Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i`,
 /// `z_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body".
 ///
 /// Signs: the laws are coordinates in the frame of body i; `s` grows the way they run.
