@@ -23,10 +23,9 @@ impl System {
         let mut all = self.limits.clone();
         for (joint, constraint) in self.constraints() {
             for (k, measure) in constraint.facts().measures.iter().enumerate() {
+                let Some(ends) = constraint.ends(k) else { continue };
                 let name = format!("{joint}.{}", measure.name);
-                if let Some(ends) = constraint.ends(k)
-                    && !all.iter().any(|limit| limit.name == name)
-                {
+                if !all.iter().any(|limit| limit.name == name) {
                     all.push(Limit { name, ends });
                 }
             }
