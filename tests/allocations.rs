@@ -88,3 +88,27 @@ fn nor_do_those_of_programs_of_manipulators_platforms_and_chains() {
     }
     steps_of_a_program_allocate_nothing(&m.build().unwrap());
 }
+
+/// A bar on three rods of one length, one of which is superfluous: more times are no more work but for the
+/// tape, which allocates nothing, and what solves time by time allocates for each time and each parameter.
+#[test]
+fn nor_do_times_of_the_gradient_of_a_redundant_mechanism() {
+    let mut m = Mechanism::new("three equal rods");
+    let length = m.dimension("length", 0.2).unwrap();
+    let places = ["first", "second", "third"].map(|name| m.dimension(name, name.len() as f64 - 5.0).unwrap());
+    let bar = m.planar("bar", pose(0.12, 0.16, 0.0)).unwrap();
+    for (k, place) in places.into_iter().enumerate() {
+        let ends = ((place, 0.1 * k as f64), (place, 0.1 * k as f64));
+        m.add(&format!("rod {k}"), distance(bar, Ground, ends.0, ends.1, length)).unwrap();
+    }
+    m.add("drive", drive(bar.x(), Law::linear(0.12, 0.1))).unwrap();
+    let system = m.build().unwrap();
+    let counts = [100, 4000].map(|steps| {
+        let motion = system.run(linspace(0.0, 0.7, steps)).unwrap();
+        let names = ["length", "second", "third", "drive.law.rate"];
+        let before = ALLOCATIONS.get();
+        system.gradient(&motion, names, "bar.R_y", |_| [1.0, 0.5, 0.25]).unwrap();
+        ALLOCATIONS.get() - before
+    });
+    assert!(counts[1] < counts[0] + 100, "{counts:?}");
+}

@@ -8,6 +8,7 @@ mod data;
 #[path = "../data/engines.rs"]
 mod engines;
 mod gallery;
+mod gradients;
 mod laws;
 mod model;
 mod objective;

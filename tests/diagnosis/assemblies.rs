@@ -230,3 +230,51 @@ fn a_list_of_assemblies_says_in_json_whether_it_is_complete() {
     let none = m.build().unwrap().assemblies(0.0).unwrap();
     assert_eq!((none.len(), none.complete), (0, Complete::Unknown), "{}", none.reason);
 }
+
+/// A delta robot whose motors hold its arms, and the same plate on its six rods alone.
+fn delta() -> [System; 2] {
+    let (mut driven, mut fixed) = (Mechanism::new("delta"), Mechanism::new("six rods of a delta"));
+    let place = SpatialPose::at((0.0, 0.0, -560.0));
+    let plates = [&mut driven, &mut fixed].map(|m| m.spatial("plate", place).unwrap());
+    for k in 0..3 {
+        let azimuth = TAU / 3.0 * k as f64;
+        let out = Vec3::new(azimuth.cos(), azimuth.sin(), 0.0);
+        let across = Vec3::new(-azimuth.sin(), azimuth.cos(), 0.0);
+        let shoulder = out * 200.0;
+        let elbow = |angle: f64| shoulder + out * 250.0 * angle.cos() - Vec3::z() * 250.0 * angle.sin();
+        let arm = driven.spatial_link_between(&format!("arm {k}"), shoulder, elbow(deg(20.0))).unwrap();
+        let axis = driven.local_direction(arm, across).unwrap();
+        let hinge = spatial::revolute(arm, driven.ground(), arm.start(), shoulder, axis, across);
+        driven.add(&format!("hinge {k}"), hinge).unwrap();
+        // From the horizontal down: right-handed about `across`.
+        let (own, down) = (Axis::new(axis, arm.end() - arm.start()), 0.3 + 0.05 * k as f64);
+        let motor = drive_turn(arm, driven.ground(), own, Axis::new(across, out), Law::constant(down));
+        driven.add(&format!("motor {k}"), motor).unwrap();
+        for (name, side) in [("left", -40.0), ("right", 40.0)] {
+            let (upper, lower) = (arm.end() + axis * side, out * 60.0 + across * side);
+            let name = format!("{name} rod {k}");
+            driven.add(&name, spatial::distance(arm, plates[0], upper, lower, 560.0)).unwrap();
+            let upper = elbow(down) + across * side;
+            fixed.add(&name, spatial::distance(Ground, plates[1], upper, lower, 560.0)).unwrap();
+        }
+    }
+    [driven.build().unwrap(), fixed.build().unwrap()]
+}
+
+/// An arm that is driven has one pose: one with its hinge turned over is none. With eight of such arms for
+/// each pose of the plate a delta would have 128.
+#[test]
+fn a_delta_robot_has_the_poses_of_its_plate_on_six_rods() {
+    let [driven, fixed] = delta();
+    let [robot, plate] = [&driven, &fixed].map(|system| system.assemblies(0.0).unwrap());
+    assert_eq!((robot.len(), robot.complete), (16, Complete::Believed), "{}", robot.reason);
+    assert_eq!((plate.len(), plate.complete), (16, Complete::Believed), "{}", plate.reason);
+    for own in &robot {
+        let is_same = |q: &[f64]| {
+            let far = own.q[..3].iter().zip(q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            let turned: f64 = own.q[3..7].iter().zip(&q[3..]).map(|(a, b)| a * b).sum();
+            far < 1e-6 && turned.abs() > 1.0 - 1e-9
+        };
+        assert_eq!(plate.iter().filter(|plate| is_same(&plate.q)).count(), 1, "{own:?}");
+    }
+}

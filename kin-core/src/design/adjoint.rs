@@ -1,9 +1,9 @@
 //! The gradient of one number by all parameters at once, through the transposed factors of C_q.
 
+use super::agreement::{self, Agreement};
 use super::along::{Along, Prepared};
 use super::measured::refuse_own;
 use super::partials::partials;
-use super::sensitivities::Sensitivity;
 use super::solver::Solver;
 use super::{smooth, variation};
 use crate::ask::measure::Measure;
@@ -25,8 +25,9 @@ impl System {
     /// F_p = −Σ (λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p)
     /// ```
     ///
-    /// A dependence of the measure on p itself is not in it. Of a redundant mechanism the sum is taken over
-    /// [`System::sensitivities`].
+    /// A dependence of the measure on p itself is not in it. Of a redundant mechanism C_q are as many
+    /// independent rows as there are coordinates; that the other equations agree is checked for all
+    /// parameters at once.
     ///
     /// Errors: those of [`System::sensitivities`] and [`crate::Sensitivities::of`].
     pub fn gradient(
@@ -40,27 +41,9 @@ impl System {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         names.iter().try_for_each(|name| refuse_own(self, &what, name))?;
         let weights = self.weights(motion, &what, weights)?;
-        if self.is_redundant() {
-            return self.summed(motion, &names, &weights);
-        }
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
         let mut prepared = Prepared::new(self, &names)?;
-        let (n, mut gradient) = (self.n_coordinates(), vec![0.0; names.len()]);
-        let left =
-            variation::pays(motion).then(|| variation::adjoint(&prepared, motion, &weights, &mut gradient));
-        let mut solver = Solver::new(self);
-        for k in left.flatten().unwrap_or_else(|| (0..motion.len()).collect()) {
-            let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
-            let along = prepared.at(t, orders);
-            solver.go_to(t, orders)?;
-            let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
-            let Some(adjoint) = adjoint(&solver, &along, own) else { continue };
-            for (sum, by_p) in gradient.iter_mut().zip(&along.by_p) {
-                for (row, jet) in by_p {
-                    *sum -= adjoint.iter().zip(jet).map(|(adjoint, c_p)| adjoint[*row] * c_p).sum::<f64>();
-                }
-            }
-        }
+        let gradient = terms(&mut prepared, motion, &names, &weights)?;
         match gradient.iter().zip(&names).find(|(sum, _)| !sum.is_finite()) {
             Some((_, name)) => {
                 Err(NoDerivative::error(name, "a term of the equations has no finite derivative"))
@@ -91,28 +74,55 @@ impl System {
         }
         Ok(found)
     }
-
-    /// F_p from the derivatives by each parameter.
-    fn summed(&self, motion: &Motion, names: &[String], weights: &Weights) -> Result<Vec<f64>> {
-        let sensitivities = self.sensitivities(motion, names)?;
-        let sum = |one: &Sensitivity| {
-            let dot = |(weights, by_p): (&Vec<f64>, &Vec<f64>)| -> f64 {
-                weights.iter().zip(by_p).map(|(weight, by_p)| weight * by_p).sum()
-            };
-            weights.iter().zip(one.orders()).map(dot).sum()
-        };
-        Ok(sensitivities.all().iter().map(sum).collect())
-    }
 }
 
-/// λ₀, λ₁ and λ₂.
-pub(super) fn adjoint(solver: &Solver<'_>, along: &Along, [mut w0, mut w1, w2]: Weights) -> Option<Weights> {
-    let second = solver.transposed(&w2)?;
+/// The gradient as a sum over all times: by a tape where that pays, else by the walk.
+fn terms(
+    prepared: &mut Prepared<'_>,
+    motion: &Motion,
+    names: &[String],
+    weights: &Weights,
+) -> Result<Vec<f64>> {
+    let system = prepared.system;
+    let (n, mut gradient, mut left) = (system.n_coordinates(), vec![0.0; names.len()], None);
+    if variation::pays(motion) {
+        let agreement = if system.is_redundant() { Agreement::along(prepared, motion, names)? } else { None };
+        left = variation::adjoint(prepared, agreement.as_ref(), motion, weights, &mut gradient);
+    }
+    let mut solver = Solver::new(system);
+    for k in left.unwrap_or_else(|| (0..motion.len()).collect()) {
+        let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+        let along = prepared.at(t, orders);
+        solver.go_to(t, orders)?;
+        agreement::check(&mut solver, prepared, &along, names)?;
+        let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
+        let adjoint = adjoint(&solver, &along, vec![0.0; system.n_equations()], own);
+        for (sum, by_p) in gradient.iter_mut().zip(&along.by_p) {
+            for (row, jet) in by_p {
+                *sum -= adjoint.iter().zip(jet).map(|(adjoint, c_p)| adjoint[*row] * c_p).sum::<f64>();
+            }
+        }
+    }
+    Ok(gradient)
+}
+
+/// λ₀, λ₁ and λ₂. `fixed` is λ₂ in rows that are not in use, and zero in the others.
+pub(super) fn adjoint(
+    solver: &Solver<'_>,
+    along: &Along,
+    fixed: Vec<f64>,
+    [mut w0, mut w1, mut w2]: Weights,
+) -> Weights {
+    for (row, column, jet) in &along.by_q {
+        w2[*column] -= jet[0] * fixed[*row];
+    }
+    let second: Vec<f64> =
+        solver.transposed(&w2).iter().zip(&fixed).map(|(own, fixed)| own + fixed).collect();
     for (row, column, jet) in &along.by_q {
         w1[*column] -= 2.0 * jet[1] * second[*row];
         w0[*column] -= jet[2] * second[*row];
     }
-    let first = solver.transposed(&w1)?;
+    let first = solver.transposed(&w1);
     along.by_q.iter().for_each(|(row, column, jet)| w0[*column] -= jet[1] * first[*row]);
-    Some([solver.transposed(&w0)?, first, second])
+    [solver.transposed(&w0), first, second]
 }

@@ -9,12 +9,14 @@
 //! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇, J̈ and P,
 //! Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve every parameter
 //! forward (`sensitivities.rs`, `solver.rs`), and transposed every parameter at once (`adjoint.rs`), which is
-//! what optimisers ask for (`objective.rs`). Along a motion of many times all of it is one tape, and the walk
-//! is for what is left (`variation/`). Measures are asked for what they read (`partials.rs`, `measured.rs`).
+//! what optimisers ask for (`objective.rs`). Superfluous equations of a redundant mechanism have to agree
+//! (`agreement.rs`). Along a motion of many times all of it is one tape, and the walk is for what is left
+//! (`variation/`). Measures are asked for what they read (`partials.rs`, `measured.rs`).
 //! The time of a toggle stands by itself (`toggle.rs`). With tolerances of dimensions derivatives tell how
 //! far a measure, or an extreme or a stroke of it (`feature.rs`), may be off (`tolerance/`).
 
 mod adjoint;
+mod agreement;
 mod along;
 mod asked;
 mod equation;

@@ -132,11 +132,6 @@ impl Sensitivity {
         self.row(2, k)
     }
 
-    /// All of them, one list an order.
-    pub(super) fn orders(&self) -> &[Vec<f64>; 3] {
-        &self.orders
-    }
-
     fn row(&self, order: usize, k: usize) -> &[f64] {
         let first = k.saturating_mul(self.n);
         self.orders[order].get(first..first.saturating_add(self.n)).unwrap_or_default()

@@ -37,12 +37,18 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
     if !beside.asked && breaking.is_empty() && !has_kinks {
         return Ok(());
     }
+    let step = step(motion);
     for (k, &t) in motion.times().iter().enumerate() {
-        kink(motion, t, by)?;
-        beside.check(motion, k, by)?;
+        if has_kinks {
+            kink_within(motion, (t, step), by)?;
+        }
+        beside.check(motion, (k, step), by)?;
+        if breaking.is_empty() {
+            continue;
+        }
         let ends = k == 0 || k + 1 == motion.len();
         let (equations, mut broken) = (system.equations(), None);
-        let (instant, near) = (equations.instant_at(t, motion.q(k)), SAME * step(motion));
+        let (instant, near) = (equations.instant_at(t, motion.q(k)), SAME * step);
         for block in &breaking {
             block.constraint.laws(&equations.at(block, &instant), &mut |law, f, x| {
                 let near = near.max(SAME * x.abs());
@@ -77,7 +83,12 @@ fn breaking<'a>(system: &'a System, motion: &Motion) -> Vec<&'a Block> {
 
 /// An error by name where the motion has a kink at that time.
 pub(super) fn kink(motion: &Motion, t: f64, by: &str) -> Result<()> {
-    let (s, near) = (motion.unit_words().time(), SAME * step(motion).max(t.abs()));
+    kink_within(motion, (t, step(motion)), by)
+}
+
+/// The same of a motion whose longest step is known.
+fn kink_within(motion: &Motion, (t, step): (f64, f64), by: &str) -> Result<()> {
+    let (s, near) = (motion.unit_words().time(), SAME * step.max(t.abs()));
     let mut kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink);
     let Some(kink) = kinks.find(|kink| (kink.t - t).abs() <= near) else { return Ok(()) };
     Err(NoDerivative::error(by, format!("at t = {t} {s} there is {}; ask other times", kink.text)))
@@ -106,14 +117,15 @@ impl<'a> Beside<'a> {
         Beside { system, asked: asked || !system.switching().is_empty() }
     }
 
-    /// An error by name where an equation has a kink or a jump at time k of a motion: a little to either side
-    /// of the pose, in directions at random, its switches are on other sides, or its values far apart.
-    fn check(&self, motion: &Motion, k: usize, by: &str) -> Result<()> {
+    /// An error by name where an equation has a kink or a jump at time k of a motion, whose longest step is
+    /// `step`: a little to either side of the pose, in directions at random, its switches are on other sides,
+    /// or its values far apart.
+    fn check(&self, motion: &Motion, (k, step): (usize, f64), by: &str) -> Result<()> {
         if !self.asked {
             return Ok(());
         }
         let (system, t, q) = (self.system, motion.times()[k], motion.q(k));
-        let (measures, near) = (system.model().measure(q, t), SAME * step(motion).max(t.abs()));
+        let (measures, near) = (system.model().measure(q, t), SAME * step.max(t.abs()));
         let mut random = Random::new(1);
         for _ in 0..DIRECTIONS {
             let off: Vec<f64> = measures.sizes.iter().map(|size| SAME * size * random.number()).collect();

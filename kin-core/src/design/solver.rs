@@ -1,5 +1,7 @@
 //! The equations of derivatives by one parameter at one time, solved with the factors of C_q.
 
+use std::cell::OnceCell;
+
 use super::along::{Along, Prepared};
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::linear::{Independent, Linear};
@@ -12,10 +14,10 @@ use crate::system::System;
 use crate::system::scaled::Measures;
 
 /// Equations of a redundant mechanism may differ by this share of their terms.   \[-\]
-const CONSISTENT: f64 = 1e-8;
+pub(super) const CONSISTENT: f64 = 1e-8;
 
 /// They may differ by so many times the bound of the first order that rounding has.   \[-\]
-const ROUNDED: f64 = 16.0;
+pub(super) const ROUNDED: f64 = 16.0;
 
 /// C_q at one time after the other, factored.
 pub(super) struct Solver<'a> {
@@ -23,6 +25,8 @@ pub(super) struct Solver<'a> {
     t: f64,
     /// q, q̇ and q̈ there.
     orders: [&'a [f64]; 3],
+    /// C_q and C_p there with bounds of their errors, once they are needed.
+    bounded: OnceCell<Along<Rounded>>,
     kind: Kind,
 }
 
@@ -45,12 +49,13 @@ struct Redundant {
 impl<'a> Solver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
         let kind = if system.is_redundant() { Kind::Redundant(None) } else { Kind::Square(None) };
-        Solver { system, t: f64::NAN, orders: [&[]; 3], kind }
+        Solver { system, t: f64::NAN, orders: [&[]; 3], bounded: OnceCell::new(), kind }
     }
 
     /// To the time t of a motion with these q, q̇ and q̈. Errors: a singular position.
     pub(super) fn go_to(&mut self, t: f64, orders: [&'a [f64]; 3]) -> Result<()> {
         (self.t, self.orders) = (t, orders);
+        self.bounded = OnceCell::new();
         let (system, q) = (self.system, orders[0]);
         match &mut self.kind {
             Kind::Square(square) => {
@@ -68,11 +73,27 @@ impl<'a> Solver<'a> {
         Ok(())
     }
 
-    /// The solution of C_qᵀ λ = w; none of a redundant mechanism.
-    pub(super) fn transposed(&self, w: &[f64]) -> Option<Vec<f64>> {
+    /// The solution of C_qᵀ λ = w; of a redundant mechanism the one that is zero in the rows that are not in
+    /// use.
+    pub(super) fn transposed(&self, w: &[f64]) -> Vec<f64> {
         match &self.kind {
-            Kind::Square(linear) => linear.as_ref().map(|linear| linear.solved_transposed(w)),
-            Kind::Redundant(_) => None,
+            Kind::Square(Some(linear)) => linear.solved_transposed(w),
+            Kind::Redundant(Some(redundant)) => redundant.transposed(w),
+            _ => vec![f64::NAN; self.system.n_equations()],
+        }
+    }
+
+    /// The number of coordinates.
+    pub(super) fn columns(&self) -> usize {
+        self.system.n_coordinates()
+    }
+
+    /// The rows of a redundant mechanism that are in use, in increasing order, and the norms of all rows;
+    /// `None` where no equation is superfluous.
+    pub(super) fn in_use(&self) -> Option<(&[usize], &[f64])> {
+        match &self.kind {
+            Kind::Redundant(Some(redundant)) => Some((redundant.rows.rows(), &redundant.measures.norms)),
+            _ => None,
         }
     }
 
@@ -144,9 +165,7 @@ impl<'a> Solver<'a> {
         }
         // Terms that cancel leave rounding: where a rate does not depend on the parameter, nothing else is
         // left.
-        let bounded =
-            prepared.bounded(self.t, self.orders, redundant.off(self.orders).each_ref().map(|off| &off[..]));
-        if largest <= ROUNDED * redundant.rounding(&bounded, number, (found, order)) {
+        if largest <= ROUNDED * self.rounding(prepared, number, (found, order)) {
             return Ok(());
         }
         let equation = self.system.equations().equation(row);
@@ -155,6 +174,23 @@ impl<'a> Solver<'a> {
              and the other equations contradict one another. Change it together with what it has to agree with"
         );
         Err(NoDerivative::error(name, reason))
+    }
+}
+
+impl Solver<'_> {
+    /// How far rounding may bring the equations of order `last` apart, as a share of their norms, with these
+    /// solutions by the name of that number; 0 where no equation is superfluous.   \[-\]
+    pub(super) fn rounding(
+        &self,
+        prepared: &Prepared<'_>,
+        number: usize,
+        (found, last): (&[Vec<f64>; 3], usize),
+    ) -> f64 {
+        let Kind::Redundant(Some(redundant)) = &self.kind else { return 0.0 };
+        let bounded = self.bounded.get_or_init(|| {
+            prepared.bounded(self.t, self.orders, redundant.off(self.orders).each_ref().map(|off| &off[..]))
+        });
+        redundant.rounding(bounded, number, (found, last))
     }
 }
 
@@ -186,6 +222,12 @@ impl Redundant {
         let Measures { norms, sizes, .. } = &self.measures;
         let scaled: Vec<f64> = rhs.iter().zip(norms).map(|(rhs, norm)| rhs / norm).collect();
         self.rows.solve(&scaled).iter().zip(sizes).map(|(y, size)| y * size).collect()
+    }
+
+    fn transposed(&self, w: &[f64]) -> Vec<f64> {
+        let Measures { norms, sizes, .. } = &self.measures;
+        let scaled: Vec<f64> = w.iter().zip(sizes).map(|(w, size)| w * size).collect();
+        self.rows.solved_transposed(&scaled).iter().zip(norms).map(|(y, norm)| y / norm).collect()
     }
 
     /// How far q, q̇ and q̈ may be off: they are solved for with the same factors.

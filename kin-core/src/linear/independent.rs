@@ -69,6 +69,11 @@ impl Independent {
         self.chosen.insert(Chosen::new(self.n, chosen, &self.places)).factor(&self.values)
     }
 
+    /// The rows in use, in increasing order; none before the first factoring.
+    pub(crate) fn rows(&self) -> &[usize] {
+        self.chosen.as_ref().map_or(&[], |chosen| &chosen.rows)
+    }
+
     /// The smallest pivot of the last factoring.   \[-\]
     pub(crate) fn smallest_pivot(&self) -> f64 {
         self.chosen.as_ref().map_or(0.0, |chosen| chosen.linear.smallest_pivot())

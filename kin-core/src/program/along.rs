@@ -15,10 +15,19 @@ use crate::model::law::Law;
 use crate::model::motion::Motion;
 use crate::system::{System, scale};
 
-/// A tape whose first outputs are guards, with their values where its elimination was chosen.
+/// A tape whose first outputs are guards, with their values where its elimination was chosen; pairs of a
+/// number and its limit follow.
 pub(crate) struct Guarded {
     pub tape: Straight,
     marks: Vec<f64>,
+    limited: usize,
+}
+
+/// Results that a tape along a motion computes.
+pub(crate) struct Asked {
+    /// Numbers with limits: a time at which one of them is larger in size is left to other ways.
+    pub limited: Vec<(Node, Node)>,
+    pub outputs: Vec<Node>,
 }
 
 impl Guarded {
@@ -28,9 +37,25 @@ impl Guarded {
     pub(crate) fn new(
         system: &System,
         (t, q): (f64, &[f64]),
-        (mut graph, laws): (Graph, Vec<Law>),
+        made: (Graph, Vec<Law>),
         cells: &[Vec<(usize, Node)>],
         outputs: impl FnOnce(&mut Graph, &Elimination<'_>, &mut Masks) -> Vec<Node>,
+    ) -> Option<Guarded> {
+        let asked = |graph: &mut Graph, elimination: &Elimination<'_>, masks: &mut Masks| Asked {
+            limited: Vec::new(),
+            outputs: outputs(graph, elimination, masks),
+        };
+        Guarded::limited(system, (t, q), made, cells, asked)
+    }
+
+    /// The same with numbers that have limits. Of a redundant mechanism `cells` are as many independent rows
+    /// as there are coordinates.
+    pub(crate) fn limited(
+        system: &System,
+        (t, q): (f64, &[f64]),
+        (mut graph, laws): (Graph, Vec<Law>),
+        cells: &[Vec<(usize, Node)>],
+        asked: impl FnOnce(&mut Graph, &Elimination<'_>, &mut Masks) -> Asked,
     ) -> Option<Guarded> {
         let sizes = sizes(system, t, q)?;
         let pose = Pose { t, q, sizes: &sizes };
@@ -55,17 +80,18 @@ impl Guarded {
         };
         let elimination = Elimination::new(&mut graph, &order, &cells, &sizes, by_cells).ok()?;
         let guards = elimination.guards().concat();
-        let outputs = outputs(&mut graph, &elimination, &mut masks);
+        let asked = asked(&mut graph, &elimination, &mut masks);
         let count = guards.len();
-        let outputs = masks.removed(&mut graph, &[guards, outputs].concat());
+        let pairs: Vec<Node> = asked.limited.iter().flat_map(|(number, limit)| [*number, *limit]).collect();
+        let outputs = masks.removed(&mut graph, &[guards, pairs, asked.outputs].concat());
         let marks = at(&graph, &outputs[..count]);
         let tape = straight(graph, laws, &outputs);
-        Some(Guarded { tape, marks })
+        Some(Guarded { tape, marks, limited: asked.limited.len() })
     }
 
     /// The tape of outputs that need no elimination.
     pub(crate) fn of(graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Guarded {
-        Guarded { tape: straight(graph, laws, outputs), marks: Vec::new() }
+        Guarded { tape: straight(graph, laws, outputs), marks: Vec::new(), limited: 0 }
     }
 
     /// Hands over all times of a motion; gives those that are left to other ways. `beside` tells the list and
@@ -77,7 +103,8 @@ impl Guarded {
         sink: impl Sink,
     ) -> Option<Vec<usize>> {
         let port = |input| port(motion, input).or_else(|| beside(input));
-        OverTimes { tape: &self.tape, times: motion.times.len(), port: &port, marks: &self.marks, sink }.run()
+        let (tape, times, port) = (&self.tape, motion.times.len(), &port as &_);
+        OverTimes { tape, times, port, marks: &self.marks, limited: self.limited, sink }.run()
     }
 }
 

@@ -25,7 +25,7 @@ mod tape;
 pub(crate) mod tests;
 mod transposed;
 
-pub(crate) use along::Guarded;
+pub(crate) use along::{Asked, Guarded};
 pub(crate) use blocks::blocks;
 pub(crate) use eliminate::Elimination;
 pub(crate) use gather::{

@@ -1,19 +1,22 @@
 //! The gradient of one number by all names as outputs of a tape.
 
 use kin_graph::differentiate::{Jet, Jets};
-use kin_graph::{Graph, Input, Node};
+use kin_graph::{Function, Graph, Input, Node};
 
 use super::nodes::{Gathered, JetCells, NodeJet, moved, put_rates};
 use crate::design::adjoint::Weights;
+use crate::design::agreement::{Agreement, TERMS};
 use crate::design::along::Prepared;
+use crate::design::solver::CONSISTENT;
 use crate::model::law::Law;
-use crate::program::{Elimination, Guarded, Masks, Reduced, Summed, take};
+use crate::program::{Asked, Elimination, Guarded, Masks, Reduced, Summed, take};
 use crate::solve::motion::Motion;
 
 /// Adds the terms of all times to the gradient; gives the times that are left to the walk. `None` where there
 /// is no tape, and all are left.
 pub(in crate::design) fn adjoint(
     prepared: &Prepared<'_>,
+    agreement: Option<&Agreement>,
     motion: &Motion,
     weights: &Weights,
     gradient: &mut [f64],
@@ -23,27 +26,48 @@ pub(in crate::design) fn adjoint(
         Input::Parameter(k) if k >= n => Some(((&weights[k / n - 1][..], n), k % n)),
         _ => None,
     };
-    tape(prepared, motion, weights)?.run(motion, &weight, Summed(gradient))
+    tape(prepared, agreement, motion, weights)?.run(motion, &weight, Summed(gradient))
 }
 
 /// The tape, its elimination chosen at the first time. A coordinate that has no weight at any time is not
-/// read.
-pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion, weights: &Weights) -> Option<Guarded> {
-    let n = motion.names().len();
+/// read. Of a redundant mechanism a time at which superfluous equations may not agree is left to the walk.
+pub(super) fn tape(
+    prepared: &Prepared<'_>,
+    agreement: Option<&Agreement>,
+    motion: &Motion,
+    weights: &Weights,
+) -> Option<Guarded> {
+    let (n, m) = (motion.names().len(), prepared.system.n_equations());
+    let rows: Vec<usize> = match agreement {
+        Some(agreement) => agreement.rows.clone(),
+        None => (0..m).collect(),
+    };
+    if rows.len() != n {
+        return None;
+    }
     let weighs = |order: usize, j: usize| weights[order].iter().skip(j).step_by(n).any(|x| *x != 0.0);
     let AlongTime { graph, laws, by_q, by_p } =
         AlongTime::of(Gathered::of(prepared).ok()?.by_turns(prepared.system));
     let begin = (*motion.times().first()?, motion.q(0));
     let cell = |(column, jet): &(usize, NodeJet)| (*column, jet[0]);
-    let cells: Vec<Vec<(usize, Node)>> = by_q.iter().map(|row| row.iter().map(cell).collect()).collect();
-    Guarded::new(prepared.system, begin, (graph, laws), &cells, |graph, elimination, masks| {
+    let cells: Vec<Vec<(usize, Node)>> =
+        rows.iter().map(|row| by_q[*row].iter().map(cell).collect()).collect();
+    Guarded::limited(prepared.system, begin, (graph, laws), &cells, |graph, elimination, masks| {
         let zero = graph.zero();
         let mut weight = |order: usize, j: usize| {
             if weighs(order, j) { graph.input(Input::Parameter((order + 1) * n + j)) } else { zero }
         };
         let w = [0, 1, 2].map(|order| (0..n).map(|j| weight(order, j)).collect::<Vec<Node>>());
-        let lambda = multipliers(graph, (elimination, masks), &by_q, w);
-        by_p.iter().map(|by_p| term(graph, &lambda, by_p)).collect()
+        let mut solver = Transposed { elimination, masks, rows: &rows, by_q: &by_q };
+        let lambda = solver.multipliers(graph, vec![zero; m], w);
+        let outputs = by_p.iter().map(|by_p| term(graph, &lambda, by_p)).collect();
+        let limited = agreement.map_or_else(Vec::new, |agreement| {
+            let shares = agreement.shares.iter().map(|share| graph.constant(*share)).collect();
+            let nu = solver.multipliers(graph, shares, [(); 3].map(|()| vec![zero; n]));
+            let names = by_p.iter().zip(&agreement.limits);
+            names.flat_map(|(by_p, limits)| limited(graph, &nu, by_p, limits)).collect()
+        });
+        Asked { limited, outputs }
     })
 }
 
@@ -74,32 +98,53 @@ impl AlongTime {
     }
 }
 
-/// λ₀, λ₁ and λ₂: Jᵀ λ₂ = F_q̈, Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂, Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂.
-fn multipliers(
-    graph: &mut Graph,
-    (elimination, masks): (&Elimination<'_>, &mut Masks),
-    by_q: &[JetCells],
-    [mut w0, mut w1, w2]: [Vec<Node>; 3],
-) -> [Vec<Node>; 3] {
-    let mut solve = |graph: &mut Graph, w: &[Node]| {
-        let w = masks.all(graph, w);
-        let solved = elimination.solve_transposed(graph, &w);
-        masks.all(graph, &solved)
-    };
-    let two = graph.constant(2.0);
-    let second = solve(graph, &w2);
-    for (cells, lambda) in by_q.iter().zip(&second) {
-        let twice = graph.mul(two, *lambda);
-        for (column, jet) in cells {
-            take(graph, &mut w1[*column], jet[1], twice);
-            take(graph, &mut w0[*column], jet[2], *lambda);
+/// A solver for multipliers, as nodes.
+struct Transposed<'a> {
+    elimination: &'a Elimination<'a>,
+    masks: &'a mut Masks,
+    /// The rows in use, by their numbers in the elimination.
+    rows: &'a [usize],
+    by_q: &'a [JetCells],
+}
+
+impl Transposed<'_> {
+    /// λ₀, λ₁ and λ₂: Jᵀ λ₂ = F_q̈, Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂, Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂; `fixed` is λ₂ in
+    /// rows that are not in use, and zero in the others.
+    fn multipliers(
+        &mut self,
+        graph: &mut Graph,
+        fixed: Vec<Node>,
+        [mut w0, mut w1, mut w2]: [Vec<Node>; 3],
+    ) -> [Vec<Node>; 3] {
+        let by_q = self.by_q;
+        for (cells, lambda) in by_q.iter().zip(&fixed) {
+            cells.iter().for_each(|(column, jet)| take(graph, &mut w2[*column], jet[0], *lambda));
         }
+        let two = graph.constant(2.0);
+        let second = self.solved(graph, &w2, fixed);
+        for (cells, lambda) in by_q.iter().zip(&second) {
+            let twice = graph.mul(two, *lambda);
+            for (column, jet) in cells {
+                take(graph, &mut w1[*column], jet[1], twice);
+                take(graph, &mut w0[*column], jet[2], *lambda);
+            }
+        }
+        let none = vec![graph.zero(); by_q.len()];
+        let first = self.solved(graph, &w1, none.clone());
+        for (cells, lambda) in by_q.iter().zip(&first) {
+            cells.iter().for_each(|(column, jet)| take(graph, &mut w0[*column], jet[1], *lambda));
+        }
+        [self.solved(graph, &w0, none), first, second]
     }
-    let first = solve(graph, &w1);
-    for (cells, lambda) in by_q.iter().zip(&first) {
-        cells.iter().for_each(|(column, jet)| take(graph, &mut w0[*column], jet[1], *lambda));
+
+    /// λ with Jᵀ λ = w in the rows in use, and as it is in the others.
+    fn solved(&mut self, graph: &mut Graph, w: &[Node], mut lambda: Vec<Node>) -> Vec<Node> {
+        let w = self.masks.all(graph, w);
+        let solved = self.elimination.solve_transposed(graph, &w);
+        let solved = self.masks.all(graph, &solved);
+        self.rows.iter().zip(solved).for_each(|(row, own)| lambda[*row] = own);
+        lambda
     }
-    [solve(graph, &w0), first, second]
 }
 
 /// −(λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p)
@@ -109,4 +154,32 @@ fn term(graph: &mut Graph, lambda: &[Vec<Node>; 3], by_p: &[(usize, NodeJet)]) -
         lambda.iter().zip(jet).for_each(|(lambda, c_p)| take(graph, &mut sum, *c_p, lambda[*row]));
     }
     sum
+}
+
+/// g, ġ and g̈ of `agreement.rs`, each with its limit: a small share of its terms, and what rounding may be.
+fn limited(
+    graph: &mut Graph,
+    nu: &[Vec<Node>; 3],
+    by_p: &[(usize, NodeJet)],
+    limits: &[f64; 3],
+) -> Vec<(Node, Node)> {
+    let (zero, share) = (graph.zero(), graph.constant(CONSISTENT));
+    let mut all = Vec::new();
+    for (terms, limit) in TERMS.into_iter().zip(limits) {
+        let (mut sum, mut size) = (zero, zero);
+        for (row, jet) in by_p {
+            for (factor, of, by) in terms {
+                let factor = graph.constant(*factor);
+                let product = graph.mul(nu[*of][*row], jet[*by]);
+                let term = graph.mul(factor, product);
+                let own = graph.call(Function::Abs, term);
+                (sum, size) = (graph.add(sum, term), graph.add(size, own));
+            }
+        }
+        if sum != zero {
+            let (terms, limit) = (graph.mul(share, size), graph.constant(*limit));
+            all.push((sum, graph.add(terms, limit)));
+        }
+    }
+    all
 }

@@ -27,6 +27,10 @@ pub(in crate::design) fn forward(
 
 /// The tape, its elimination chosen at the first time.
 pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion) -> Option<Guarded> {
+    let system = prepared.system;
+    if system.is_redundant() || system.n_equations() != system.n_coordinates() {
+        return None;
+    }
     let varied = Varied::of(Gathered::of(prepared).ok()?.by_turns(prepared.system));
     let begin = (*motion.times().first()?, motion.q(0));
     let mut reduced = Reduced::of_all(&varied.graph);

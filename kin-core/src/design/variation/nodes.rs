@@ -6,7 +6,7 @@ use kin_graph::{Graph, Input, Node};
 use crate::design::along::Prepared;
 use crate::design::asked::{Asked, Hangs};
 use crate::design::equation::Equation;
-use crate::program::{ABROAD, Column, Leaves, REDUNDANT, Reduced, SELF, UNREAD, Whole, columns};
+use crate::program::{ABROAD, Column, Leaves, Reduced, SELF, UNREAD, Whole, columns};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
@@ -31,9 +31,6 @@ impl Gathered {
     /// Of what is asked for; refuses what cannot be compiled.
     pub(super) fn of(prepared: &Prepared<'_>) -> Result<Self, &'static str> {
         let system = prepared.system;
-        if system.is_redundant() || system.n_equations() != system.n_coordinates() {
-            return Err(REDUNDANT);
-        }
         let none = |count| vec![Vec::new(); count];
         let mut all = Gathered {
             whole: Whole::new(system.n_coordinates()),

@@ -51,7 +51,7 @@ fn adjoints_apart(system: &System, motion: &Motion, names: &[String]) -> Option<
     let weights: Weights = [list(), list(), list()];
     let mut prepared = Prepared::new(system, names).expect("prepared");
     let mut found = vec![0.0; names.len()];
-    let left = adjoint(&prepared, motion, &weights, &mut found)?;
+    let left = adjoint(&prepared, None, motion, &weights, &mut found)?;
     let (mut expected, mut size) = (vec![0.0; names.len()], 1.0_f64);
     for k in (0..motion.len()).filter(|k| !left.contains(k)) {
         let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
@@ -59,7 +59,7 @@ fn adjoints_apart(system: &System, motion: &Motion, names: &[String]) -> Option<
         let mut solver = Solver::new(system);
         solver.go_to(t, orders).expect("factored");
         let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
-        let lambda = walked(&solver, &along, own).expect("a gradient");
+        let lambda = walked(&solver, &along, vec![0.0; system.n_equations()], own);
         for (sum, by_p) in expected.iter_mut().zip(&along.by_p) {
             for (row, jet) in by_p {
                 let terms = lambda.iter().zip(jet).map(|(lambda, c_p)| lambda[*row] * c_p);
@@ -105,7 +105,7 @@ fn steps(system: &System, motion: &Motion, names: &[String]) -> Option<[usize; 3
     };
     let last = || (0..n * motion.len()).map(|k| if k % n == n - 1 { 1.0 } else { 0.0 }).collect();
     let prepared = Prepared::new(system, names).expect("prepared");
-    let adjoint = backward::tape(&prepared, motion, &[last(), last(), last()])?.tape.size();
+    let adjoint = backward::tape(&prepared, None, motion, &[last(), last(), last()])?.tape.size();
     Some([count(&names[..1])?, count(&names[..5])?, adjoint])
 }
 

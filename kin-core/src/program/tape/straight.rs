@@ -30,13 +30,16 @@ pub(crate) struct Straight {
 /// A list with a row of so many numbers for each time.
 pub(crate) type Rows<'a> = (&'a [f64], usize);
 
-/// A tape on its way over the times of a motion. Its first outputs are guards, one for each mark.
+/// A tape on its way over the times of a motion. Its first outputs are guards, one for each mark, then pairs
+/// of a number and its limit.
 pub(crate) struct OverTimes<'a, K> {
     pub tape: &'a Straight,
     pub times: usize,
     /// The list and the column of each input; an input that has none is not a number.
     pub port: &'a dyn Fn(Input) -> Option<(Rows<'a>, usize)>,
     pub marks: &'a [f64],
+    /// The number of pairs.
+    pub limited: usize,
     pub sink: K,
 }
 
@@ -69,8 +72,8 @@ impl Straight {
 }
 
 impl<K: Sink> OverTimes<'_, K> {
-    /// Hands over all times; gives those that are not good, in their order: where a guard is small, or an
-    /// output is not finite. `None` where the machine has no lanes.
+    /// Hands over all times; gives those that are not good, in their order: where a guard is small, a number
+    /// is beyond its limit, or an output is not finite. `None` where the machine has no lanes.
     pub(crate) fn run(self) -> Option<Vec<usize>> {
         Lanes::Best.dispatch(self).ok()
     }
@@ -197,23 +200,32 @@ impl<S: Level, K: Sink> NullaryFnOnce for Passing<'_, '_, S, K> {
             let lanes = (all.times - first).min(Wide::<S>::LANES);
             ports.read(simd, memory, first, lanes);
             simd.vectorize(Replay { stage: &tape.stage, laws: &tape.laws, memory });
-            let good = judged(simd, memory, &tape.outputs, all.marks);
+            let good = judged(simd, memory, &tape.outputs, (all.marks, all.limited));
             if (!good).any() {
                 bad.extend((0..lanes).filter(|lane| !good.lane(*lane)).map(|lane| first + lane));
             }
-            let outputs = Outputs { memory, places: &tape.outputs[all.marks.len()..] };
+            let judged = all.marks.len() + 2 * all.limited;
+            let outputs = Outputs { memory, places: &tape.outputs[judged..] };
             all.sink.take(simd, outputs, first, (lanes, good));
         }
     }
 }
 
-/// Where no guard is small beside its mark and all outputs are finite.
+/// Where no guard is small beside its mark, no number is beyond its limit, and all outputs are finite.
 #[inline(always)]
-fn judged<S: Level>(simd: S, memory: &[Wide<S>], outputs: &[u32], marks: &[f64]) -> Mask<S> {
+fn judged<S: Level>(
+    simd: S,
+    memory: &[Wide<S>],
+    outputs: &[u32],
+    (marks, limited): (&[f64], usize),
+) -> Mask<S> {
     let zero = Wide::splat(simd, 0.0);
     let (mut good, mut none) = (Mask::splat(simd, true), zero);
     for (place, mark) in outputs.iter().zip(marks) {
         good = good & memory[*place as usize].abs().ge(Wide::splat(simd, LEAST * mark.abs()));
+    }
+    for pair in outputs[marks.len()..][..2 * limited].chunks_exact(2) {
+        good = good & memory[pair[1] as usize].ge(memory[pair[0] as usize].abs());
     }
     for place in &outputs[marks.len()..] {
         let x = memory[*place as usize];
