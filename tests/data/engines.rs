@@ -35,6 +35,10 @@ pub trait Engines {
     /// pays, has been compared with it.
     fn run_both_by_auto(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion>;
 
+    /// [`System::run`] by plain steps, after runs by each other engine have been compared with it, however
+    /// many times of them a program has computed. Rounding of lengths is this share of them.
+    fn run_by_all(&self, times: impl AsRef<[f64]>, rounding: f64) -> kin::Result<Motion>;
+
     /// [`System::run`] by a program, or by plain steps where there is a reason for that.
     fn run_compiled(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion>;
 }
@@ -78,6 +82,23 @@ impl Engines for System {
             }
             (Err(plain), Err(chosen)) => ends_the_same(plain, &chosen),
             (plain, chosen) => panic!("{:?} {:?}", plain.as_ref().err(), chosen.err()),
+        }
+        plain
+    }
+
+    #[track_caller]
+    fn run_by_all(&self, times: impl AsRef<[f64]>, rounding: f64) -> kin::Result<Motion> {
+        let by = |engine| self.run_with(times.as_ref(), &Options { engine, ..Options::default() });
+        let plain = by(Engine::Plain);
+        for engine in [Engine::Compiled, Engine::Auto] {
+            match (&plain, by(engine)) {
+                (_, Err(error)) if is_refusal(&error) => is_right(self, &error.to_string()),
+                (Ok(plain), Ok(other)) => is_near_but_for(rounding, plain, &other, Options::default().stop),
+                // Far off rounding decides which equation is said to be missed most.
+                (Err(plain), Err(other)) if rounding <= f64::EPSILON => ends_the_same(plain, &other),
+                (Err(plain), Err(other)) => ends_at_once(plain, &other),
+                (plain, other) => panic!("{engine:?}: {:?} {:?}", plain.as_ref().err(), other.err()),
+            }
         }
         plain
     }
@@ -137,11 +158,18 @@ fn is_same(plain: &Motion, program: &Motion, stop: Stop) {
 /// The same verdicts, and numbers within the tolerances.
 #[track_caller]
 fn is_near(plain: &Motion, program: &Motion, stop: Stop) {
+    is_near_but_for(0.0, plain, program, stop);
+}
+
+/// The same where rounding of lengths is this share of them.
+#[track_caller]
+fn is_near_but_for(rounding: f64, plain: &Motion, program: &Motion, stop: Stop) {
     assert_eq!(plain.times(), program.times());
     meets_the_same(plain, program);
     // A looser stop rule leaves that much of each engine's positions undecided.
     let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = stop;
-    let off = apart(plain, program, (tolerance / 1e-13).max(1.0));
+    let loose = (tolerance / 1e-13).max(1.0).max(10.0 * rounding / APART[0]);
+    let off = apart(plain, program, loose);
     assert!(off.iter().all(|off| *off <= 1.0), "{}: {off:?} {:?}", plain.name(), program.engine());
 }
 
@@ -230,6 +258,12 @@ fn meets_the_same(plain: &Motion, program: &Motion) {
 #[track_caller]
 fn ends_the_same(plain: &Error, program: &Error) {
     assert_eq!(words(&verdict(&plain.to_string())), words(&verdict(&program.to_string())));
+    ends_at_once(plain, program);
+}
+
+/// The same kind of end after as many times.
+#[track_caller]
+fn ends_at_once(plain: &Error, program: &Error) {
     let ends = [plain, program].map(std::mem::discriminant);
     assert_eq!(ends[0], ends[1], "{plain} {program}");
     if let (Error::Toggle { t, .. }, Error::Toggle { t: other, .. }) = (plain, program) {

@@ -5,11 +5,13 @@ mod campaign;
 mod change_points;
 mod coarse;
 mod failures;
-mod families;
 mod models;
 mod moved;
 mod pairs;
+mod parallelograms;
 mod toggles;
 
 #[path = "../data/engines.rs"]
 mod engines;
+#[path = "../data/families.rs"]
+mod families;

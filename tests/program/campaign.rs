@@ -1,8 +1,13 @@
 //! Random mechanisms with steps and kinks: whichever engine runs them, their verdicts, positions and events
 //! are the same.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use kin::prelude::*;
 use kin::{Engine, Options};
 
+use crate::engines::Engines;
+use crate::families::{FAMILIES, Frame, system};
 use crate::steps::{Case, difference, random};
 
 /// How many a test run takes; `KIN_CAMPAIGN=20000` is the whole campaign, for a release build.
@@ -10,10 +15,15 @@ fn count() -> u64 {
     std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(40)
 }
 
+/// The number of the first one; `KIN_FIRST=5000` runs a campaign in parts.
+fn first() -> u64 {
+    std::env::var("KIN_FIRST").ok().and_then(|first| first.parse().ok()).unwrap_or(0)
+}
+
 #[test]
 fn engines_agree_about_random_mechanisms_with_steps() {
     let (mut wrong, mut ran, mut failed) = (Vec::new(), 0, 0);
-    for seed in 0..count() {
+    for seed in (0..count()).map(|k| first() + k) {
         let Case { words, system, times, loose, .. } = random(seed);
         let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
         let plain = by(Engine::Plain);
@@ -35,4 +45,71 @@ fn engines_agree_about_random_mechanisms_with_steps() {
         wrong.iter().take(12).cloned().collect::<Vec<_>>().join("\n")
     );
     assert!(2 * ran > failed, "{ran} run and {failed} do not");
+}
+
+/// A coordinate that other steps give rests on a step, which is small beside how far the origin is: the
+/// position has to meet its equations all the same, on the side that is the same for all engines.
+#[test]
+fn a_coordinate_at_rest_on_a_step_is_on_one_side_by_every_engine() {
+    for seed in [682, 1024] {
+        let Case { words, system, times, loose, .. } = random(seed);
+        let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
+        let plain = by(Engine::Plain);
+        for engine in [Engine::Compiled, Engine::Auto] {
+            assert_eq!(difference(&plain, &by(engine), loose), None, "{words} {engine:?}");
+        }
+    }
+}
+
+/// Where, how large and when a mechanism is.
+fn frame(random: &mut crate::families::Random, family: usize) -> Frame {
+    let places = [(1.0, 0.0), (1e6, 0.0), (1e-6, 0.0), (1.0, 1e6), (1e-6, 1.0)];
+    // Far away rounding hides near-equal links, and whether two loops toggle at once.
+    let many = if [0, 2, 5].contains(&family) { 3 } else { places.len() };
+    let (scale, place) = random.one_of(&places[..many]);
+    let span = random.one_of(&[1.0, 1.0, 1e6, 1e-6]);
+    let begin = span * random.one_of(&[0.0, 0.0, 1e3]);
+    Frame { scale, place, begin, span, ..Frame::default() }
+}
+
+/// Even or jittered times, forwards or backwards.
+fn times(random: &mut crate::families::Random, Frame { begin, span, .. }: Frame) -> Vec<f64> {
+    let n = random.one_of(&[5, 24, 60, 121, 240]);
+    let mut times = linspace(begin, begin + span, n);
+    if random.one_of(&[true, false]) {
+        times.iter_mut().skip(1).for_each(|t| *t += random.within(-0.3, 0.3) * span / n as f64);
+    }
+    if random.one_of(&[true, false, false, false]) {
+        times.reverse();
+    }
+    times
+}
+
+#[test]
+fn engines_agree_about_ten_families_wherever_and_whenever_they_move() {
+    let (mut wrong, mut ran, mut failed) = (Vec::new(), 0, 0);
+    for number in (0..count()).map(|k| (first() + k) as usize) {
+        let (family, mut random) = (number % FAMILIES.len(), crate::families::Random::of(number));
+        let frame = frame(&mut random, family);
+        let times = times(&mut random, frame);
+        let words = format!("{number}: {}, {frame:?}, {} times", FAMILIES[family], times.len());
+        let Ok(mut system) = system(family, &mut random, frame) else { continue };
+        // Parts that do not go together are no motion.
+        let Ok(start) = system.position(times[0]) else { continue };
+        system.set_initial(&start.q).expect("sets");
+        let rounding = f64::EPSILON * (1.0 + frame.place / frame.scale);
+        match catch_unwind(AssertUnwindSafe(|| system.run_by_all(&times, rounding))) {
+            Ok(run) => {
+                ran += usize::from(run.is_ok());
+                failed += usize::from(run.is_err());
+            }
+            Err(panic) => {
+                let text = panic.downcast_ref::<String>().cloned().unwrap_or_default();
+                wrong.push(format!("{words}\n    {text}"));
+            }
+        }
+    }
+    println!("{ran} run, {failed} end with an error, engines differ about {}", wrong.len());
+    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), count(), wrong.join("\n"));
+    assert!(3 * ran > failed, "{ran} run and {failed} do not");
 }

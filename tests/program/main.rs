@@ -19,6 +19,8 @@ use kin::{Engine, Options};
 
 #[path = "../data/engines.rs"]
 mod engines;
+#[path = "../data/families.rs"]
+mod families;
 #[path = "../data/steps.rs"]
 mod steps;
 

@@ -35,6 +35,10 @@ pub(crate) const DOUBTFUL: f64 = RANK;
 /// latter are asked.   \[-\]
 const SIMILAR: f64 = 30.0;
 
+/// A row may be off by this share of its measure before it has jumped with the last correction, whatever the
+/// stop rule: see [`Equations::has_jumped`](crate::system::evaluate::Equations::has_jumped).   \[-\]
+const JUMPS: f64 = 1e-13;
+
 /// A damped step turns no body by more than this.   \[rad\]
 const TURN: f64 = 1.0;
 
@@ -152,6 +156,9 @@ impl<'a> Newton<'a> {
         let Single { iterations, failure, left, .. } = single;
         if let Some(left) = left {
             found = self.return_to(&left.q, t);
+        }
+        if found && self.jumps {
+            found = self.take_greater_choices(t);
         }
         if found { self.regular(iterations) } else { Err(failure.unwrap_or_else(|| self.failure())) }
     }
@@ -282,8 +289,11 @@ impl<'a> Newton<'a> {
     fn correct_before_a_jump(&mut self) -> bool {
         self.before.copy_from_slice(&self.q);
         self.correct();
-        let equations = self.system.equations();
-        !equations.has_jumped(&self.q, &mut self.instant, &self.linear.row_units()[..], &mut self.allowed)
+        let mut allowed = std::mem::take(&mut self.allowed);
+        self.allow(JUMPS, &mut allowed);
+        let has_jumped = self.system.equations().has_jumped(&self.q, &mut self.instant, &allowed);
+        self.allowed = allowed;
+        !has_jumped
     }
 
     /// Sets the instant to the position in hand, or to the one before the last step.

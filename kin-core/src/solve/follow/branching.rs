@@ -20,7 +20,7 @@ const ITERATIONS: usize = 30;
 /// The search ends where a step is below this.   \[-\]
 const TOLERANCE: f64 = 1e-12;
 
-/// |f| at the critical point, by the Hessian, that is rounding: curves that part at a distance of 1e-6 are taken to cross.   \[-\]
+/// |f| at the critical point, by the curvature of f there, that is rounding: curves that part at a distance of 1e-6 are taken to cross.   \[-\]
 const CROSSES: f64 = 1e-12;
 
 /// The branch that goes on does so within an angle of this cosine.   \[-\]
@@ -28,6 +28,10 @@ const SMOOTH: f64 = 0.8;
 
 /// dt/ds by the measures below which a branch is one on which the drivers stand still.   \[-\]
 const STANDS: f64 = 1e-7;
+
+/// Time counts by this share beside coordinates in how far curves part: it counts at all so that a driver at
+/// rest leaves a distance.   \[-\]
+const TIME: f64 = 1e-3;
 
 /// Half the step of a difference of second-order terms.   \[-\]
 const DIFFERENCE: f64 = 1e-3;
@@ -55,8 +59,9 @@ pub(super) fn find(
     let x = middle.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * s * (da - db)).collect();
     let enough = TOLERANCE.max(curve.rounding(&here.x));
     let (x, hessian) = reduced.critical(x, 2.0 * s.abs(), enough)?;
-    let size = hessian.amax();
-    if reduced.f.abs() > (CROSSES + curve.rounding(&x)) * size || hessian.determinant() >= 0.0 {
+    // Time has no part in the verdict: its measure depends on where the walk along the curve began.
+    let rounding = curve.rounding(&x[..curve.model.n()]);
+    if reduced.f.abs() > (CROSSES + rounding) * reduced.curvature(&hessian) || hessian.determinant() >= 0.0 {
         return None;
     }
     let mut tangents = reduced.tangents(curve, hessian, sign);
@@ -178,6 +183,21 @@ impl<'a> Reduced<'a> {
         }
         let mixed = along[2] - along[3];
         Some(Matrix2::new(along[0], mixed, mixed, along[1]))
+    }
+
+    /// The largest |f″| along a direction in which coordinates move by 1: the largest eigenvalue of the
+    /// Hessian by lengths of coordinates, whatever the directions that it is written in.
+    fn curvature(&self, hessian: &Matrix2<f64>) -> f64 {
+        let n = self.model.n();
+        let gram = |a: &[f64], b: &[f64]| -> f64 {
+            let shares = a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size));
+            shares.enumerate().map(|(k, share)| if k < n { share } else { TIME * TIME * share }).sum()
+        };
+        let mixed = gram(&self.v[0], &self.v[1]);
+        let lengths = Matrix2::new(gram(&self.v[0], &self.v[0]), mixed, mixed, gram(&self.v[1], &self.v[1]));
+        let Some(by_lengths) = lengths.try_inverse().map(|inverse| inverse * hessian) else { return 0.0 };
+        let middle = 0.5 * by_lengths.trace();
+        middle.abs() + (middle * middle - by_lengths.determinant()).max(0.0).sqrt()
     }
 
     fn length(&self, v: &[f64]) -> f64 {

@@ -17,6 +17,10 @@ const ITERATIONS: usize = 12;
 const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
 
+/// Where the second correction is about half of the first one, so is each at a singular place; rounding
+/// shrinks by less than this.   \[-\]
+const STILL: f64 = 0.6;
+
 /// Pivots below this make no more of rounding than this one does.   \[-\]
 const SMALLEST: f64 = 1e-3;
 
@@ -128,7 +132,7 @@ impl<'a> Curve<'a> {
 
     /// Newton's steps across the direction `border`; gives the length of the first one.
     pub(super) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
-        let (mut first, mut previous) = (0.0, f64::INFINITY);
+        let (mut first, mut previous, mut still) = (0.0, f64::INFINITY, 0.5);
         let rounding = self.rounding(x);
         for k in 0..ITERATIONS {
             let c = self.factor(x, border)?;
@@ -137,11 +141,16 @@ impl<'a> Curve<'a> {
             if k == 0 {
                 first = size;
             }
-            // A size that is not a number does not count as smaller.
-            let shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
             // A small pivot makes much of rounding far from the origin.
             let allowed = ROUNDING.max(rounding / self.linear.smallest_pivot().clamp(SMALLEST, 1.0));
-            let settled = size <= TOLERANCE || (size > 0.5 * previous && size <= allowed);
+            // A size that is not a number does not count as smaller.
+            let mut shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
+            if k == 1 && !shrinks && size <= 0.5 * previous && size <= allowed {
+                // Rounding, which then stands still, or a singular place, where all steps are halves.
+                (shrinks, still) = (true, STILL);
+            }
+            let settled =
+                (size <= TOLERANCE && still < STILL) || (size > still * previous && size <= allowed);
             if !(shrinks || settled) {
                 return None;
             }

@@ -23,13 +23,16 @@ impl SingularPosition {
     }
 }
 
+/// Drivers that move nothing by more than this within a step of time stand still.   \[-\]
+const STILL: f64 = 1e-12;
+
 /// The measure of time: what the fastest driver needs to move something of order 1; the step of time where
-/// all stand still.
+/// all stand still, or begin to move.
 pub(super) fn time(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> f64 {
     let c_t = newton.system.model().c_t(q, t).unwrap_or_default();
     let fastest =
         c_t.iter().zip(newton.linear.norms()).fold(0.0_f64, |most, (c_t, norm)| most.max((c_t / norm).abs()));
-    if fastest.is_finite() && fastest > 0.0 { fastest.recip() } else { h.abs() }
+    if fastest.is_finite() && fastest * h.abs() > STILL { fastest.recip() } else { h.abs() }
 }
 
 #[cfg(test)]
@@ -64,6 +67,8 @@ mod tests {
             assert!((found / exact - 1.0).abs() < 1e-14, "{a} {k}: {found} {exact}");
         }
         assert_eq!((measure(1e-20, 1e300, 0.1).0, measure(1e-20, 1e300, -0.1).0), (0.1, 0.1));
+        // A driver that is nearly at rest at the beginning of a step tells little about the rest of it.
+        assert_eq!(measure(1.0, 1e-4, 1e-10).0, 1e-10);
         let still = {
             let mut m = Mechanism::new("still");
             let x = m.length("x", 1.0).expect("a new name");

@@ -1,5 +1,6 @@
 //! Newton's iteration: one loop for a single position and for more equations than coordinates.
 
+mod greater;
 pub(super) mod single;
 
 use super::options::{Options, Stop};

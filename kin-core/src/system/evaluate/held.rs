@@ -8,8 +8,8 @@ use crate::model::formula::Table;
 use crate::model::formula::sides::{Numbers, choices};
 use crate::model::formula::time::can_jump;
 
-/// A row that was met and is off by more than this, by its measure, has jumped.   \[-\]
-const FAR: f64 = 1e-6;
+/// A row that was met and is off by this many times what it may be has jumped.   \[-\]
+const FAR: f64 = 100.0;
 
 /// ∂C_i/∂q_j of a row, where it is the same for good.
 #[derive(Clone)]
@@ -89,20 +89,14 @@ impl Equations {
         count == self.rows
     }
 
-    /// True if a constraint that can jump is far from being met at q, which the instant is set to; rows by
-    /// their measures.
-    pub(crate) fn has_jumped(
-        &self,
-        q: &[f64],
-        instant: &mut Instant,
-        per_norm: &[f64],
-        c: &mut [f64],
-    ) -> bool {
+    /// True if a constraint that can jump is far from being met at q, which the instant is set to; `allowed`
+    /// is how far each row may be off.
+    pub(crate) fn has_jumped(&self, q: &[f64], instant: &mut Instant, allowed: &[f64]) -> bool {
         self.set_position(q, instant);
         self.jumping().iter().map(|k| &self.blocks[*k]).any(|block| {
-            let c = &mut c[block.rows.range()];
-            block.constraint.residual(&self.at(block, instant), c);
-            c.iter().zip(&per_norm[block.rows.range()]).any(|(c, unit)| (c * unit).abs() > FAR)
+            let mut c = vec![0.0; block.rows().len()];
+            block.constraint.residual(&self.at(block, instant), &mut c);
+            c.iter().zip(&allowed[block.rows.range()]).any(|(c, allowed)| c.abs() > FAR * allowed)
         })
     }
 
@@ -111,11 +105,16 @@ impl Equations {
     pub(crate) fn choices(&self, instant: &Instant, to: &mut Vec<f64>) {
         to.clear();
         for block in self.jumping().iter().map(|k| &self.blocks[*k]) {
-            let (q, t) = (self.columns_of(block, instant), instant.t);
-            block.constraint.formula(|table, parameters, outside| {
-                choices(table.formula(), &Numbers { q: &q, t, parameters, outside }, to);
-            });
+            self.choices_of(block, instant, to);
         }
+    }
+
+    /// The same of one constraint, appended to a list.
+    pub(crate) fn choices_of(&self, block: &Block, instant: &Instant, to: &mut Vec<f64>) {
+        let (q, t) = (self.columns_of(block, instant), instant.t);
+        block.constraint.formula(|table, parameters, outside| {
+            choices(table.formula(), &Numbers { q: &q, t, parameters, outside }, to);
+        });
     }
 
     /// The coordinates of a constraint, one argument after the other.

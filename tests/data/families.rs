@@ -14,13 +14,14 @@ fn pulses(x: f64, base: f64, height: f64, omega: f64) -> f64 {
 
 pub struct Random(fastrand::Rng);
 
+#[allow(dead_code)]
 impl Random {
     /// The numbers of the mechanism of that number.
     pub fn of(number: usize) -> Self {
         Random(fastrand::Rng::with_seed(0x5eed ^ number as u64))
     }
 
-    fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.0.f64()
     }
 
@@ -66,24 +67,33 @@ pub const FAMILIES: [&str; 10] = [
     "RSSR",
 ];
 
-/// Where a mechanism stands and how large it is: at its place, or at the origin with what rounding made of
-/// its points there.
+/// Where a mechanism stands, how large it is and when it moves: at its place, or at the origin with what
+/// rounding made of its points there.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     pub scale: f64,
     pub place: f64,
     pub is_moved: bool,
+    /// When its law begins, and over how much time.
+    pub begin: f64,
+    pub span: f64,
 }
 
 impl Default for Frame {
     fn default() -> Self {
-        Frame { scale: 1.0, place: 0.0, is_moved: true }
+        Frame { scale: 1.0, place: 0.0, is_moved: true, begin: 0.0, span: 1.0 }
     }
 }
 
 impl Frame {
     pub fn length(self, x: f64) -> f64 {
         self.scale * x
+    }
+
+    /// A law over one second, over this time.
+    fn in_time(self, law: Law) -> Law {
+        let is_usual = self.begin == 0.0 && self.span == 1.0;
+        if is_usual { law } else { law.compose(&Law::ramp(self.span.recip()).shifted(self.begin)) }
     }
 
     /// A coordinate of a point of the ground.
@@ -108,7 +118,7 @@ impl Frame {
 fn slider_crank([crank, rod, offset]: [f64; 3], law: Law, up: bool, frame: Frame) -> kin::Result<System> {
     let mut m = Mechanism::new("slider-crank");
     let (c, r) = (m.link("crank", frame.length(crank))?, m.link("rod", frame.length(rod))?);
-    let start = law.at(0.0);
+    let start = law.at(frame.begin);
     m.add("O", revolute(Ground, c, frame.point(0.0, 0.0), c.start()))?;
     m.add("A", revolute(c, r, c.end(), r.start()))?;
     m.add("slide", point_on_line(r, Ground, r.end(), frame.point(0.0, offset), vec2(1.0, 0.0)))?;
@@ -231,7 +241,7 @@ fn rssr(lengths: [f64; 3], [centre, axis]: [Vec3; 2], law: Law, frame: Frame) ->
 
 pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<System> {
     let law = if family == 7 { random.law(1.05, 2.9) } else { random.law(-1e9, 1e9) };
-    let up = random.0.bool();
+    let (law, up) = (frame.in_time(law), random.0.bool());
     match family {
         0 => {
             let excess = random.one_of(&[1e-1, 1e-3, 1e-6, 1e-9, -1e-3]);
@@ -284,4 +294,13 @@ pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<S
             )
         }
     }
+}
+
+/// A parallelogram but for its coupler, which is off by 1e-12 to 1e-6, and by how much.
+#[allow(dead_code)]
+pub fn near_parallelogram(random: &mut Random, frame: Frame) -> kin::Result<(System, f64)> {
+    let law = random.law(-1e9, 1e9);
+    let law = frame.in_time(law);
+    let off = random.one_of(&[1.0, -1.0]) * 10.0_f64.powf(random.within(-12.0, -6.0));
+    Ok((four_bar([1.0, 2.0 + off, 1.0, 2.0], law, false, None, frame)?, off))
 }

@@ -1,0 +1,58 @@
+//! Near-parallelograms, their couplers off by 1e-12 to 1e-6: the verdict does not depend on the grid.
+
+use kin::prelude::*;
+use kin::{Engine, Error, Options};
+
+use crate::families::{Frame, Random, near_parallelogram};
+
+/// How many a test run takes; `KIN_CAMPAIGN=10000` is the whole campaign, for a release build.
+fn count() -> usize {
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
+}
+
+/// The number of the first one; `KIN_FIRST=5000` runs a campaign in parts.
+fn first() -> usize {
+    std::env::var("KIN_FIRST").ok().and_then(|first| first.parse().ok()).unwrap_or(0)
+}
+
+/// The end of a run in words, with the times at which something happens.
+fn verdict(system: &System, steps: usize, engine: Engine) -> (String, Vec<f64>) {
+    let options = Options { engine, ..Options::default() };
+    let passed = |motion: &Motion| motion.singular_positions().iter().map(|at| at.t).collect::<Vec<f64>>();
+    match system.run_with(linspace(0.0, 1.0, steps + 1), &options) {
+        Ok(motion) => ("moves".to_string(), passed(&motion)),
+        Err(Error::Toggle { t, motion, .. }) => {
+            let before = motion.iter().flat_map(|motion| passed(motion));
+            ("toggle".to_string(), before.chain([t]).collect())
+        }
+        Err(error) => (error.to_string().lines().next().unwrap_or_default().to_string(), Vec::new()),
+    }
+}
+
+fn is_same((one, times): &(String, Vec<f64>), (other, expected): &(String, Vec<f64>)) -> bool {
+    let near = times.iter().zip(expected).all(|(t, expected)| (t - expected).abs() < 1e-6);
+    one == other && times.len() == expected.len() && near
+}
+
+#[test]
+fn near_parallelograms_end_alike_on_coarse_and_fine_grids() {
+    let (mut wrong, mut toggles) = (Vec::new(), 0);
+    for number in first()..first() + count() {
+        let mut random = Random::of(number);
+        let (mut system, off) = near_parallelogram(&mut random, Frame::default()).expect("builds");
+        let q = system.position(0.0).expect("assembles").q;
+        system.set_initial(&q).expect("sets");
+        let steps = random.one_of(&[1, 3, 5, 9, 10, 36]);
+        let fine = random.one_of(&[90, 180, 360]);
+        let found = [(steps, Engine::Plain), (fine, Engine::Plain), (fine, Engine::Compiled)]
+            .map(|(steps, engine)| verdict(&system, steps, engine));
+        toggles += usize::from(found[0].0 == "toggle");
+        let is_told = ["moves", "toggle"].contains(&found[0].0.as_str());
+        if !is_told || !found.iter().all(|own| is_same(own, &found[0])) {
+            wrong.push(format!("{number}, off by {off:e}, {steps} and {fine} steps: {found:?}"));
+        }
+    }
+    println!("{} near-parallelograms, {toggles} of them end in a toggle", count());
+    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), count(), wrong.join("\n"));
+    assert!(toggles > count() / 10, "{toggles}");
+}
