@@ -1,7 +1,7 @@
 //! Every constraint says why it takes its route; what could not be read before is read now.
 
 use kin::prelude::*;
-use kin::{RouteReason, any_coord, any_planar, by_dual, check};
+use kin::{Error, RouteReason, any_coord, any_planar, by_dual, check};
 
 #[constraint]
 fn read(x: Coord, k: f64) -> f64 {
@@ -229,4 +229,58 @@ fn what_f64_can_do_has_derivatives() {
     assert_eq!(functions_by_path(any_coord(), 0.7).route(), Route::Symbolic);
     assert_eq!(bits_of_a_parameter(any_coord(), 0.7, 1).route(), Route::Symbolic);
     assert_eq!(a_name_for_a_type(any_coord(), 0.7).route(), Route::Symbolic);
+}
+
+/// z = arsinh(s x) and y = arcosh(s x)
+#[constraint]
+fn area(x: Coord, z: Coord, y: Coord, s: f64) -> [f64; 2] {
+    [z - (s * x).asinh(), y - (s * x).acosh()]
+}
+
+#[constraint(dual)]
+fn area_by_dual(x: Coord, z: Coord, y: Coord, s: f64) -> [f64; 2] {
+    [z - (s * x).asinh(), y - (s * x).acosh()]
+}
+
+/// The motion at x = 2 + v t.
+fn run(s: f64, v: f64, dual: bool) -> kin::Result<Motion> {
+    let mut m = Mechanism::new("area");
+    let [x, z, y] = [("x", 2.0), ("z", (4.0 * s).ln()), ("y", (4.0 * s).ln())]
+        .map(|(name, at)| m.length(name, at).unwrap());
+    m.add("motor", drive(x, Law::linear(2.0, v))).unwrap();
+    if dual {
+        m.add("area", area_by_dual(x, z, y, s)).unwrap();
+    } else {
+        m.add("area", area(x, z, y, s)).unwrap();
+    }
+    m.build().unwrap().run([0.0, 0.1, 0.3])
+}
+
+/// arsinh u and arcosh u are ln 2u there, so that rates are v/x and −v²/x².
+#[test]
+fn area_functions_of_large_numbers_by_both_routes() {
+    for s in [1e20, 1e150, 4e153, 1e155, 1e160, 1e200, 1e300, 2e307] {
+        for v in [1e-12, 1e-3, 0.5] {
+            for dual in [false, true] {
+                let motion = match run(s, v, dual) {
+                    Ok(motion) => motion,
+                    // The square of the rate is too large, which an error says.
+                    Err(error) => {
+                        assert!(matches!(error, Error::NotFinite { .. }), "{s} {v} {dual}: {error}");
+                        assert!((s * v).powi(2).is_infinite(), "{s} {v} {dual}: {error}");
+                        continue;
+                    }
+                };
+                for (k, t) in motion.times().iter().enumerate() {
+                    let x = 2.0 + v * t;
+                    let exact = [2.0_f64.ln() + s.ln() + x.ln(), v / x, -(v / x).powi(2)];
+                    let found = [motion.q(k), motion.qd(k), motion.qdd(k)];
+                    for (found, exact) in found.iter().zip(exact) {
+                        let off = (found[1] - exact).abs().max((found[2] - exact).abs());
+                        assert!(off <= 1e-9 * exact.abs() + 1e-15, "{s} {v} {dual} {k}: {found:?} {exact}");
+                    }
+                }
+            }
+        }
+    }
 }

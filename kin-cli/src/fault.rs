@@ -21,26 +21,6 @@ pub enum Fault {
     Pipe,
 }
 
-/// Words of Rust in errors, each with the words of the command.
-const WORDS: [(&str, &str); 8] = [
-    ("; `Options::memory` allows", "; a run may take"),
-    (
-        "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times",
-        "Ask for fewer times",
-    ),
-    (", or allow more.", "."),
-    ("; `Follow::Unchecked` goes on without asking", ""),
-    ("leave `Options::engine` at `Engine::Auto`", "leave `--engine` at `auto`"),
-    ("ask for its forces by `Engine::Auto`", "leave `--engine` at `auto`"),
-    ("`Law::periodic`", "the law `periodic`"),
-    ("write it with `#[law]`, without a loop or call that only Rust can read, or take", "take"),
-];
-
-/// A sentence of Kin in the words of the command.
-pub fn in_words(text: String) -> String {
-    WORDS.iter().fold(text, |text, (rust, words)| text.replace(rust, words))
-}
-
 impl Fault {
     /// The exit code.
     pub fn code(&self) -> u8 {
@@ -69,8 +49,16 @@ impl Fault {
     pub fn message(&self) -> Option<String> {
         match self {
             Fault::Pipe | Fault::Reported => None,
-            Fault::Mechanism(error) | Fault::Early(error) => Some(in_words(error.to_string())),
+            Fault::Mechanism(error) | Fault::Early(error) => Some(error.to_string()),
             Fault::Usage(text) | Fault::NotProved(text) | Fault::File(text) => Some(text.clone()),
+        }
+    }
+
+    /// Why a run has ended early, for a page that shows the motion up to there; empty of other faults.
+    pub fn why_early(&self) -> String {
+        match self {
+            Fault::Early(error) => error.reason(),
+            _ => String::new(),
         }
     }
 
@@ -100,7 +88,7 @@ impl Fault {
             | Error::InvalidConstraint { .. }
             | Error::DuplicateName { .. }
             | Error::EmptyName { .. }
-            | Error::NoDerivative(_) => Fault::Usage(in_words(error.to_string())),
+            | Error::NoDerivative(_) => Fault::Usage(error.to_string()),
             other => other.into(),
         }
     }
@@ -110,12 +98,10 @@ impl From<Error> for Fault {
     fn from(error: Error) -> Fault {
         match error {
             Error::InvalidTimes { .. } | Error::InvalidOptions { .. } | Error::NeedsMemory { .. } => {
-                Fault::Usage(in_words(error.to_string()))
+                Fault::Usage(error.to_string())
             }
-            Error::Data { .. } | Error::Table { .. } | Error::File { .. } => {
-                Fault::File(in_words(error.to_string()))
-            }
-            Error::CannotBeProved { .. } => Fault::NotProved(in_words(error.to_string())),
+            Error::Data { .. } | Error::Table { .. } | Error::File { .. } => Fault::File(error.to_string()),
+            Error::CannotBeProved { .. } => Fault::NotProved(error.to_string()),
             other => Fault::Mechanism(Box::new(other)),
         }
     }
@@ -128,13 +114,13 @@ mod tests {
     use super::*;
 
     /// Every sentence of an error that the command can meet is in its own words: the texts of Kin's sources,
-    /// by the names of Rust in them. What is told by rustc alone, or to programs in Rust alone, is listed.
+    /// by the names of Rust in them. `Surface` chooses words for each reader, and is left out. Listed is what
+    /// rustc alone tells, or Kin tells to programs in Rust alone.
     #[test]
     fn no_error_of_the_command_speaks_of_rust() {
-        const TO_PROGRAMS: [&str; 9] = [
+        const TO_PROGRAMS: [&str; 8] = [
             "Registry::",
             "kin::text",
-            "Constraint::jerk_rhs",
             "Lanes::Best",
             "SpatialPose::",
             "Axis::new",
@@ -142,8 +128,7 @@ mod tests {
             "kin::loads",
             "spatial::",
         ];
-        // Of a closure the command says it itself; what has no jerk is an equation written in Rust by hand.
-        const OTHERS: [&str; 3] = ["Options::closure", "Law::constant", "Options::jerk"];
+        const OTHERS: [&str; 1] = ["Law::constant"];
         let core = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../kin-core/src");
         let mut open = vec![core];
         let mut looked_at = 0;
@@ -155,6 +140,7 @@ mod tests {
                 continue;
             }
             if path.components().any(|part| part.as_os_str() == "tests")
+                || path.ends_with("model/error/surface.rs")
                 || path.extension().is_none_or(|is| is != "rs")
             {
                 continue;
@@ -165,7 +151,7 @@ mod tests {
                 for text in line.split('"').skip(1).step_by(2).filter(|text| text.contains('`')) {
                     let words: Vec<&str> = text.split_whitespace().collect();
                     looked_at += 1;
-                    let told = in_words(words.join(" "));
+                    let told = words.join(" ");
                     for name in told.split('`').skip(1).step_by(2).filter(|name| name.contains("::")) {
                         let known = TO_PROGRAMS.iter().chain(&OTHERS).any(|known| name.contains(known));
                         assert!(known, "{}: `{name}` in \"{told}\"", path.display());

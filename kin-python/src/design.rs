@@ -9,12 +9,10 @@ use pyo3::types::{PyBytes, PyDict};
 
 use crate::fault::{or_raise, unreadable, value};
 use crate::held::HeldSensitivities;
+use crate::measured::{Measured, What};
 use crate::motion::Motion;
 use crate::numbers;
 use crate::system::System;
-
-/// Two times of an extreme are the same within this share of the motion's span.   \[-\]
-const SAME_TIME: f64 = 1e-9;
 
 /// Names, each with the lists of its value and its rates.
 type Derived<'py> = Vec<(String, Vec<Bound<'py, PyBytes>>)>;
@@ -46,8 +44,8 @@ impl Derivatives {
     }
 
     /// Those of a measure and its rates.
-    fn of<'py>(&self, py: Python<'py>, what: &str) -> PyResult<Derived<'py>> {
-        let lists = self.with(py, |all| all.of(what))?.into_iter().map(|one| {
+    fn of<'py>(&self, py: Python<'py>, what: What) -> PyResult<Derived<'py>> {
+        let lists = self.with(py, what, |all, what| all.of(what))?.into_iter().map(|one| {
             let lists = [&one.value, &one.rate, &one.second_rate].map(|list| numbers::list(py, list));
             Ok((one.name, lists.into_iter().collect::<PyResult<_>>()?))
         });
@@ -59,17 +57,13 @@ impl Derivatives {
     fn extreme(
         &self,
         py: Python<'_>,
-        what: &str,
+        what: What,
         first: Turn,
         second: Option<Turn>,
     ) -> PyResult<Vec<(String, f64, f64)>> {
-        let found = self.with(py, |all| {
-            let (system, motion) = self.0.borrow_owner();
-            let turn = |turn| turning(system, motion, what, turn);
-            match second {
-                None => all.extreme(what, &turn(first)?),
-                Some(second) => all.between(what, &turn(first)?, &turn(second)?),
-            }
+        let found = self.with(py, what, |all, what| match second {
+            None => all.extreme(what, &extreme(first)),
+            Some(second) => all.between(what, &extreme(first), &extreme(second)),
         });
         Ok(found?.into_iter().map(|one| (one.name, one.t, one.value)).collect())
     }
@@ -79,9 +73,10 @@ impl Derivatives {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        ask: impl FnOnce(&Sensitivities<'_>) -> kin::Result<T> + Send,
+        what: What,
+        ask: impl FnOnce(&Sensitivities<'_>, &Measured) -> kin::Result<T> + Send,
     ) -> PyResult<T> {
-        or_raise(py, py.detach(|| ask(self.0.borrow_dependent())))
+        what.ask(py, |measured| ask(self.0.borrow_dependent(), measured))
     }
 }
 
@@ -92,12 +87,12 @@ pub fn gradient(
     system: &System,
     motion: &Motion,
     names: Vec<String>,
-    what: &str,
+    what: What,
     weights: &[u8],
 ) -> PyResult<Vec<f64>> {
     let (system, motion, weights) = (system.now(), &motion.0, numbers::read(weights)?);
     let at = |k: usize| std::array::from_fn(|order| weights.get(3 * k + order).copied().unwrap_or(0.0));
-    or_raise(py, py.detach(|| system.gradient(motion, names.iter(), what, at)))
+    what.ask(py, |measured| system.gradient(motion, names.iter(), measured, at))
 }
 
 /// The derivatives of the time of a toggle, told as JSON, by parameters.
@@ -108,8 +103,12 @@ pub fn toggle_by(py: Python<'_>, system: &System, toggle: &str, names: Vec<Strin
     or_raise(py, py.detach(|| system.toggle_by(&toggle, &names)))
 }
 
-/// A place where a measure turns round: its time, and true for a maximum.
-type Turn = (f64, bool);
+/// A place where a measure turns round: its time and value, and true for a maximum.
+type Turn = (f64, f64, bool);
+
+fn extreme((t, value, is_max): Turn) -> Extreme {
+    if is_max { Extreme::maximum(t, value) } else { Extreme::minimum(t, value) }
+}
 
 /// The number of a measure over a motion that is asked about.
 #[derive(FromPyObject)]
@@ -120,37 +119,12 @@ pub enum Of {
     Turn(Turn),
 }
 
-/// The extreme of a measure at this place. Errors: there is none of this kind at that time.
-fn turning(
-    system: &kin::System,
-    motion: &kin::Motion,
-    what: &str,
-    (t, is_max): Turn,
-) -> kin::Result<Extreme> {
-    let found = system.extremes(motion, what)?;
-    let ends = if is_max { found.max() } else { found.min() };
-    let far = |one: &Extreme| (one.t - t).abs();
-    let same = found.all().iter().copied().filter(|one| one.is_max == is_max);
-    let nearest = same.chain([ends]).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(ends);
-    let [first, last] = [motion.times().first(), motion.times().last()].map(|t| t.copied().unwrap_or(0.0));
-    // An extreme that was found has its time exactly; one that was written down has lost some digits.
-    if far(&nearest) <= SAME_TIME * (last - first).abs().max(t.abs()) {
-        return Ok(nearest);
-    }
-    let word = if is_max { "maximum" } else { "minimum" };
-    let reason = format!(
-        "it has no {word} at t = {t}; the nearest one is at t = {}. Take an extreme of `system.extremes(motion, \"{what}\")`",
-        nearest.t
-    );
-    Err(kin::Error::InvalidConstraint { constraint: what.to_string(), kind: "extreme".to_string(), reason })
-}
-
 impl Of {
-    fn feature(&self, system: &kin::System, motion: &kin::Motion, what: &str) -> kin::Result<Feature> {
+    fn feature(&self, system: &kin::System, motion: &kin::Motion, what: &Measured) -> kin::Result<Feature> {
         let extremes = || system.extremes(motion, what);
         Ok(match self {
             Of::At(t) => (*t).into(),
-            Of::Turn(turn) => turning(system, motion, what, *turn)?.into(),
+            Of::Turn(turn) => extreme(*turn).into(),
             Of::Word(word) => match word.as_str() {
                 "max" => extremes()?.max().into(),
                 "min" => extremes()?.min().into(),
@@ -168,12 +142,12 @@ pub fn tolerance<'py>(
     py: Python<'py>,
     system: &System,
     motion: &Motion,
-    what: &str,
+    what: What,
     of: Option<Of>,
     proved: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (system, motion) = (system.now(), &motion.0);
-    let found = py.detach(|| match of {
+    let found = what.ask(py, |what| match of {
         None => system.tolerance(motion, what),
         Some(of) => {
             let feature = of.feature(&system, motion, what)?;
@@ -184,7 +158,7 @@ pub fn tolerance<'py>(
             }
         }
     });
-    fields(py, &or_raise(py, found)?)
+    fields(py, &found?)
 }
 
 /// A tolerance by the names of the fields of Python's.
@@ -231,7 +205,7 @@ pub fn samples<'py>(
     py: Python<'py>,
     system: &System,
     motion: &Motion,
-    what: &str,
+    what: What,
     of: Of,
     count: usize,
     seed: u64,
@@ -239,11 +213,10 @@ pub fn samples<'py>(
 ) -> PyResult<Sampled<'py>> {
     let sampling = Sampling { count, seed, distribution: distribution_of(distribution)? };
     let (system, motion) = (system.now(), &motion.0);
-    let found = py.detach(|| {
+    let found = what.ask(py, |what| {
         let feature = of.feature(&system, motion, what)?;
         system.samples(motion, what, feature, &sampling)
-    });
-    let found = or_raise(py, found)?;
+    })?;
     let values = numbers::list(py, found.values())?;
     Ok((found.to_string(), found.name().to_owned(), found.unit().to_owned(), values))
 }

@@ -73,6 +73,43 @@ def test_an_extreme_that_is_not_of_the_motion_is_refused():
                 ask()
 
 
+def test_a_function_of_a_motion_has_derivatives_and_tolerances():
+    m = kin.Mechanism("m")
+    x, a = m.length("x", 0.0), m.dimension("a", 1.0, tolerance=0.01)
+    m.add("d", kin.drive(x, kin.Law.sine(a, 2.0)))
+    system = m.build()
+    motion = system.run([0.1 * k for k in range(41)])
+    calls = [0]
+
+    def measure(motion):
+        calls[0] += 1
+        return motion["x"]
+
+    by = system.sensitivities(motion, ["a"])
+    assert by.of(measure)["a"].value == pytest.approx(by.of("x")["a"].value)
+    most, least = system.extremes(motion, measure).max, system.extremes(motion, measure).min
+    assert by.extreme(measure, most)["a"].value == pytest.approx(1.0)
+    assert by.between(measure, most, least)["a"].value == pytest.approx(2.0)
+    for of in (most, "stroke", 0.3):
+        own, named = system.tolerance(motion, measure, of), system.tolerance(motion, "x", of)
+        assert own.worst_case == pytest.approx(named.worst_case)
+    sampled = [system.samples(motion, what, most, count=20).values for what in (measure, "x")]
+    assert sampled[0] == pytest.approx(sampled[1])
+    weights = np.ones(len(motion))
+    assert system.gradient(motion, ["a"], measure, weights) == pytest.approx(system.gradient(motion, ["a"], "x", weights))
+    assert calls[0] > 20
+
+    def fails(motion):
+        raise ZeroDivisionError("mine")
+
+    for ask in (lambda: by.of(fails), lambda: system.tolerance(motion, fails, 0.3), lambda: system.samples(motion, fails, 0.3, count=3)):
+        with pytest.raises(ZeroDivisionError, match="mine"):
+            ask()
+    for kept in (measure, (measure, "max")):
+        with pytest.raises(TypeError, match="not a function of a motion"):
+            kin.sweep(system, ["a"], [[1.0], [2.0]], [0.0, 0.1], [kept])
+
+
 def test_a_span_of_times_that_is_no_number_is_refused():
     m = kin.Mechanism("m")
     m.add("d", kin.drive(m.length("x", 0.0), 0.0))

@@ -12,7 +12,6 @@ import pytest
 
 import kin
 from kin import Coord
-from kin._errors import in_words
 
 # A line that is refused, with the expression that it is about; what is written instead follows from the error.
 LINES = [
@@ -85,7 +84,7 @@ def test_an_assert_of_a_coordinate_is_a_branch_and_of_a_parameter_a_requirement(
 
 
 # Sentences that only rustc or a program in Rust meets.
-TO_RUST = ("Registry::", "kin::text", "Constraint::jerk_rhs", "Lanes::Best", "SpatialPose::", "Axis::new", "spatial::", "Law::constant")
+TO_RUST = ("Registry::", "kin::text", "Lanes::Best", "SpatialPose::", "Axis::new", "spatial::", "Law::constant")
 
 
 def test_no_sentence_of_kin_has_names_of_rust_in_python():
@@ -93,13 +92,14 @@ def test_no_sentence_of_kin_has_names_of_rust_in_python():
     sources = pathlib.Path(__file__).parents[2] / "kin-core" / "src"
     looked_at = 0
     for path in sorted(sources.rglob("*.rs")):
-        if "tests" in path.parts or path.name == "tests.rs":
+        # `surface.rs` has the words of each reader, and chooses those of Python here.
+        if "tests" in path.parts or path.name in ("tests.rs", "surface.rs"):
             continue
         source = path.read_text(encoding="utf-8").split("#[cfg(test)]")[0]
         source = re.sub(r"\\\n\s*", "", "\n".join(line for line in source.splitlines() if not line.lstrip().startswith("//")))
         for text in re.findall(r'"((?:[^"\\\n]|\\.)*`(?:[^"\\\n]|\\.)*)"', source):
             looked_at += 1
-            for name in re.findall(r"`([^`]*)`", in_words(text)):
+            for name in re.findall(r"`([^`]*)`", text):
                 assert "::" not in name or any(one in name for one in TO_RUST), f"{path.name}: `{name}` in {text!r}"
     assert looked_at > 250
 

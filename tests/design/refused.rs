@@ -1,7 +1,7 @@
 //! Derivatives that do not exist, or are not known, are refused by name, never given as a number.
 
 use kin::prelude::*;
-use kin::{Break, LawFunction, Mechanism, by_dual};
+use kin::{Break, Extreme, Feature, LawFunction, Mechanism, Sampling, by_dual};
 
 use crate::engines::Engines;
 
@@ -172,4 +172,68 @@ fn a_motion_through_a_change_point() {
     m.add("motor", drive_angle(a, Law::linear(1.0, 1.0))).unwrap();
     let text = said(&m.build().unwrap(), &linspace(0.0, 4.0, 41), "P.u_i.x");
     assert!(text.contains("`P.u_i.x`: the motion meets a singular position at t = 2.14"), "{text}");
+}
+
+/// An extreme by hand, with its time and kind.
+fn by_hand(t: f64, is_max: bool) -> Extreme {
+    if is_max { Extreme::maximum(t, 0.3) } else { Extreme::minimum(t, 0.3) }
+}
+
+#[test]
+fn an_extreme_that_is_not_of_the_motion_is_refused() {
+    let mut m = Mechanism::new("m");
+    let a = m.dimension("a", 1.0).unwrap().tolerance(0.01);
+    let x = m.length("x", 0.0).unwrap();
+    m.add("d", drive(x, Law::sine(a, 2.0, 0.0))).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run(linspace(0.0, 4.0, 41)).unwrap();
+    let by = system.sensitivities(&motion, ["a"]).unwrap();
+    let found = system.extremes(&motion, x).unwrap();
+    for own in found.all() {
+        let exact = if own.is_max { 1.0 } else { -1.0 };
+        // A time that was written down with twelve digits is enough.
+        let written = by_hand((own.t * 1e11).round() / 1e11, own.is_max);
+        for extreme in [own, &written] {
+            let [by] = &by.extreme(x, extreme).unwrap()[..] else { panic!() };
+            assert!((by.value - exact).abs() < 1e-12 && by.t.abs() < 1e-12, "{by:?}");
+        }
+    }
+    let first = found.all()[0];
+    for (wrong, word) in [
+        (by_hand(1.0, true), "maximum"),
+        (by_hand(first.t, !first.is_max), "minimum"),
+        (by_hand(99.0, false), "minimum"),
+        (by_hand(f64::NAN, true), "maximum"),
+    ] {
+        let stroke = Feature::Stroke([first, wrong]);
+        for error in [
+            by.extreme(x, &wrong).unwrap_err(),
+            by.between(x, &first, &wrong).unwrap_err(),
+            system.tolerance_of(&motion, x, wrong).unwrap_err(),
+            system.tolerance_of(&motion, x, stroke).unwrap_err(),
+            system.tolerance_proved(&motion, x, wrong).unwrap_err(),
+            system.samples(&motion, x, wrong, &Sampling { count: 10, ..Sampling::default() }).unwrap_err(),
+        ] {
+            let text = error.to_string();
+            for part in
+                ["`x`", &format!("it has no {word} at t = "), "nearest one is at t = ", "Take an extreme"]
+            {
+                assert!(text.contains(part), "{part}: {text}");
+            }
+        }
+    }
+}
+
+/// The largest value at the end of a run, where the measure does not turn round, stays at that time.
+#[test]
+fn the_largest_value_at_an_end_has_no_derivative_of_its_time() {
+    let mut m = Mechanism::new("m");
+    let a = m.dimension("a", 1.0).unwrap();
+    let x = m.length("x", 0.0).unwrap();
+    m.add("d", drive(x, Law::sine(a, 2.0, 0.0))).unwrap();
+    let system = m.build().unwrap();
+    let motion = system.run(linspace(0.0, 0.5, 11)).unwrap();
+    let most = system.extremes(&motion, x).unwrap().max();
+    let by = &system.sensitivities(&motion, ["a"]).unwrap().extreme(x, &most).unwrap()[0];
+    assert!(by.t == 0.0 && (by.value - 1.0_f64.sin()).abs() < 1e-12, "{by:?}");
 }

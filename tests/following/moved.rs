@@ -200,3 +200,38 @@ fn mechanisms_that_are_moved_and_scaled_do_the_same() {
     }
     assert!(tried > count() && seen > tried / 5, "{tried} {seen}");
 }
+
+/// y = −x, then y = x/2, from the place on: two straight lines that meet.
+#[constraint]
+fn lines(x: Coord, y: Coord, place: f64, size: f64) -> f64 {
+    let v = x - place;
+    if v < 0.5 * size { y - place + v } else { y - place - 0.5 * v }
+}
+
+/// A slope that goes up and down by little more than what counts as bent, or a little less.
+#[constraint]
+fn wave(y: Coord, z: Coord, place: f64, size: f64) -> f64 {
+    let w = (z - place) / size;
+    z - place + 0.3 * size * w.sin() - (y - place)
+}
+
+/// Positions have their digits in any unit and at any place of a wave.
+#[test]
+fn numbers_have_their_digits_where_slopes_hardly_bend() {
+    for size in [1e-6, 1.0, 1e6] {
+        for k in 0..300 {
+            let from = size * (-6.0 + 0.02 * f64::from(k) - 0.3);
+            let mut m = Mechanism::new("wave");
+            let [x, y, z] = ["x", "y", "z"].map(|name| m.length(name, 0.0).unwrap());
+            m.add("motor", drive(x, Law::linear(from, 0.3 * size))).unwrap();
+            m.add("lines", lines(x, y, 0.0, size)).unwrap();
+            m.add("wave", wave(y, z, 0.0, size)).unwrap();
+            let motion = m.build().unwrap().run(linspace(0.0, 1.0, 20)).unwrap();
+            for k in 0..motion.len() {
+                let [_, y, z] = motion.q(k) else { panic!() };
+                let off = (z / size + 0.3 * (z / size).sin() - y / size).abs();
+                assert!(off < 1e-11, "{size} from {from}, time {k}: off by {off} of the size");
+            }
+        }
+    }
+}

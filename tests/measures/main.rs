@@ -1,6 +1,7 @@
 //! Measures of mechanisms, against closed forms: angular velocities, angles, slides, dead centres, limits,
 //! instant centres.
 
+mod changed;
 mod coarse;
 #[path = "../data/engines.rs"]
 mod engines;

@@ -41,7 +41,11 @@ fn a_spline_beyond_its_table_is_not_silent() {
     for law in [
         Law::quintic_spline(&TABLE, Ends::Natural),
         2.0 * spline() + Law::ramp(1.0),
-        Law::sequence(0.5, [(1.5, Law::cycloidal(1.0, 1.5))]),
+        // Beside a law that holds its last value before and after the end of the table.
+        spline() + Law::sequence(0.5, [(1.0, Law::cycloidal(1.0, 1.0))]),
+        Law::sequence(0.5, [(3.0, Law::cycloidal(1.0, 3.0))]) + spline(),
+        // A part that is longer than its table.
+        Law::sequence(0.0, [(2.6, spline()), (1.0, Law::constant(spline().at(2.6)))]),
     ] {
         assert!(warned(&run(law.clone(), &[0.5, 1.0, 2.0])).is_empty());
         assert_eq!(warned(&run(law, &[0.5, 1.9, 2.1])).len(), 1);
@@ -51,6 +55,24 @@ fn a_spline_beyond_its_table_is_not_silent() {
     near(warned(&run(shifted, &[0.5, 2.0]))[0].0, 1.5, 1e-12);
     let repeated = Law::spline(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], Ends::Periodic);
     assert!(warned(&run(repeated, &[0.0, 5.0])).is_empty());
+}
+
+/// A law that comes to rest and stays there is meant to do so.
+#[test]
+fn a_sequence_that_holds_its_last_value_is_not_warned_of() {
+    let up = || Law::cycloidal(1.0, 1.0);
+    for law in [
+        Law::sequence(0.5, [(1.0, up())]),
+        2.0 * Law::sequence(0.5, [(1.0, up())]) + Law::ramp(1.0),
+        Law::sequence(0.5, [(1.0, up())]).compose(&Law::linear(-1.0, 2.0)),
+        // Its table is as long as its part.
+        Law::sequence(0.5, [(2.0, Law::spline(&TABLE, Ends::Clamped { start: 0.0, end: 0.0 }))]),
+        up(),
+    ] {
+        let motion = driven(law).0.run([0.0, 1.0, 3.0, 9.0]).unwrap();
+        assert!(warned(&motion).is_empty(), "{:?}", motion.events());
+        assert!(!motion.summary().contains("warning"));
+    }
 }
 
 /// At the last time the law is that of its table, not what comes after it.

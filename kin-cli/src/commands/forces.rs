@@ -1,6 +1,6 @@
 //! `kin forces`: what drives must give and joints hold, as tables, words and pictures.
 
-use kin::{Motion, Sharing, System};
+use kin::{Sharing, System};
 use kin_view::{Figure, Scene};
 
 use crate::arguments::Forces;
@@ -30,12 +30,14 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     if let Some(file) = &asked.json {
         put(file, |to| Ok(serde_json::to_writer(to, &forces.data())?))?;
     }
-    pictures(asked, &system, &motion, &forces)?;
+    let why = early.as_ref().map(Fault::why_early).unwrap_or_default();
+    pictures(asked, &system, &forces, &why)?;
     early.map_or(Ok(()), Err)
 }
 
-/// The pictures that are asked for.
-fn pictures(asked: &Forces, system: &System, motion: &Motion, forces: &kin::Forces<'_>) -> Result<(), Fault> {
+/// Writes the pictures that the command line names. `why` is why the run ended early, which the page says.
+fn pictures(asked: &Forces, system: &System, forces: &kin::Forces<'_>, why: &str) -> Result<(), Fault> {
+    let motion = forces.motion();
     let write = |to: &str, text: &str| put(to, |to| to.write_all(text.as_bytes()));
     if let Some(to) = &asked.chart {
         write(to, &Figure::of_forces(forces).svg())?;
@@ -48,7 +50,7 @@ fn pictures(asked: &Forces, system: &System, motion: &Motion, forces: &kin::Forc
         write(to, scene.pose(motion, hardest(forces))?.svg())?;
     }
     if let Some(to) = &asked.page {
-        write(to, &scene.page(motion)?.asked(&asked.motion.times.0).forces(forces).html())?;
+        write(to, &scene.page(motion)?.asked(&asked.motion.times.0).ended(why).forces(forces).html())?;
     }
     Ok(())
 }

@@ -32,12 +32,12 @@ pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
     // The summary tells warnings.
     let events = motion.events().iter().filter(|event| !event.kind.is_warning());
     events.for_each(|event| say.note(&event.to_string()));
-    let why = early.as_ref().and_then(Fault::message).unwrap_or_default();
+    let why = early.as_ref().map(Fault::why_early).unwrap_or_default();
     written(asked, &motion, &scene, &why)?;
     early.map_or(Ok(()), Err)
 }
 
-/// Everything that is asked for; where the run has ended early the page says why.
+/// Writes each file that the command line names. `why` is why the run ended early, which the page says.
 fn written(asked: &Run, motion: &Motion, scene: &Scene, why: &str) -> Result<(), Fault> {
     if let Some(to) = &asked.csv {
         output::put(to, |to| motion.write_csv_to(to))?;

@@ -105,6 +105,8 @@ fn the_page_of_a_run_that_ended_early_says_why() {
     let note = note.split_once("</aside>").expect("its end").0;
     assert!(note.contains("up to t = 0.38889 s, of 1 s that were asked for"), "{note}");
     assert!(note.contains("a toggle: beyond this time there is no position"), "{note}");
+    // The note itself says up to when the page shows the motion: once.
+    assert!(!note.contains("motion up to") && !note.contains("error.motion"), "{note}");
     assert!(html.contains("\"frames\":36,"), "the page has the times that were reached");
     let (code, html) = ran("0:0.3:31");
     assert!(code == Some(0) && !html.contains("<aside"), "{code:?}");

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::measured;
 use crate::ask::measure::{Extreme, Extremes, Measure};
 use crate::model::error::Result;
 use crate::solve::motion::Motion;
@@ -56,6 +57,18 @@ impl Feature {
             Feature::Extreme(extreme) | Feature::Stroke([extreme, _]) => extreme.t,
         }
     }
+
+    /// The same with its extremes as they are on the motion. Errors: it has an extreme that is not.
+    fn on_motion(&self, system: &System, motion: &Motion, what: &dyn Measure) -> Result<Feature> {
+        let found = |extreme: &Extreme| -> Result<Extreme> {
+            Ok(measured::on_motion(system, motion, what, extreme)?.0)
+        };
+        Ok(match self {
+            Feature::At(t) => Feature::At(*t),
+            Feature::Extreme(extreme) => Feature::Extreme(found(extreme)?),
+            Feature::Stroke([most, least]) => Feature::Stroke([found(most)?, found(least)?]),
+        })
+    }
 }
 
 /// One value in a feature, which is a sum of them.
@@ -83,13 +96,15 @@ pub(super) struct Followed<'a, M> {
 }
 
 impl<'a, M: Measure> Followed<'a, M> {
-    /// Errors: those of [`System::at`] and of the measure.
+    /// Errors: those of [`System::at`] and of the measure; an extreme that the measure does not have on this
+    /// motion.
     pub(super) fn new(
         system: &'a System,
         motion: &'a Motion,
         what: &'a M,
         feature: &Feature,
     ) -> Result<Self> {
+        let feature = &feature.on_motion(system, motion, what)?;
         let ends = [motion.times().first(), motion.times().last()];
         let turn = |extreme: &Extreme| (!ends.contains(&Some(&extreme.t))).then_some(extreme.is_max);
         let places = match feature {

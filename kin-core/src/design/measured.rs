@@ -46,15 +46,17 @@ impl Sensitivities<'_> {
     }
 
     /// How time and value of an extreme of a measure change with each parameter. As the rate vanishes there,
-    /// dt/dp = −ẏ_p/ÿ and the value changes by y_p.
+    /// dt/dp = −ẏ_p/ÿ and the value changes by y_p. The largest or smallest value at an end of the run, where
+    /// the measure does not turn round, stays at that time.
     ///
-    /// Errors: those of [`Sensitivities::of`] and [`crate::System::at`]; an extreme at which the second rate
-    /// vanishes too.
+    /// Errors: those of [`Sensitivities::of`], [`crate::System::extremes`] and [`crate::System::at`]; by name
+    /// an extreme that the measure does not have on this motion; one at which the second rate vanishes too.
     pub fn extreme(&self, what: impl Measure, extreme: &Extreme) -> Result<Vec<ExtremeSensitivity>> {
         self.turning(&what, extreme)
     }
 
     fn turning(&self, what: &dyn Measure, extreme: &Extreme) -> Result<Vec<ExtremeSensitivity>> {
+        let (extreme, turns) = on_motion(self.system, self.motion, what, extreme)?;
         self.all().iter().try_for_each(|by| smooth::kink(self.motion, extreme.t, by.name()))?;
         let pose = self.system.at(self.motion, extreme.t)?;
         let names = self.all().iter().map(Sensitivity::name);
@@ -64,7 +66,10 @@ impl Sensitivities<'_> {
         let (size, second) = (first(second.value.values()).abs(), first(second.second_rate.values()));
         let found = |by: MeasureSensitivity| {
             let (value, rate) = (first(&by.value), first(&by.rate));
-            let t = -rate / second;
+            let t = if turns { -rate / second } else { 0.0 };
+            if !turns {
+                return Ok(ExtremeSensitivity { name: by.name, t, value });
+            }
             if t.is_finite() && second.abs() > f64::EPSILON * size {
                 return Ok(ExtremeSensitivity { name: by.name, t, value });
             }
@@ -99,6 +104,17 @@ impl Sensitivities<'_> {
         let partials = partials(self.system, self.motion, what)?;
         Ok(self.all().iter().map(|by| along(&partials, by, self.motion.len())).collect())
     }
+}
+
+/// The extreme of a measure on a motion that this one is, and true if the measure turns round there. Errors:
+/// those of [`System::extremes`]; it is none of this motion.
+pub(super) fn on_motion(
+    system: &System,
+    motion: &Motion,
+    what: &dyn Measure,
+    extreme: &Extreme,
+) -> Result<(Extreme, bool)> {
+    system.extremes(motion, |motion: &Motion| what.of(system, motion))?.find(extreme)
 }
 
 /// y_p = y_q q_p and its derivatives by time.

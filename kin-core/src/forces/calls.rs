@@ -12,6 +12,7 @@ use super::multipliers::{AllMultipliers, Solver};
 use super::reaction::{Reaction, Source};
 use super::sharing::Sharing;
 use super::sum::{Sum, not_finite};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::solve::motion::{EngineCounts, Motion};
 use crate::solve::newton::Engine;
@@ -138,7 +139,7 @@ impl<'a> Walk<'a> {
                 self.walk(&left[1..])?;
             }
             Err(reason) if engine == Engine::Compiled => {
-                let reason = format!("{reason}; ask for its forces by `Engine::Auto`");
+                let reason = format!("{reason}; {}", Surface::chosen().any_engine_of_forces());
                 return Err(Error::InvalidOptions { reason });
             }
             Err(reason) => {

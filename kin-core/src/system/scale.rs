@@ -19,6 +19,10 @@ const BELOW: i32 = 20;
 /// change.   \[-\]
 const BENT: f64 = 0.5;
 
+/// A row that bends at a distance of so many times that at which it had bent half as much does so by chance:
+/// its slopes go up and down by little more than what counts as bent.   \[-\]
+const BY_CHANCE: f64 = 8.0;
+
 /// A slope that has changed by less than this share of it is constant, but for rounding.   \[-\]
 const CONSTANT: f64 = 1e-3;
 
@@ -220,6 +224,8 @@ struct Slopes<'a> {
     /// Entries of C_q in columns of lengths that are not constant, and the rows of these.
     curved: Vec<usize>,
     rows: Vec<Vec<usize>>,
+    /// The distance at which each row had bent half as much as what counts as bent.
+    half: Vec<Option<f64>>,
     /// Rows that have not bent so far.
     straight: usize,
     c: Vec<f64>,
@@ -238,7 +244,8 @@ impl<'a> Slopes<'a> {
         let has_curved = |row: &mut Vec<usize>| row.iter().any(|entry| curved.binary_search(entry).is_ok());
         rows.iter_mut().filter_map(|row| (!has_curved(row)).then_some(row)).for_each(Vec::clear);
         let straight = rows.iter().filter(|row| !row.is_empty()).count();
-        Slopes { layout, equations, t, curved, rows, straight, c: vec![0.0; equations.rows], values }
+        let (c, half) = (vec![0.0; equations.rows], vec![None; equations.rows]);
+        Slopes { layout, equations, t, curved, rows, half, straight, c, values }
     }
 
     fn at(&mut self, q: &[f64]) {
@@ -256,7 +263,8 @@ impl<'a> Slopes<'a> {
 
     /// Finds rows that have bent within a distance.
     fn judge(&mut self, here: &[f64], change: &[f64], distance: f64, found: &mut Bends) {
-        for row in self.rows.iter_mut().filter(|row| !row.is_empty()) {
+        let rows = self.rows.iter_mut().zip(&mut self.half);
+        for (row, half) in rows.filter(|(row, _)| !row.is_empty()) {
             let column = |entry: usize| self.equations.entries[entry].map_or(0, |(_, column)| column);
             let lengths = || row.iter().copied().filter(|k| self.layout.units[column(*k)] == Unit::Metre);
             let bends = |entry: &usize| change[*entry] > CONSTANT * here[*entry].abs();
@@ -264,9 +272,14 @@ impl<'a> Slopes<'a> {
             let of_all = lengths().fold(0.0_f64, |m, k| m.max(here[k].abs()));
             let own = lengths().filter(bends).fold(0.0_f64, |m, k| m.max(here[k].abs()));
             let slope = if own > SLIGHT * of_all { own } else { of_all };
-            if slope == 0.0 || most <= BENT * slope {
+            if slope == 0.0 || most <= 0.5 * BENT * slope {
                 continue;
             }
+            let first = *half.get_or_insert(distance);
+            if most <= BENT * slope {
+                continue;
+            }
+            let distance = if distance > BY_CHANCE * first { first } else { distance };
             found.distances.push(distance);
             for entry in lengths() {
                 // By as much as what bends the row does within the distance.

@@ -7,12 +7,6 @@ use crate::{Comparison, Function, Function2, Graph, Node, Op, rules};
 
 /// dy/du of y = f(u).
 pub fn derivative(g: &mut Graph, f: Function, u: Node, y: Node) -> Node {
-    if f == Function::Asinh && g.bursts(u) {
-        // u² may be too large where 1/√(u² + 1) is not.
-        let one = g.constant(1.0);
-        let root = g.call2(Function2::Hypot, u, one);
-        return g.div(one, root);
-    }
     let graph = RefCell::new(g);
     let [u, y] = [u, y].map(|node| Term::Node(&graph, node));
     let slope = rules::slope(f, u, y);

@@ -84,13 +84,13 @@ macro_rules! functions_of_one {
             /// arsinh x.
             Asinh asinh "asinh" {
                 value: $crate::functions::asinh;
-                slope: |u, _| inverse(root(u.squared() + number(1.0)));
+                slope: |u, _| inverse(u.call2(Function2::Hypot, number(1.0)));
                 facts: Facts { growth: Growth::Logarithmic, ..CONTINUOUS };
             }
             /// arcosh x ≥ 0; infinite slope at 1, NaN below.
             Acosh acosh "acosh" {
                 value: $crate::functions::acosh;
-                slope: |u, _| inverse(root(u.squared() + number(-1.0)));
+                slope: |u, _| inverse(root(u.clone() + number(-1.0)) * root(u + number(1.0)));
                 facts: Facts {
                     domain: [1.0, f64::INFINITY],
                     range: ABOVE_0,

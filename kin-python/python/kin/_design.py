@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
 import numpy as np
 
 from . import _native
-from ._handles import Coordinate
-from ._motion import Motion, Quantity, array, coordinate_name
+from ._motion import Motion, Quantity, array
 from ._short import short
+
+if TYPE_CHECKING:
+    from ._system import Measure
 
 
 @short
@@ -44,7 +46,7 @@ Of = Union[float, str, Extreme]
 def _of(of: Any) -> Any:
     """The same as the native part takes it."""
     if isinstance(of, Extreme):
-        return (of.t, of.is_max)
+        return (of.t, of.value, of.is_max)
     if isinstance(of, str) and of not in ("max", "min", "stroke"):
         raise ValueError(f'`of` is a time, an extreme, "max", "min" or "stroke", not {of!r}')
     return of
@@ -74,9 +76,11 @@ class ExtremeSensitivity:
 class Sensitivities:
     """The derivatives of a motion by parameters and dimensions, exact; `system.sensitivities` gives them."""
 
-    def __init__(self, system: "_native.System", motion: Motion, names: list[str], known: list[str]) -> None:
+    def __init__(
+        self, system: "_native.System", motion: Motion, names: list[str], measured: Callable[[Measure], Any]
+    ) -> None:
         self._native = _native.Derivatives(system, motion._native, names)
-        self._known = known
+        self._measured = measured
         #: The motion that they belong to.
         self.motion = motion
 
@@ -85,28 +89,26 @@ class Sensitivities:
         n = len(self.motion.names)
         return {name: Sensitivity(name, *(array(one, n) for one in lists)) for name, lists in self._native.all()}
 
-    def of(self, what: Union[str, Coordinate]) -> dict[str, Quantity]:
+    def of(self, what: Measure) -> dict[str, Quantity]:
         """Those of a measure and its rates, by each parameter, at fixed times."""
-        asked, times = self._what(what), self.motion.times
+        asked, times = self._measured(what), self.motion.times
+        title = asked if isinstance(asked, str) else what(self.motion).name  # type: ignore[operator]
         found = self._native.of(asked)
-        return {name: Quantity._of((f"d {asked} / d {name}", "", lists), times) for name, lists in found}
+        return {name: Quantity._of((f"d {title} / d {name}", "", lists), times) for name, lists in found}
 
-    def extreme(self, what: Union[str, Coordinate], extreme: Extreme) -> dict[str, ExtremeSensitivity]:
+    def extreme(self, what: Measure, extreme: Extreme) -> dict[str, ExtremeSensitivity]:
         """How time and value of an extreme of a measure change: dt/dp = −ẏ_p/ÿ, the value by y_p. The extreme is one of
         `system.extremes(motion, what)`."""
-        found = self._native.extreme(self._what(what), _of(extreme))
+        found = self._native.extreme(self._measured(what), _of(extreme))
         return {name: ExtremeSensitivity(name, *values) for name, *values in found}
 
     def between(
-        self, what: Union[str, Coordinate], first: Extreme, second: Extreme
+        self, what: Measure, first: Extreme, second: Extreme
     ) -> dict[str, ExtremeSensitivity]:
         """How the difference of two extremes changes, the first less the second: of the values (a stroke), of the times
         (between dead centres)."""
-        found = self._native.extreme(self._what(what), _of(first), _of(second))
+        found = self._native.extreme(self._measured(what), _of(first), _of(second))
         return {name: ExtremeSensitivity(name, *values) for name, *values in found}
-
-    def _what(self, what: Union[str, Coordinate]) -> str:
-        return coordinate_name(self._known, what.name if isinstance(what, Coordinate) else what)
 
 
 @short

@@ -7,8 +7,6 @@ import json
 import os
 from typing import Any, Union
 
-from ._errors import in_words
-
 
 class Diagnosis:
     """A verdict: `print` shows it in words; its fields are those of the file (`data`), such as `rank`, `mobility`,
@@ -17,7 +15,7 @@ class Diagnosis:
     and `contradictions` among the dependencies, `lasting_freedoms` (left at nearby poses too)."""
 
     def __init__(self, text: str, data: str, answers: str) -> None:
-        self.text = in_words(text)
+        self.text = text
         self.data: dict[str, Any] = json.loads(data)
         self._answers: dict[str, Any] = json.loads(answers)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from typing import TYPE_CHECKING, Any, Optional
 
 if TYPE_CHECKING:
@@ -184,34 +183,9 @@ class FileError(Error):
     """A file that cannot be written."""
 
 
-# What Kin calls by its name in Rust, and the same in Python.
-_WORDS = (
-    (r"`error\.motion\(\)`", "`error.motion`"),
-    (r"`Options::(closure|memory)\(([^)`]*)\)`", r"the option `\1=\2`"),
-    (r"`Options::(\w+)`", r"the option `\1`"),
-    (r"Keep what is wanted of one part after the other \(`System::run_in_parts`\), ask for fewer times", "Ask for fewer times"),
-    (r"`linspace\(", "`np.linspace("),
-    (r"`Follow::Unchecked`", '`follow="unchecked"`'),
-    (r"the option `engine` at `Engine::Auto`", 'the option `engine` at `"auto"`'),
-    (r"ask for its forces by `Engine::Auto`", 'leave `engine` at `"auto"`'),
-    (r"`Law::periodic`", "`Law.periodic`"),
-    (r"write it with `#\[law\]`, without a loop or call that only Rust can read", "write it with `@kin.law`"),
-    (r"`#\[(law|force|constraint|potential)\]`", r"`@kin.\1`"),
-    (r"`kin::loads`", "`kin.loads`"),
-)
-
-
-def in_words(text: str) -> str:
-    """A sentence of Kin with the names that things have in Python."""
-    for rust, words in _WORDS:
-        text = re.sub(rust, words, text)
-    return text
-
-
 def raised(kind: str, text: str, fields: str, motion: Any, diagnosis: Optional[str]) -> Error:
     """The exception of an error of Rust; its native motion becomes one of Python's."""
     found = globals().get(kind, Error)
-    text = in_words(text)
     error: Error = found(text) if isinstance(found, type) and issubclass(found, Error) else Error(text)
     error.__dict__.update(json.loads(fields))
     if motion is not None:

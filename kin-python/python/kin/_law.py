@@ -18,7 +18,7 @@ from ._ufunc import Operand
 @dataclass(frozen=True)
 class LawRange:
     """The arguments from `first` to `last` that a law is made for. Beyond them the law is the straight line of its end
-    (`beyond == "line"`) or keeps the value of its end (`"held"`), and a run that goes there warns."""
+    (`beyond == "line"`; a run that goes there warns) or keeps the value of its end (`"held"`)."""
 
     first: float
     last: float

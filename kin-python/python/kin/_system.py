@@ -108,7 +108,8 @@ class System:
         (numbers of change points), `closure`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
         `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
 
-        Warns (`warnings.warn`) where the run asks a law beyond its table or sequence; `motion.events` says so too.
+        Warns (`warnings.warn`) where the run goes beyond the table of a law, where that is a straight line; `motion.events` says so
+        too.
 
         Raises `kin.Error`; its `.motion` is what was computed before.
         """
@@ -257,7 +258,7 @@ class System:
         Raises an error by name: a name that is no parameter or on which nothing depends, a law whose derivative is not known, a
         motion with a singular position, a motion of another system.
         """
-        return Sensitivities(self._native, motion, list(names), self.names)
+        return Sensitivities(self._native, motion, list(names), self._measured)
 
     def toggle_by(self, toggle: dict[str, Any], names: Iterable[str]) -> dict[str, float]:
         """How the time of a toggle changes with parameters and dimensions: dt*/dp = −λᵀ C_p / λᵀ C_t, where λᵀ C_q = 0. The toggle is
@@ -268,30 +269,30 @@ class System:
         order = list(names)
         return dict(zip(order, _native.toggle_by(self._native, json.dumps(toggle), order)))
 
-    def tolerance(self, motion: Motion, what: What, of: Optional[Of] = None) -> Tolerance:
+    def tolerance(self, motion: Motion, what: Measure, of: Optional[Of] = None) -> Tolerance:
         """How far a measure of a motion may be off by the tolerances of dimensions: at the time at which that is worst, or of one
         number that it has: its value at a time, an extreme of `system.extremes`, wherever in time that moves, "max", "min" or
         "stroke".
 
         Raises `kin.DimensionError` where no dimension has a tolerance.
         """
-        found = _native.tolerance(self._native, motion._native, self._what(what), _of(of), False)
+        found = _native.tolerance(self._native, motion._native, self._measured(what), _of(of), False)
         return Tolerance._of(found)
 
-    def tolerance_proved(self, motion: Motion, what: What, of: Of) -> Tolerance:
+    def tolerance_proved(self, motion: Motion, what: Measure, of: Of) -> Tolerance:
         """The same with bounds, by interval arithmetic, that hold for every mechanism within the tolerances (`.proved`).
 
         Raises `kin.CannotBeProved` where some of these may not be assembled, and of what no bounds are known.
         """
         if of is None:
             raise TypeError('`of` says what is proved: a time, an extreme, "max", "min" or "stroke"')
-        found = _native.tolerance(self._native, motion._native, self._what(what), _of(of), True)
+        found = _native.tolerance(self._native, motion._native, self._measured(what), _of(of), True)
         return Tolerance._of(found)
 
     def samples(
         self,
         motion: Motion,
-        what: What,
+        what: Measure,
         of: Of,
         *,
         count: int = 10_000,
@@ -301,7 +302,7 @@ class System:
         """The same number in many mechanisms whose dimensions are off at random, each by its own distribution, else by this one:
         "normal", "truncated normal" or "uniform". The same seed gives the same samples, on every machine."""
         found = _native.samples(
-            self._native, motion._native, self._what(what), _of(of), count, seed, distribution
+            self._native, motion._native, self._measured(what), _of(of), count, seed, distribution
         )
         text, name, unit, values = found
         return Samples(name, unit, array(values), count, seed, text)
@@ -319,20 +320,20 @@ class System:
         """
         return Forces(self._native, motion, self._token, self.name, sharing, engine)
 
-    def gradient(self, motion: Motion, names: Sequence[str], what: What, weights: Any) -> Any:
+    def gradient(self, motion: Motion, names: Sequence[str], what: Measure, weights: Any) -> Any:
         """The derivatives by parameters of one number, whose derivatives by a measure, its rate and its second rate at
         each time are the rows of `weights`."""
         rows = np.zeros((len(motion), 3))
         given = np.asarray(weights, dtype=float)
         rows[:, : 1 if given.ndim == 1 else given.shape[1]] = given.reshape(len(motion), -1)
-        found = _native.gradient(self._native, motion._native, list(names), self._what(what), as_bytes(rows))
+        found = _native.gradient(self._native, motion._native, list(names), self._measured(what), as_bytes(rows))
         return np.array(found)
 
     def objective(
         self,
         names: Sequence[str],
         times: Any,
-        what: What,
+        what: Measure,
         cost: Callable[[Quantity], tuple[float, Any]],
         **options: Any,
     ) -> Callable[[Any], tuple[float, Any]]:

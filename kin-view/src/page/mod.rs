@@ -112,7 +112,8 @@ impl Page {
         self
     }
 
-    /// Why the run ended early, as its error says; the page shows it where not all times were reached.
+    /// Why the run ended early, as its error says ([`kin::Error::reason`]); the page shows it where not all
+    /// times were reached.
     pub fn ended(mut self, why: &str) -> Page {
         self.why = why.to_string();
         self

@@ -1,4 +1,4 @@
-//! Assemblies told apart by what is asked of them.
+//! Assemblies told apart by a measure.
 
 use super::Measure;
 use crate::model::error::{Error, Result};

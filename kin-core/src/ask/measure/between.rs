@@ -1,5 +1,6 @@
 //! The pose at a time between those of a motion, on the motion's own branch.
 
+use super::changes::Changes;
 use crate::model::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;
@@ -7,7 +8,10 @@ use crate::system::{Solution, System};
 
 impl System {
     /// The pose at one time within a motion of this system, solved anew from between its neighbours: a motion
-    /// with that time alone, of which everything can be asked that can be asked of any.   \[s\]
+    /// with that time alone, which answers every question that a motion answers.   \[s\]
+    ///
+    /// At a change point of the motion the pose, with its rates, is that of the branch on which the motion
+    /// goes on.
     ///
     /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another system,
     /// those of [`System::solve_at`].
@@ -15,17 +19,16 @@ impl System {
         self.own_as_it_is(motion)?;
         let before = step_of(motion.times(), t).ok_or_else(|| outside(motion, t))?;
         let mut pose = Motion::new(self, 1);
-        self.add_between(motion, before, t, &mut pose)?;
+        self.add_between(motion, &Changes::of(self, motion), (before, t), &mut pose)?;
         Ok(pose)
     }
 
-    /// The pose at t next to q, with its rates: a motion of that time alone. Nothing that is preferred is
-    /// asked for.
+    /// The pose at t next to q, with its rates: a motion of that time alone. Preferred values do not count.
     pub(crate) fn next_to(&self, t: f64, q: &[f64]) -> Result<Motion> {
         self.pose_near(t, q, false)
     }
 
-    /// The same, with the jerk if that is asked for.
+    /// The same; `jerk` says whether to compute q⃛ too.
     pub(super) fn pose_near(&self, t: f64, q: &[f64], jerk: bool) -> Result<Motion> {
         let mut pose = Motion::new(self, 1);
         self.append_solved(t, q, jerk, &mut pose)?;
@@ -33,11 +36,20 @@ impl System {
     }
 
     /// Appends the pose at t, which lies between time k of a motion and the next, to another motion.
-    pub(super) fn add_between(&self, motion: &Motion, k: usize, t: f64, to: &mut Motion) -> Result<()> {
+    pub(super) fn add_between(
+        &self,
+        motion: &Motion,
+        changes: &Changes,
+        (k, t): (usize, f64),
+        to: &mut Motion,
+    ) -> Result<()> {
         let all = 0..self.n_coordinates();
         if let Some(same) = [k, k + 1].into_iter().find(|k| motion.times().get(*k) == Some(&t)) {
             let outcome = Outcome { iterations: 0, residual: motion.residuals()[same] };
             to.append(t, motion.orders(same, all), outcome, 0);
+            return Ok(());
+        }
+        if changes.add(self, t, motion.has_jerk(), to)? {
             return Ok(());
         }
         self.append_solved(t, &interpolated(motion, k, t), motion.has_jerk(), to)

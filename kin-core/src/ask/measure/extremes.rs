@@ -2,7 +2,7 @@
 
 use super::Measure;
 use super::roots::{Root, Search, Zero};
-use crate::model::error::Result;
+use crate::model::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
@@ -33,6 +33,25 @@ pub struct Extremes {
     /// True of an end at which the measure rests.
     rests: [bool; 2],
     closed: bool,
+    /// The word for the unit of time.
+    time_unit: String,
+}
+
+/// Two times of an extreme are one within this share of the motion's span: an extreme that was written down
+/// has lost some digits.   \[-\]
+const SAME_TIME: f64 = 1e-9;
+
+impl Extreme {
+    /// A maximum that was found before, by its time and value. What takes an extreme, such as
+    /// [`crate::Sensitivities::extreme`], finds it on the motion by its time and kind.
+    pub fn maximum(t: f64, value: f64) -> Extreme {
+        Extreme { t, value, is_max: true }
+    }
+
+    /// The same of a minimum.
+    pub fn minimum(t: f64, value: f64) -> Extreme {
+        Extreme { t, value, is_max: false }
+    }
 }
 
 impl System {
@@ -69,6 +88,7 @@ impl System {
             ends: [(times[0], values[0]), (times[1], values[1])],
             rests,
             closed: comes_back(x) && comes_back(rate),
+            time_unit: motion.unit_words().time().to_string(),
         })
     }
 }
@@ -146,6 +166,29 @@ impl Extremes {
         found
     }
 
+    /// The one of these that has the time of an extreme, the largest and the smallest value at an end of the
+    /// run included, and true if the measure turns round there. Errors: there is none of its kind at that
+    /// time.
+    pub(crate) fn find(&self, extreme: &Extreme) -> Result<(Extreme, bool)> {
+        let Extreme { t, is_max, .. } = *extreme;
+        let best = if is_max { self.max() } else { self.min() };
+        let far = |one: &Extreme| (one.t - t).abs();
+        let turns = self.all.iter().copied().filter(|one| one.is_max == is_max).map(|one| (one, true));
+        let nearest = turns.chain([(best, false)]).min_by(|a, b| far(&a.0).total_cmp(&far(&b.0)));
+        let (nearest, turns) = nearest.unwrap_or((best, false));
+        let [(first, _), (last, _)] = self.ends;
+        if far(&nearest) <= SAME_TIME * (last - first).abs().max(t.abs()) {
+            return Ok((nearest, turns));
+        }
+        let (word, s) = (if is_max { "maximum" } else { "minimum" }, &self.time_unit);
+        let reason = format!(
+            "it has no {word} at t = {t} {s}; the nearest one is at t = {} {s}. Take an extreme that \
+             `system.extremes` gives",
+            nearest.t
+        );
+        Err(Error::InvalidConstraint { constraint: self.name.clone(), kind: "extreme".to_string(), reason })
+    }
+
     /// The one that no other is better than.
     fn best(&self, is_max: bool, better: impl Fn(f64, f64) -> bool) -> Extreme {
         let [first, last] = self.ends.map(|(t, value)| Extreme { t, value, is_max });
@@ -165,7 +208,8 @@ mod tests {
         let all =
             all.iter().map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 }).collect();
         let rests = [false; 2];
-        Extremes { name: "slide".to_string(), unit: "m".to_string(), all, ends, rests, closed }
+        let [name, unit, time_unit] = ["slide", "m", "s"].map(str::to_string);
+        Extremes { name, unit, all, ends, rests, closed, time_unit }
     }
 
     /// Value and time.

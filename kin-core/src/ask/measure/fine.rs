@@ -1,4 +1,4 @@
-//! A motion with as many times as its path needs: between two of them all coordinates, and what is asked,
+//! A motion with as many times as its path needs: between two of them all coordinates, and the measure,
 //! follow the quintics through values, velocities and accelerations at both ends.
 //!
 //! A grid of times may be coarse. What happens between two of its times shows in three ways. *Time*: laws and
@@ -6,12 +6,14 @@
 //! are compared with quintics over the stretch that their argument moves through. *Path*: the pose in the
 //! middle of a step is compared with the quintics, in value and rate, and no body turns by more than
 //! [`REACH`]. A step that fails is halved. Where the times of the grid themselves show all of it, which a
-//! fine grid does, no pose is solved.
+//! fine grid does, no pose is solved. A step is cut at a change point, where a motion may turn into another
+//! branch.
 
 mod clock;
 pub(super) mod quintic;
 
 use super::Measure;
+use super::changes::Changes;
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::units::Unit;
@@ -23,7 +25,7 @@ use crate::system::System;
 use clock::Clock;
 use quintic::Quintic;
 
-/// Quintics may miss by this share of how far a coordinate, or what is asked, moves in the whole motion, and
+/// Quintics may miss by this share of how far a coordinate, or the measure, moves in the whole motion, and
 /// rates over a step by so many times that.   \[-\]
 const MISS: f64 = 1e-6;
 const RATES: f64 = 30.0;
@@ -44,11 +46,17 @@ const SHORTEST: f64 = 1e-7;
 const MOST: usize = 100_000;
 const TOO_MANY: &str = "what happens between two times of the motion would need a hundred thousand times more to be followed: run it at times that are nearer to one another";
 
+/// A motion with as many times more as show all that happens between its own.
+pub(super) struct Fine {
+    pub motion: Motion,
+    pub changes: Changes,
+}
+
 impl System {
     /// The motion with as many times more as show all that happens between its own.
     ///
     /// Errors: those of the measure and of a run; too many times.
-    pub(super) fn fine(&self, motion: &Motion, what: Option<&dyn Measure>) -> Result<Motion> {
+    pub(super) fn fine(&self, motion: &Motion, what: Option<&dyn Measure>) -> Result<Fine> {
         let options = Options { jerk: motion.has_jerk(), ..Options::default() };
         let mut refining = Refining::new(self, motion, what, &options)?;
         let mut fine = Motion::new(self, motion.len());
@@ -58,7 +66,7 @@ impl System {
                 Some(before) => refining.step(before, &mut fine)?,
             }
         }
-        Ok(fine)
+        Ok(Fine { motion: fine, changes: refining.changes })
     }
 }
 
@@ -71,7 +79,8 @@ struct Refining<'a> {
     grid: Option<Quantity>,
     run: Run<'a>,
     clock: Clock<'a>,
-    /// How far each coordinate moves, and at last what is asked.
+    changes: Changes,
+    /// How far each coordinate moves, and at last the measure.
     sizes: Vec<f64>,
     /// By how much rounding may move each of them.
     rounding: Vec<f64>,
@@ -102,6 +111,7 @@ impl<'a> Refining<'a> {
             grid,
             run: Run::new(system, options, None)?,
             clock: Clock::new(system, motion),
+            changes: Changes::of(system, motion),
             sizes: Vec::new(),
             rounding: rounding(system, motion),
             profiles: profiles(system, motion),
@@ -113,7 +123,7 @@ impl<'a> Refining<'a> {
         Ok(refining)
     }
 
-    /// x, ẋ and ẍ of a coordinate, or of what is asked, at a time of the motion.
+    /// x, ẋ and ẍ of a coordinate, or of the measure, at a time of the motion.
     fn on_grid(&self, k: usize, j: usize) -> [f64; 3] {
         orders(self.motion, self.grid.as_ref(), k, j)
     }
@@ -121,13 +131,18 @@ impl<'a> Refining<'a> {
     /// Appends all times after time k of the motion, up to the next one.
     fn step(&mut self, k: usize, fine: &mut Motion) -> Result<()> {
         let next = rows(self.system, self.motion, k + 1..k + 2);
-        if self.clock.is_plain(k) && self.is_seen(k) {
+        let (begin, end) = (self.motion.times()[k], self.motion.times()[k + 1]);
+        let mut cuts: Vec<f64> = self.changes.cuts([begin, end]).collect();
+        if cuts.is_empty() && self.clock.is_plain(k) && self.is_seen(k) {
             add(&next, fine);
             return Ok(());
         }
-        let shortest = SHORTEST * (self.motion.times()[k + 1] - self.motion.times()[k]).abs();
+        let shortest = SHORTEST * (end - begin).abs();
         let mut from = rows(self.system, self.motion, k..k + 1);
-        for t in self.clock.cuts(k)? {
+        cuts.extend(self.clock.cuts(k)?);
+        cuts.sort_by(|a, b| (a - begin).abs().total_cmp(&(b - begin).abs()));
+        cuts.dedup();
+        for t in cuts {
             let to = self.between(&from, &next, t)?;
             self.fill(&from, &to, shortest, fine)?;
             from = to;
@@ -218,6 +233,10 @@ impl<'a> Refining<'a> {
 
     /// The pose at a time between two poses, on their branch.
     fn between(&mut self, from: &Motion, to: &Motion, t: f64) -> Result<Motion> {
+        let mut pose = Motion::new(self.system, 1);
+        if self.changes.add(self.system, t, from.has_jerk(), &mut pose)? {
+            return Ok(pose);
+        }
         let mut tried = |known: &Motion| {
             let mut pose = Motion::new(self.system, 1);
             self.run.go_from(known, 0, t, &mut pose).map(|()| pose)
@@ -231,7 +250,7 @@ impl<'a> Refining<'a> {
     }
 }
 
-/// By how much rounding may move each coordinate, and at last what is asked of them.
+/// By how much rounding may move each coordinate, and at last the measure of them.
 fn rounding(system: &System, motion: &Motion) -> Vec<f64> {
     if motion.is_empty() {
         return vec![0.0; system.n_coordinates() + 1];
@@ -302,7 +321,7 @@ fn size(all: impl Iterator<Item = f64>) -> f64 {
     (high - low).max(STILL * low.abs().max(high.abs())).max(f64::MIN_POSITIVE)
 }
 
-/// x, ẋ and ẍ of coordinate j, or of what is asked.
+/// x, ẋ and ẍ of coordinate j, or of the measure.
 fn orders(motion: &Motion, asked: Option<&Quantity>, k: usize, j: usize) -> [f64; 3] {
     match (motion.q(k).get(j), asked) {
         (Some(q), _) => [*q, motion.qd(k)[j], motion.qdd(k)[j]],
@@ -315,7 +334,7 @@ fn orders(motion: &Motion, asked: Option<&Quantity>, k: usize, j: usize) -> [f64
 }
 
 /// Some times of a motion alone.
-fn rows(system: &System, motion: &Motion, range: std::ops::Range<usize>) -> Motion {
+pub(super) fn rows(system: &System, motion: &Motion, range: std::ops::Range<usize>) -> Motion {
     let mut found = Motion::new(system, range.len());
     for k in range {
         let outcome = Outcome { iterations: motion.iterations()[k], residual: motion.residuals()[k] };

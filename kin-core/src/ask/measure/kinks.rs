@@ -27,7 +27,7 @@ impl System {
             return;
         }
         // Where the motion cannot be followed more finely, its own times tell what they can.
-        let fine = self.fine(motion, None).unwrap_or_else(|_| motion.clone());
+        let fine = self.fine(motion, None).map_or_else(|_| motion.clone(), |fine| fine.motion);
         self.note_kinks_along(&fine, motion);
     }
 

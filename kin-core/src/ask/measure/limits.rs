@@ -57,7 +57,7 @@ fn event(limit: &Limit, t: f64, text: String) -> Event {
 fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>> {
     let (name, [from, to]) = (limit.name.as_str(), limit.ends);
     let fine = system.fine(motion, Some(&name))?;
-    let grid = system.measure(&fine, name)?.value;
+    let grid = system.measure(&fine.motion, name)?.value;
     let (Some(&start), Some(&first)) = (motion.times().first(), grid.values().first()) else {
         return Ok(Vec::new());
     };

@@ -6,6 +6,7 @@
 
 mod assemblies;
 mod between;
+mod changes;
 mod condition;
 mod extremes;
 mod fine;

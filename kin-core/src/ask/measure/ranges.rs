@@ -1,13 +1,14 @@
-//! Laws that a run asks beyond what they are made for: a run reports it by events.
+//! Laws that a run evaluates beyond their tables: a run reports it by events. A law that holds its last
+//! value, such as a sequence that comes to rest, is meant to do so and is not reported.
 
-use crate::model::law::{Beyond, LawRange};
+use crate::model::law::LawRange;
 use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 
 /// Arguments beyond a range by no more than this share of it are at its end: times are rounded.   \[-\]
 const AT_END: f64 = 1e-9;
 
-/// A question to a law with a range.
+/// The argument of a law with a table.
 struct Asked {
     block: usize,
     /// Which of the block's questions.
@@ -21,9 +22,9 @@ struct Asked {
 }
 
 impl System {
-    /// Tells the motion of each law that is asked beyond its range, once for either end.
+    /// Tells the motion of each law that is evaluated beyond its table, once for either end.
     pub(crate) fn note_ranges(&self, motion: &mut Motion) {
-        let mut all = self.laws_with_ranges(motion);
+        let mut all = self.laws_with_tables();
         if all.is_empty() {
             return;
         }
@@ -46,10 +47,10 @@ impl System {
         }
     }
 
-    fn laws_with_ranges(&self, motion: &Motion) -> Vec<Asked> {
+    fn laws_with_tables(&self) -> Vec<Asked> {
         let (equations, mut all) = (self.equations(), Vec::new());
-        let Some(&t) = motion.times().first() else { return all };
-        let instant = equations.instant_at(t, motion.q(0));
+        // The laws are shown wherever the bodies are: no position is needed to see which have tables.
+        let instant = equations.instant();
         for (block, found) in equations.blocks.iter().enumerate() {
             let mut number = 0;
             found.constraint.laws(&equations.at(found, &instant), &mut |name, law, _| {
@@ -61,7 +62,7 @@ impl System {
                     before: None,
                     left: [None; 2],
                 };
-                all.extend(law.range().map(asked));
+                all.extend(law.table_range().map(asked));
                 number += 1;
             });
         }
@@ -73,7 +74,8 @@ impl Asked {
     /// Looks at the argument at the next time.
     fn look(&mut self, t: f64, x: f64) {
         let LawRange { from, to, .. } = self.range;
-        let near = AT_END * (to - from).abs().max(from.abs()).max(to.abs());
+        let finite = |x: f64| if x.is_finite() { x.abs() } else { 0.0 };
+        let near = AT_END * finite(to - from).max(finite(from)).max(finite(to));
         let outside = [x < from - near, x > to + near];
         for (side, end) in [(0, from), (1, to)] {
             if !outside[side] {
@@ -93,15 +95,12 @@ impl Asked {
 
     fn events(self, name: &str) -> Vec<Event> {
         let Asked { law, range, left, .. } = &self;
-        let beyond = match range.beyond {
-            Beyond::Held => "the value of the end is held",
-            Beyond::Line => "the law is a straight line",
-        };
         let words = [("begins", range.from, "before"), ("ends", range.to, "beyond")];
         let told = left.iter().zip(words).filter_map(|(left, (does, end, side))| {
             let (t, far) = (*left)?;
             let text = format!(
-                "`{law}` of `{name}` {does} at {end}, the run goes on to {far}: {side} {end} {beyond}"
+                "`{law}` of `{name}` {does} at {end}, the run goes on to {far}: {side} {end} the law is a \
+                 straight line"
             );
             let kind = EventKind::BeyondRange;
             Some(Event { t, units: Default::default(), kind, name: name.to_string(), text })

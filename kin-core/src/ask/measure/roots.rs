@@ -3,6 +3,7 @@
 
 use super::Measure;
 use super::between::step_of;
+use super::fine::Fine;
 use super::fine::quintic::{Quintic, derivative, is_simple, value, zeros};
 use crate::model::error::Result;
 use crate::solve::motion::{Motion, Quantity};
@@ -46,8 +47,8 @@ pub(super) struct Root {
 /// A measure of a motion, on the grid and between its times.
 pub(super) struct Search<'a, M> {
     system: &'a System,
-    /// With as many times as show all that happens between those of the grid.
-    motion: &'a Motion,
+    /// The motion with as many times as show all that happens between those of the grid.
+    fine: &'a Fine,
     what: &'a M,
     pub grid: Quantity,
     zero: Zero,
@@ -66,15 +67,15 @@ struct End {
 
 impl<'a, M: Measure> Search<'a, M> {
     /// Between the times of a motion that [`System::fine`] has made.
-    pub(super) fn new(system: &'a System, motion: &'a Motion, what: &'a M, zero: Zero) -> Result<Self> {
-        let grid = what.of(system, motion)?;
+    pub(super) fn new(system: &'a System, fine: &'a Fine, what: &'a M, zero: Zero) -> Result<Self> {
+        let grid = what.of(system, &fine.motion)?;
         let [x, rates, ..] = grid.orders();
         let largest = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let small = match zero {
             Zero::Value(_) => ROUNDING * largest(x),
             Zero::Rate => ROUNDING * largest(rates),
         };
-        Ok(Search { system, motion, what, grid, zero, small })
+        Ok(Search { system, fine, what, grid, zero, small })
     }
 
     /// All zeros in the order of the motion. Of a rest only the first time is told, and only where the sign
@@ -82,7 +83,7 @@ impl<'a, M: Measure> Search<'a, M> {
     pub(super) fn all(&self) -> Result<Vec<Root>> {
         let mut roots = Vec::new();
         let mut last: Option<(usize, End)> = None;
-        for k in 0..self.motion.len() {
+        for k in 0..self.fine.motion.len() {
             let end = self.on_grid(k);
             if end.f.abs() <= self.small {
                 continue;
@@ -105,7 +106,7 @@ impl<'a, M: Measure> Search<'a, M> {
     fn on_grid(&self, k: usize) -> End {
         let at = |all: &[f64]| all.get(k).copied().unwrap_or(f64::NAN);
         let [x, rate, second, _] = self.grid.orders();
-        self.end(self.motion.times()[k], [at(x), at(rate), at(second)])
+        self.end(self.fine.motion.times()[k], [at(x), at(rate), at(second)])
     }
 
     fn end(&self, t: f64, orders: [f64; 3]) -> End {
@@ -119,11 +120,12 @@ impl<'a, M: Measure> Search<'a, M> {
     /// x, ẋ and ẍ at a time between those of the grid. Turns are counted on from the time of the grid before
     /// it.
     fn between(&self, t: f64) -> Result<[f64; 3]> {
-        let k = step_of(self.motion.times(), t).unwrap_or(0);
+        let Fine { motion, changes } = self.fine;
+        let k = step_of(motion.times(), t).unwrap_or(0);
         let mut two = Motion::new(self.system, 2);
-        let known = self.motion.times()[k];
-        self.system.add_between(self.motion, k, known, &mut two)?;
-        self.system.add_between(self.motion, k, t, &mut two)?;
+        for t in [motion.times()[k], t] {
+            self.system.add_between(motion, changes, (k, t), &mut two)?;
+        }
         let here = self.what.of(self.system, &two)?;
         let [x, rate, second, _] = here.orders();
         let last = |all: &[f64]| all.last().copied().unwrap_or(f64::NAN);

@@ -16,6 +16,7 @@ use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::describer::Describer;
 use crate::model::dimension::{Beside, Dimension, Holder};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::layout::Place;
@@ -137,9 +138,10 @@ impl Mechanism {
         };
         match acting {
             Acting::Potential(energy) => Ok(ActingData::Energy(scalar(energy.as_ref())?)),
-            Acting::Along(_, ForceAlong::Closure(_)) => Err(fail(
-                "its force is a closure, which no file can carry: write it as a function with `#[force]`",
-            )),
+            Acting::Along(_, ForceAlong::Closure(_)) => Err(fail(&format!(
+                "its force is a closure, which no file can carry: write it as {}",
+                Surface::chosen().readable_force()
+            ))),
             Acting::Along(x, ForceAlong::Written(force)) => {
                 let x = match &x.0 {
                     Line::Row(x) => AlongData::Scalar(scalar(x.as_ref())?),

@@ -13,7 +13,7 @@ use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
 use crate::system::System;
 
 const CLOSURE: &str =
-    "its force is a closure, which only the program knows; a function under `#[force]` is read";
+    "its force is a closure, which only the program knows; a force that is written as a function is read";
 
 const MEASURE: &str = "it acts along a measure of a joint, which is asked for at one time after the other";
 

@@ -30,7 +30,7 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 /// Signs: φ is counter-clockwise positive from the cam's own x-axis: as the cam turns counter-clockwise under
 /// a tip that stands still, φ falls. The row is positive outside of the cam.
 #[constraint]
-#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
+#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
 #[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
 pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let s = cam.local(follower.point(tip));
@@ -49,7 +49,7 @@ pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) ->
 /// Signs: ψ is counter-clockwise positive from the cam's own x-axis; the row is positive where the face is
 /// off the cam.
 #[constraint]
-#[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
+#[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
 #[require(n.norm() > 0.0, "the normal of the face needs a length above zero")]
 pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: Law) -> f64 {
     let normal = n.normalize();
@@ -68,7 +68,7 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 /// Signs: φ is counter-clockwise positive from the cam's own x-axis; n points out of the cam, to the roller's
 /// side.
 #[constraint]
-#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π (see `Law::periodic`)")]
+#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
 #[require(radius >= 0.0, "the radius of a roller cannot be below zero")]
 pub fn cam_roller(
     cam: Planar,

@@ -50,7 +50,7 @@ pub trait Parameters {
     }
 }
 
-const UNKNOWN: &str = "it was not made by `#[constraint]`, so its parameters are not known";
+const UNKNOWN: &str = "it is written by hand, not made from a function, so its parameters are not known";
 
 /// The parameters of any constraint; one that shows none has none.
 impl dyn Constraint + '_ {

@@ -50,6 +50,89 @@ impl Surface {
             Surface::Command => format!("The files hold the motion up to t = {until}."),
         }
     }
+
+    /// The words before the limit of a run's memory, and those after the cure.
+    pub(crate) fn memory(self) -> (&'static str, &'static str) {
+        match self {
+            Surface::Rust => ("`Options::memory` allows", ", or allow more"),
+            Surface::Python => ("the option `memory` allows", ", or allow more"),
+            Surface::Command => ("a run may take", ""),
+        }
+    }
+
+    /// The cure of a single run that takes too much memory.
+    pub(crate) fn fewer_times(self) -> &'static str {
+        match self {
+            Surface::Rust => {
+                "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times"
+            }
+            Surface::Python | Surface::Command => "Ask for fewer times",
+        }
+    }
+
+    /// The way to go on without proof that the run stays on its branch, after the reasons; the command has
+    /// none.
+    pub(crate) fn unchecked(self) -> &'static str {
+        match self {
+            Surface::Rust => "; `Follow::Unchecked` goes on without asking",
+            Surface::Python => "; `follow=\"unchecked\"` goes on without asking",
+            Surface::Command => "",
+        }
+    }
+
+    /// How the engine is left to Kin.
+    pub(crate) fn any_engine(self) -> &'static str {
+        match self {
+            Surface::Rust => "leave `Options::engine` at `Engine::Auto`",
+            Surface::Python => "leave the option `engine` at `\"auto\"`",
+            Surface::Command => "leave `--engine` at `auto`",
+        }
+    }
+
+    /// The same of forces.
+    pub(crate) fn any_engine_of_forces(self) -> &'static str {
+        match self {
+            Surface::Rust => "ask for its forces by `Engine::Auto`",
+            Surface::Python => "leave `engine` at `\"auto\"`",
+            Surface::Command => "leave `--engine` at `auto`",
+        }
+    }
+
+    /// How a user writes a law of which bounds are known, before another cure.
+    pub(crate) fn readable_law(self) -> &'static str {
+        match self {
+            Surface::Rust => "write it with `#[law]`, without a loop or call that only Rust can read, or ",
+            Surface::Python => "write it with `@kin.law`, or ",
+            Surface::Command => "",
+        }
+    }
+
+    /// How a user writes a force of which Kin knows the formula.
+    pub(crate) fn readable_force(self) -> &'static str {
+        match self {
+            Surface::Rust => "a function with `#[force]`",
+            Surface::Python => "a function with `@kin.force`",
+            Surface::Command => "text in the file",
+        }
+    }
+
+    /// The cures of a constraint whose part of the jerk is not known.
+    pub(crate) fn no_jerk(self) -> &'static str {
+        match self {
+            Surface::Rust => "implement `Constraint::jerk_rhs`, or run without `Options::jerk`",
+            Surface::Python => "run without `jerk=True`",
+            Surface::Command => "run without `--jerk`",
+        }
+    }
+
+    /// Times of a run, as an example.
+    pub(crate) fn many_times(self) -> &'static str {
+        match self {
+            Surface::Rust => "`linspace(0.0, 1.0, 101)`",
+            Surface::Python => "`np.linspace(0.0, 1.0, 101)`",
+            Surface::Command => "`0:1:101`",
+        }
+    }
 }
 
 #[cfg(test)]
@@ -60,5 +143,30 @@ mod tests {
     fn each_surface_has_its_words() {
         let words = [Surface::Rust, Surface::Python, Surface::Command].map(|surface| surface.closure(3e-8));
         assert_eq!(words, ["`Options::closure(3e-8)`", "`run(times, closure=3e-8)`", "`--closure 3e-8`"]);
+    }
+
+    /// Nothing that is said to a user of the wheel or of the command names a path of Rust.
+    #[test]
+    fn only_programs_are_told_paths_of_rust() {
+        for surface in [Surface::Rust, Surface::Python, Surface::Command] {
+            let (limit, more) = surface.memory();
+            let all = [
+                surface.closure(1e-8),
+                surface.motion_before("1 s"),
+                limit.to_string(),
+                more.to_string(),
+                surface.fewer_times().to_string(),
+                surface.unchecked().to_string(),
+                surface.any_engine().to_string(),
+                surface.any_engine_of_forces().to_string(),
+                surface.readable_law().to_string(),
+                surface.readable_force().to_string(),
+                surface.no_jerk().to_string(),
+                surface.many_times().to_string(),
+            ];
+            let of_rust = |text: &&String| ["::", "#[", "()`"].iter().any(|mark| text.contains(mark));
+            let told = all.iter().filter(of_rust).count();
+            assert!(if surface == Surface::Rust { told >= 8 } else { told == 0 }, "{surface:?}: {all:?}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The sentences of error messages that depend on what is known.
 
+use crate::model::error::Error;
 use crate::model::error::surface::Surface;
 use crate::model::motion::Motion;
 use crate::model::units::Units;
@@ -77,8 +78,8 @@ pub(super) fn singular(
 /// Why a guess that is an assembly, but a singular one, is not left for another assembly.
 pub(super) fn drawn(drawn: bool) -> &'static str {
     if drawn {
-        "\n  The drawn pose meets every equation, so Kin does not leave it for another assembly. To begin in \
-         another one, draw the mechanism there, or prefer it by a coordinate or measure."
+        "\n  The drawn position is singular: it meets every equation, so Kin does not leave it for another \
+         assembly. To begin in another one, draw the mechanism there, or prefer it by a coordinate or measure."
     } else {
         ""
     }
@@ -98,8 +99,8 @@ pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Optio
 pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>) -> String {
     format!(
         "t = {at}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or \
-         constraint with a kink, or a position that is singular in more than one way; `Follow::Unchecked` goes \
-         on without asking.{}",
+         constraint with a kink, or a position that is singular in more than one way{}.{}",
+        Surface::chosen().unchecked(),
         computed_before(motion)
     )
 }
@@ -135,11 +136,22 @@ pub(super) fn law_jumps(
 
 /// Says that the motion before the failure is not lost.
 pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
-    let Some((motion, last)) = motion.as_ref().and_then(|motion| Some((motion, *motion.times().last()?)))
-    else {
-        return String::new();
-    };
-    let until = at(last, motion.unit_words());
+    motion.as_deref().map(motion_before).unwrap_or_default()
+}
+
+impl Error {
+    /// The message without its last line, which says where the motion before the failure is: for a page that
+    /// shows that motion.
+    pub fn reason(&self) -> String {
+        let (text, line) = (self.to_string(), self.motion().map(motion_before).unwrap_or_default());
+        text.strip_suffix(&line).unwrap_or(&text).to_string()
+    }
+}
+
+/// The line about the motion before the failure; empty where it has no times.
+pub(super) fn motion_before(motion: &Motion) -> String {
+    let Some(last) = motion.times().last() else { return String::new() };
+    let until = at(*last, motion.unit_words());
     format!("\n  {}", Surface::chosen().motion_before(&until))
 }
 
@@ -165,19 +177,16 @@ pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64
 
 /// The message of motions that need more memory than they may have, and how to need less.
 pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
+    let surface = Surface::chosen();
     let (all, cure) = if motions > 1 {
         (format!("{motions} motions at once of "), "Run the sweep on fewer threads, ask for fewer times")
     } else {
-        (
-            String::new(),
-            "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times",
-        )
+        (String::new(), surface.fewer_times())
     };
     let [needed, allowed] = sizes.map(bytes);
     let (times, coordinates) = (count(times, "time"), count(coordinates, "coordinate"));
-    format!(
-        "{all}{times} of {coordinates} need {needed}; `Options::memory` allows {allowed}.\n  {cure}, or allow more."
-    )
+    let (limit, more) = surface.memory();
+    format!("{all}{times} of {coordinates} need {needed}; {limit} {allowed}.\n  {cure}{more}.")
 }
 
 /// A handle of another mechanism.

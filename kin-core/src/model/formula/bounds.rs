@@ -4,6 +4,7 @@ use crate::numbers::real::Dual3_64;
 use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source};
 
 use crate::model::blame;
+use crate::model::error::surface::Surface;
 use crate::model::formula::{Given, Outside, Table};
 use crate::model::law::Law;
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
@@ -137,9 +138,9 @@ pub(crate) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> 
             let law = law.law()?;
             law.over(&Series::constant(ZERO)).is_none().then(|| {
                 format!(
-                    "of its law `{}` no bounds over an interval are known; write it with `#[law]`, without a loop or call that only Rust can read, or \
-                     take one of the library",
-                    law.kind()
+                    "of its law `{}` no bounds over an interval are known; {}take one of the library",
+                    law.kind(),
+                    Surface::chosen().readable_law()
                 )
             })
         }

@@ -92,6 +92,10 @@ macro_rules! two_parts {
             LawRange::common(self.$first.range(), self.$second.range())
         }
 
+        fn table_range(&self) -> Option<LawRange> {
+            LawRange::common(self.$first.table_range(), self.$second.table_range())
+        }
+
         fn refusal(&self) -> Option<String> {
             self.$first.refusal().or_else(|| self.$second.refusal())
         }
@@ -256,6 +260,10 @@ impl LawFunction for Multiple {
 
     fn range(&self) -> Option<LawRange> {
         self.law.range()
+    }
+
+    fn table_range(&self) -> Option<LawRange> {
+        self.law.table_range()
     }
 
     fn refusal(&self) -> Option<String> {

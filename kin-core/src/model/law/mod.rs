@@ -80,6 +80,12 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
+    /// The arguments of the tables in it, beyond which a table goes on as a straight line: a run that goes
+    /// beyond them reports a warning. `None` (default) where there is no table, or where tables repeat.
+    fn table_range(&self) -> Option<LawRange> {
+        None
+    }
+
     /// Why its parameters make no sense, if so: what uses the law is refused with these words.
     fn refusal(&self) -> Option<String> {
         None

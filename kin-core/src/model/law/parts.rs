@@ -28,15 +28,25 @@ pub(super) fn slope(law: &Law) -> Law {
     Law::new(Slope(law.clone()))
 }
 
-/// The range of f(g(x)): that of g, and where g is a straight line the arguments that it takes into that of
-/// f.
-pub(super) fn range_of_composed(outer: &Law, inner: &Law) -> Option<LawRange> {
+/// A range of f(g(x)), f being the outer law: that of g, and where g is a straight line the arguments that it
+/// takes into that of f.
+pub(super) fn range_of_composed(
+    [outer, inner]: [&Law; 2],
+    range: impl Fn(&Law) -> Option<LawRange>,
+) -> Option<LawRange> {
     let [c0, c1, ..] = inner.jet(0.0);
     let is_line = matches!(inner.kind(), "linear" | "ramp" | "polynomial")
         && c1 != 0.0
         && [1.0, 2.0].iter().all(|x| inner.jet(*x) == [c0 + c1 * x, c1, 0.0, 0.0]);
-    let of_outer = outer.range().filter(|_| is_line).map(|range| range.before(c0, c1));
-    LawRange::common(of_outer, inner.range())
+    let of_outer = range(outer).filter(|_| is_line).map(|range| range.before(c0, c1));
+    LawRange::common(of_outer, range(inner))
+}
+
+impl Law {
+    /// The arguments of the tables in it ([`LawFunction::table_range`]).
+    pub(crate) fn table_range(&self) -> Option<LawRange> {
+        self.0.table_range()
+    }
 }
 
 struct Slope(Law);

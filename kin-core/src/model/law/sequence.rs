@@ -207,6 +207,23 @@ impl LawFunction for Sequence {
         Some(LawRange { from: self.start, to: begin + length, beyond: Beyond::Held })
     }
 
+    /// A part may be longer than its table; beyond the last part the value is held, which is no table's end.
+    fn table_range(&self) -> Option<LawRange> {
+        let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (k, (begin, length, law)) in self.placed().enumerate() {
+            let Some(range) = law.table_range() else { continue };
+            let edge = 1e-9 * length;
+            if k == 0 && range.from > edge {
+                from = begin + range.from;
+            }
+            if range.to < length - edge {
+                to = to.min(begin + range.to);
+            }
+        }
+        let has_end = from.is_finite() || to.is_finite();
+        has_end.then_some(LawRange { from, to, beyond: Beyond::Line })
+    }
+
     fn refusal(&self) -> Option<String> {
         if self.parts.is_empty() {
             return Some("sequence: there is no part in it".to_string());

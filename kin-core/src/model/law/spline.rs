@@ -290,6 +290,10 @@ impl LawFunction for Spline {
         self.points.range()
     }
 
+    fn table_range(&self) -> Option<LawRange> {
+        self.points.range()
+    }
+
     fn refusal(&self) -> Option<String> {
         self.points.refusal("spline")
     }

@@ -20,8 +20,8 @@ pub enum EventKind {
     /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other
     /// side. Derivatives there are those of one side. Of constraints on the dual route kinks are not known.
     Kink,
-    /// A law is asked beyond the arguments that it is made for ([`crate::Law::range`]): the run goes on after
-    /// the end of a table or of a sequence.
+    /// The run goes on beyond the end of a table of a law, where the law is a straight line. A sequence that
+    /// holds its last value is not reported.
     BeyondRange,
 }
 

@@ -17,6 +17,7 @@ use std::sync::Arc;
 
 use super::run::Run;
 use super::{Engine, Options, Stop};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
@@ -52,7 +53,7 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
 
 /// The error for a mechanism that cannot be compiled.
 pub(crate) fn refused(refusal: &Refusal) -> Error {
-    let reason = format!("{refusal}; leave `Options::engine` at `Engine::Auto`");
+    let reason = format!("{refusal}; {}", Surface::chosen().any_engine());
     Error::InvalidOptions { reason }
 }
 
@@ -185,7 +186,7 @@ fn wanted(system: &System, times: usize, options: &Options) -> Result<(Wanted, O
         (Engine::Plain, _) => Ok((Wanted::Plain, None)),
         (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
         (Engine::Compiled, Some(reason)) => Err(Error::InvalidOptions {
-            reason: format!("{reason}; leave `Options::engine` at `Engine::Auto` for that"),
+            reason: format!("{reason}; {} for that", Surface::chosen().any_engine()),
         }),
         (Engine::Auto, _) if !pays(system, times, options) => Ok((Wanted::Plain, None)),
         // The protocol of published comparisons is that of single steps.

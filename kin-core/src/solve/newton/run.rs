@@ -3,6 +3,7 @@
 use super::law_breaks::LawBreaks;
 use super::stepper::Stepper;
 use super::{Options, compiled, redundant};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
@@ -187,9 +188,10 @@ impl<'a> Run<'a> {
 pub(crate) fn check(times: &[f64]) -> Result<()> {
     let fail = |reason: String| Err(Error::InvalidTimes { reason });
     if times.is_empty() {
-        return fail(
-            "there are none; give one at least, or many such as `linspace(0.0, 1.0, 101)`".to_string(),
-        );
+        return fail(format!(
+            "there are none; give one at least, or many such as {}",
+            Surface::chosen().many_times()
+        ));
     }
     // Times increase as a rule; those between finite ends are finite then. All pairs are looked at without a
     // way out, so that registers do it.

@@ -3,6 +3,7 @@
 use super::linear::Side;
 use super::{Block, Equations, Instant};
 use crate::model::error::Error;
+use crate::model::error::surface::Surface;
 use crate::model::state::At;
 
 impl Equations {
@@ -76,7 +77,7 @@ impl Equations {
 
     /// The error for a constraint that does not know its part of the jerk, by one of its rows.
     pub(crate) fn no_jerk(&self, row: usize) -> Error {
-        let reason = "its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`".to_string();
+        let reason = format!("its part of the jerk is not known; {}", Surface::chosen().no_jerk());
         let [constraint, kind] = match self.block_of(row) {
             Some((block, _)) => [block.name.clone(), block.constraint.facts().kind.to_string()],
             None => Default::default(),

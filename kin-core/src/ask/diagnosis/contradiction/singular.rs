@@ -1,4 +1,4 @@
-//! The singular position that a solution cannot be told from.
+//! Finds the singular position beside a solution that is too near to it for rounding to tell them apart.
 //!
 //! Where two solutions coincide, C = 0 holds to rounding at half the digits of q already, so the pose at hand
 //! can have full rank although the solution has not.

@@ -59,17 +59,17 @@ impl Trial<'_> {
             let joints = (0..model.m()).filter(|row| !self.without.contains(row)).count();
             return joints >= model.n() || free.iter().any(|v| walk.beside(q, self.t, v).is_some());
         }
-        // In a toggle a driver drives nothing: poses beside it are asked.
+        // In a toggle a driver drives nothing, so poses beside the toggle are tried.
         let beside = free.iter().take(BESIDE).filter_map(|v| walk.beside(q, self.t, v));
         let poses: Vec<Vec<f64>> = beside.collect();
         drivers.iter().all(|row| poses.iter().any(|q| self.drives(q, measures, *row)))
     }
 
-    /// True if drivers that are more than the joints leave freedoms agree a little later too. Without this a
-    /// length could be told that fits at the moment looked at, and at no other.
+    /// True if drivers still agree a little later, where there are more of them than the joints leave
+    /// freedoms. Without this check Kin could propose a length that fits at this moment and at no other.
     pub(crate) fn goes_on(&self, found: &Found) -> bool {
-        /// Times at which they are asked, in units of the time in which the fastest driver moves something by
-        /// one.   \[-\]
+        /// Times at which they are compared, in units of the time in which the fastest driver moves something
+        /// by one.   \[-\]
         const LATER: [f64; 3] = [0.03, 0.3, 1.0];
         let (model, measures, q) = (&self.model, &found.measures, &found.place.q);
         let count = drivers(model, self.without).len();

@@ -135,7 +135,7 @@ pub(super) fn play(examined: &Examined<'_>, v: &[f64]) -> Option<Play> {
         };
         Play { body: item.name.clone(), play, moves, turns }
     });
-    // Of two that move as far the first is told.
+    // Kin names the first of two bodies that move equally far.
     let further = |a: &Play, b: &Play| {
         let close = (a.moves - b.moves).abs() <= 1e-6 * a.moves.max(b.moves);
         if close { b.turns > (1.0 + 1e-6) * a.turns } else { b.moves > a.moves }

@@ -102,7 +102,11 @@ impl LawFunction for Composed {
     }
 
     fn range(&self) -> Option<LawRange> {
-        range_of_composed(&self.outer, &self.inner)
+        range_of_composed([&self.outer, &self.inner], Law::range)
+    }
+
+    fn table_range(&self) -> Option<LawRange> {
+        range_of_composed([&self.outer, &self.inner], Law::table_range)
     }
 
     fn refusal(&self) -> Option<String> {
