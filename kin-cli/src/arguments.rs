@@ -80,6 +80,10 @@ pub struct Motion {
     /// At the change points of these numbers, counted from 0, turns into the other branch
     #[arg(long, value_delimiter = ',', value_name = "NUMBERS", value_parser = change_point)]
     pub turning: Vec<usize>,
+    /// How much work the run may spend on smaller steps of time than those asked for, as a multiple of the
+    /// usual
+    #[arg(long, value_name = "MULTIPLE", default_value_t = 1.0)]
+    pub effort: f64,
     #[command(flatten)]
     pub closure: Closure,
 }
@@ -87,8 +91,8 @@ pub struct Motion {
 /// How far redundant equations may contradict one another.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct Closure {
-    /// How far redundant equations may contradict one another, as a share of the mechanism's size, from 0 to
-    /// 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
+    /// How far redundant equations may contradict one another, as a share of the mechanism's size, from 0
+    /// to 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
     #[arg(long = "closure", value_name = "SHARE", default_value_t = 0.0)]
     pub share: f64,
 }
@@ -246,7 +250,8 @@ pub struct Tolerance {
     /// Proves bounds by interval arithmetic too, which hold for every mechanism within the tolerances
     #[arg(long, requires = "of")]
     pub proved: bool,
-    /// Makes so many mechanisms at random too, and tells mean, σ, quantiles and how many cannot be assembled
+    /// Makes so many mechanisms at random too, and tells mean, σ, quantiles and how many cannot be
+    /// assembled
     #[arg(long, value_name = "COUNT")]
     pub samples: Option<usize>,
     /// The same seed gives the same samples
@@ -290,8 +295,8 @@ pub struct Forces {
     pub model: Model,
     #[command(flatten)]
     pub motion: Motion,
-    /// Where redundant constraints share a force, the shares whose squares have the least sum; without it no
-    /// number is given for them
+    /// Where redundant constraints share a force, the shares whose squares have the least sum; without it
+    /// no number is given for them
     #[arg(long)]
     pub least_norm: bool,
     /// Where the table goes

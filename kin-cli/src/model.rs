@@ -95,6 +95,7 @@ pub fn options(asked: &arguments::Motion, jerk: bool) -> Options {
             [] => Follow::default(),
             numbers => Follow::Turning(numbers.to_vec()),
         },
+        effort: asked.effort,
         ..Options::closure(asked.closure.share)
     }
 }

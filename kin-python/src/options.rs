@@ -41,7 +41,7 @@ pub fn assembly_options(given: &Bound<'_, PyDict>) -> PyResult<AssemblyOptions> 
 }
 
 const KNOWN: &str = "max_iterations, tolerance, residual_only, predict, rescue, halvings, jerk, closure, follow, \
-                     turning, engine, memory";
+                     turning, engine, memory, effort";
 
 fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<()> {
     match name {
@@ -54,6 +54,7 @@ fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<
         "jerk" => options.jerk = given.extract()?,
         "closure" => options.closure = given.extract()?,
         "memory" => options.memory = given.extract()?,
+        "effort" => options.effort = given.extract()?,
         "turning" => options.follow = Follow::Turning(given.extract()?),
         "follow" => {
             options.follow = match given.extract::<String>()?.as_str() {

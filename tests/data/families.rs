@@ -239,26 +239,52 @@ fn rssr(lengths: [f64; 3], [centre, axis]: [Vec3; 2], law: Law, frame: Frame) ->
     m.build()
 }
 
-pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<System> {
+/// Crank, rod and offset.
+fn near_equal_slider_crank(random: &mut Random) -> [f64; 3] {
+    let excess = random.one_of(&[1e-1, 1e-3, 1e-6, 1e-9, -1e-3]);
+    [1.0, 1.0 + excess, random.one_of(&[0.0, 0.0, 1e-6, 0.1])]
+}
+
+/// Crank, coupler, rocker and ground.
+fn parallelogram_but_for_its_coupler(random: &mut Random) -> [f64; 4] {
+    [1.0, 2.0 + random.one_of(&[1e-3, 1e-4, 1e-6, -1e-6, 1e-9, -1e-9]), 1.0, 2.0]
+}
+
+/// The law that drives a mechanism, and the side on which it begins.
+fn drawn(family: usize, random: &mut Random) -> (Law, bool) {
     let law = if family == 7 { random.law(1.05, 2.9) } else { random.law(-1e9, 1e9) };
-    let (law, up) = (frame.in_time(law), random.0.bool());
+    (law, random.0.bool())
+}
+
+/// By how much the lengths of that mechanism, in units of its size, are off those at which all links come to
+/// lie in line: less than this change decides whether it has a toggle, a change point or neither.
+#[allow(dead_code)]
+pub fn margin(family: usize, random: &mut Random) -> f64 {
+    drawn(family, random);
     match family {
         0 => {
-            let excess = random.one_of(&[1e-1, 1e-3, 1e-6, 1e-9, -1e-3]);
-            slider_crank([1.0, 1.0 + excess, random.one_of(&[0.0, 0.0, 1e-6, 0.1])], law, up, frame)
+            let [crank, rod, offset] = near_equal_slider_crank(random);
+            (rod - crank - offset).abs().min((rod - crank + offset).abs())
         }
+        2 => {
+            let [_, coupler, _, ground] = parallelogram_but_for_its_coupler(random);
+            (coupler - ground).abs()
+        }
+        _ => f64::INFINITY,
+    }
+}
+
+pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<System> {
+    let (law, up) = drawn(family, random);
+    let law = frame.in_time(law);
+    match family {
+        0 => slider_crank(near_equal_slider_crank(random), law, up, frame),
         1 => {
             let [rod, offset, crank] =
                 [random.within(0.3, 2.0), random.within(-0.5, 0.5), random.within(0.3, 2.0)];
             slider_crank([crank, rod, offset], law, up, frame)
         }
-        2 => four_bar(
-            [1.0, 2.0 + random.one_of(&[1e-3, 1e-4, 1e-6, -1e-6, 1e-9, -1e-9]), 1.0, 2.0],
-            law,
-            false,
-            None,
-            frame,
-        ),
+        2 => four_bar(parallelogram_but_for_its_coupler(random), law, false, None, frame),
         3 => four_bar(random.lengths(0.3, 2.0), law, true, None, frame),
         4 => {
             let (bars, [a, b]) = (random.lengths::<3>(1.0, 3.0), random.lengths(0.5, 3.0));

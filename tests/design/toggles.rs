@@ -8,9 +8,14 @@ use crate::engines::Engines;
 
 /// A four-bar that its crank drives to where coupler and rocker are in line: θ = 0.4 + 0.7 t.
 fn four_bar() -> System {
+    four_bar_in(1.0, None)
+}
+
+/// The same in other units, and a feed of that speed beside it.
+fn four_bar_in(unit: f64, feed: Option<f64>) -> System {
     let mut m = Mechanism::new("four-bar");
     let [a, b, c, d] = [("a", 0.3), ("b", 0.2), ("c", 0.25), ("d", 0.35)]
-        .map(|(name, value)| m.dimension(name, value).expect("a dimension"));
+        .map(|(name, value)| m.dimension(name, value * unit).expect("a dimension"));
     let speed = m.dimension("speed", 0.7).expect("a dimension");
     let [crank, coupler, rocker] =
         [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
@@ -20,6 +25,10 @@ fn four_bar() -> System {
     m.add("C", revolute(rocker, Ground, rocker.start(), (d, 0.0))).expect("adds");
     m.add("motor", drive_angle(crank, Law::linear(0.4, speed))).expect("adds");
     m.prefer(rocker, 1.2);
+    if let Some(feed) = feed {
+        let x = m.length("x", 0.0).expect("a length");
+        m.add("feed", drive(x, Law::ramp(feed * unit))).expect("adds");
+    }
     m.build().expect("a four-bar")
 }
 
@@ -61,6 +70,38 @@ fn the_time_of_a_toggle_is_that_of_its_closed_form() {
     assert!(((beside(h) - beside(-h)) / (2.0 * h) - by[1]).abs() < 1e-5 * by[1].abs());
 }
 
+/// The same in mm, km and beside what is driven far faster: a share decides whether a driver pushes.
+#[test]
+fn the_time_of_a_toggle_has_derivatives_in_all_units_and_beside_fast_drivers() {
+    let (x, w) = ((0.3_f64 * 0.3 + 0.35 * 0.35 - 0.45 * 0.45) / (2.0 * 0.3 * 0.35), 0.7);
+    let by_b = 0.45 / (0.3 * 0.35 * w * (1.0 - x * x).sqrt());
+    for unit in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
+        for feed in [None, Some(1e3), Some(-1e7)] {
+            let system = four_bar_in(unit, feed);
+            let found = toggle(&system);
+            assert!((found.t - (x.acos() - 0.4) / w).abs() < 1e-10, "{unit} {feed:?}: {}", found.t);
+            let by = system.toggle_by(&found, ["b", "speed"]).expect("derivatives");
+            let exact = [by_b / unit, -found.t / w];
+            for (by, exact) in by.iter().zip(exact) {
+                assert!((by - exact).abs() < 1e-8 * exact.abs(), "{unit} {feed:?}: {by} {exact}");
+            }
+        }
+    }
+}
+
+/// A change point has none in any units, called a toggle or not.
+#[test]
+fn the_time_of_a_change_point_has_no_derivatives_in_any_units() {
+    for unit in [1e-6, 1.0, 1e6] {
+        let system = parallelogram_in(unit);
+        let motion = system.run_both(linspace(0.0, 4.0, 41)).expect("a motion");
+        let mut change = motion.singular_positions().last().expect("a change point").clone();
+        change.kind = kin::SingularKind::TurningPoint;
+        let told = system.toggle_by(&change, ["P.u_i.x"]).expect_err("an error").to_string();
+        assert!(told.contains("no driver pushes the parts that are singular"), "{unit}: {told}");
+    }
+}
+
 /// The errors of a derivative by a name, forward and backward, which are one.
 fn said(system: &System, motion: &Motion, name: &str) -> String {
     let forward = system.sensitivities(motion, [name]).err().expect("an error").to_string();
@@ -88,13 +129,18 @@ fn there_is_no_gradient_at_a_toggle() {
 
 /// A parallelogram whose cranks are in line at π: beyond it there are two branches.
 fn parallelogram() -> System {
+    parallelogram_in(1.0)
+}
+
+/// The same in other units.
+fn parallelogram_in(unit: f64) -> System {
     let mut m = Mechanism::new("parallelogram");
-    let (a, b) = (m.link("a", 1.0).expect("a link"), m.link("b", 1.0).expect("a link"));
-    let coupler = m.link("coupler", 2.0).expect("a link");
+    let (a, b) = (m.link("a", unit).expect("a link"), m.link("b", unit).expect("a link"));
+    let coupler = m.link("coupler", 2.0 * unit).expect("a link");
     m.add("O", revolute(m.ground(), a, vec2(0.0, 0.0), a.start())).expect("adds");
     m.add("A", revolute(a, coupler, a.end(), coupler.start())).expect("adds");
     m.add("B", revolute(coupler, b, coupler.end(), b.end())).expect("adds");
-    m.add("P", revolute(m.ground(), b, vec2(2.0, 0.0), b.start())).expect("adds");
+    m.add("P", revolute(m.ground(), b, vec2(2.0 * unit, 0.0), b.start())).expect("adds");
     m.add("motor", drive_angle(a, Law::linear(1.0, 1.0))).expect("adds");
     m.build().expect("a parallelogram")
 }

@@ -4,6 +4,7 @@ mod between;
 mod campaign;
 mod change_points;
 mod coarse;
+mod effort;
 mod failures;
 mod models;
 mod moved;
@@ -15,3 +16,6 @@ mod toggles;
 mod engines;
 #[path = "../data/families.rs"]
 mod families;
+#[allow(dead_code)]
+#[path = "../data/steps.rs"]
+mod steps;

@@ -3,7 +3,7 @@
 use kin::prelude::*;
 use kin::{Engine, Error, Options, SingularKind};
 
-use crate::families::{FAMILIES, Frame, Random, system};
+use crate::families::{FAMILIES, Frame, Random, margin, system};
 
 #[constraint]
 fn implicit(x: Coord, z: Coord, place: f64, size: f64) -> f64 {
@@ -169,7 +169,7 @@ fn pair(number: usize, frame: Frame) -> Option<[System; 2]> {
 
 /// How many mechanisms a test run takes; `KIN_CAMPAIGN=1000` for many.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(12)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(20)
 }
 
 #[test]
@@ -178,23 +178,30 @@ fn mechanisms_that_are_moved_and_scaled_do_the_same() {
     for number in 0..count() {
         let steps = Random::of(number + 7).one_of(&[3, 9, 36]);
         let times = linspace(0.0, 1.0, steps + 1);
-        for (scale, place) in [(1.0, 1e6), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0)] {
-            // Far away rounding hides near-equal links, and whether two loops toggle at once.
-            if place != 0.0 && [0, 2, 5].contains(&(number % FAMILIES.len())) {
+        for (scale, place) in [(1.0_f64, 1e6_f64), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0)] {
+            // Rounding of the moved points, of which a loop has several, decides how links pass their line.
+            let (family, rounding) = (number % FAMILIES.len(), f64::EPSILON * place.abs() / scale);
+            let margin = margin(family, &mut Random::of(number));
+            if margin <= 64.0 * rounding {
                 continue;
             }
             let frame = Frame { scale, place, ..Frame::default() };
+            // Branches come as near one another as the root of that margin, and turns within a length of
+            // the cube root of rounding are not told from it: there a run may end and say so.
+            let may_end = margin <= (64.0 * rounding).powf(2.0 / 3.0);
             let Some([here, there]) = pair(number, frame) else { continue };
             let expected = run(&here, &times, Engine::Plain);
             for engine in [Engine::Plain, Engine::Compiled] {
                 let found = run(&there, &times, engine);
-                let rounding = f64::EPSILON * place.abs() / scale;
                 let what = format!(
                     "number {number}, {} in {steps} steps, by {scale} to {place}, {engine:?}",
-                    FAMILIES[number % FAMILIES.len()]
+                    FAMILIES[family]
                 );
-                seen += alike(&found, &expected, rounding, &what);
                 tried += 1;
+                if may_end && found.as_ref().is_err_and(|error| !matches!(error, Error::Toggle { .. })) {
+                    continue;
+                }
+                seen += alike(&found, &expected, rounding, &what);
             }
         }
     }
@@ -231,6 +238,65 @@ fn numbers_have_their_digits_where_slopes_hardly_bend() {
                 let [_, y, z] = motion.q(k) else { panic!() };
                 let off = (z / size + 0.3 * (z / size).sin() - y / size).abs();
                 assert!(off < 1e-11, "{size} from {from}, time {k}: off by {off} of the size");
+            }
+        }
+    }
+}
+
+/// z + 0.6 sin 2z = x of distances from a carriage.
+#[constraint]
+fn riding(x: Coord, z: Coord, carriage: Coord, size: f64) -> f64 {
+    let w = (z - carriage) / size;
+    size * (w + 0.6 * (2.0 * w).sin()) - (x - carriage)
+}
+
+/// A fold of that size beside a carriage that moves, or on it.
+fn carried(far: f64, size: f64, begin: f64, rides: bool) -> System {
+    let mut m = Mechanism::new("carried");
+    let carriage = m.length("carriage", begin).unwrap();
+    m.add("feed", drive(carriage, Law::linear(begin, far))).unwrap();
+    let own = Law::sine(2.0 * size, 3.0, 0.0);
+    if rides {
+        let (x, z) = (m.length("x", begin).unwrap(), m.length("z", begin).unwrap());
+        m.add("x", drive(x, Law::linear(begin, far) + own)).unwrap();
+        m.add("z", riding(x, z, carriage, size)).unwrap();
+    } else {
+        let (x, z) = (m.length("x", 0.0).unwrap(), m.length("z", 0.0).unwrap());
+        m.add("x", drive(x, own)).unwrap();
+        m.add("z", implicit(x, z, 0.0, size)).unwrap();
+    }
+    m.build().unwrap()
+}
+
+/// The same beside a carriage that goes far away during the run, and on it: sizes are those of the first
+/// position.
+///
+/// Rounding of where the carriage is, ε v, moves what rides on it at the fold by the root of that, and the
+/// fold turns within size² / v: from v = 1e5 sizes a second on rounding hides how it turns. Then the run
+/// still ends there, with an error of another kind.
+#[test]
+fn a_fold_is_found_beside_what_is_carried_far_away() {
+    let at = 0.5 * (-1.0_f64 / 1.2).acos();
+    let expected = ((at + 0.6 * (2.0 * at).sin()) / 2.0).asin() / 3.0;
+    let beside = [(1.0, 1.0), (1e3, 1.0), (1e6, 1.0), (1e6, 1e-3), (-1e9, 1.0), (1e12, 1e-3), (1e9, 1e3)];
+    let riding = [(1.0, 1.0), (1e3, 1.0), (-1e4, 1.0), (10.0, 1e-3), (1e6, 1.0), (-1e9, 1e3)];
+    let all = beside.map(|case| (case, false)).into_iter().chain(riding.map(|case| (case, true)));
+    for (((far, size), rides), begin) in all.flat_map(|case| [(case, 0.0), (case, 1.0)]) {
+        let system = carried(far, size, begin, rides);
+        let pace = if rides { far.abs() / size } else { 0.0 };
+        for engine in [Engine::Plain, Engine::Compiled] {
+            for points in [8, 20, 50, 400] {
+                let what = format!("{far} {size} {rides} from {begin}, {points} times, {engine:?}");
+                let error = run(&system, &linspace(0.0, 1.0, points), engine).expect_err(&what);
+                let last = error.to_string().split_once(" s:").map(|(t, _)| t.replace("t = ", ""));
+                let last: f64 = last.unwrap_or_default().parse().expect(&what);
+                assert!((last - expected).abs() < 1e-7, "{what}: {error}");
+                let Error::Toggle { t, .. } = error else {
+                    assert!(pace > 1e5, "{what}: {error}");
+                    continue;
+                };
+                let allowed = 1e-9 + 1e2 * f64::EPSILON * pace;
+                assert!((t - expected).abs() < allowed, "{what}: {t} {expected}");
             }
         }
     }

@@ -215,6 +215,13 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
                     panic!("{loops} {points}: {error}")
                 };
                 assert!((t - expected).abs() < 1e-9, "{loops} {points}: {t} {expected}");
+                // Each loop alone is locked by the others, and all of them together follow the motor.
+                let text = error.to_string();
+                assert!(
+                    text.contains("out of reach: `motor` asks for crank.theta"),
+                    "{loops} {points}: {text}"
+                );
+                assert!(!text.contains("does not fit"), "{loops} {points}: {text}");
                 for k in 0..loops {
                     for part in ["coupler", "rocker"] {
                         assert!(movable.contains(&format!("{part} {k}")), "{loops} {points}: {movable:?}");

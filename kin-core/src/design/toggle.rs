@@ -14,8 +14,13 @@ use crate::system::System;
 /// Singular values below this share of the largest vanish.   \[-\]
 const VANISHES: f64 = 1e-7;
 
-/// The drivers have to push with this share of what they could; less is a change point, whose place a run
-/// knows to some 1e-8 of its sizes.   \[-\]
+/// A driver takes part in what is singular if λ has more than this share of its row, rows and columns being
+/// of order 1 and λ of length 1; and those that take part have to push with more than this share of what
+/// they could together.
+///
+/// A run knows the place of a change point to some 1e-8 of its sizes, and λ turns by as much: a share of
+/// 1e-6 is a hundred times that. Both are shares in units of the sizes, so that they are the same in mm and
+/// in km. A driver that takes no part may be as fast as it likes.   \[-\]
 const PUSHES: f64 = 1e-6;
 
 impl System {
@@ -49,8 +54,9 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors, each by name: a change point, whose branches cross at this value only; a redundant mechanism;
-    /// several parts that are singular at once; and those of [`System::sensitivities`] but the first one.
+    /// Errors, each by name: a change point, whose branches cross at this value only; a redundant
+    /// mechanism; several parts that are singular at once; and those of [`System::sensitivities`] but the
+    /// first one.
     pub fn toggle_by(
         &self,
         toggle: &SingularPosition,
@@ -77,11 +83,15 @@ impl System {
         let Some(Combination { lambda, norms }) = self.combination(q, t)? else {
             return refused(format!("at t = {t} {s} several parts are singular at once"));
         };
-        let dot = |all: &[f64]| lambda.iter().zip(all).map(|(l, x)| l * x).sum::<f64>();
         let c_t = self.c_t(q, t)?;
         // In rows of order 1 no entry of λ is above 1.
-        let could: f64 = norms.iter().zip(&c_t).map(|(norm, x)| (x / norm).abs()).sum();
-        let pushes = dot(&c_t);
+        let [mut pushes, mut could] = [0.0; 2];
+        for ((l, norm), x) in
+            lambda.iter().zip(&norms).zip(&c_t).filter(|((l, norm), _)| (*l * **norm).abs() > PUSHES)
+        {
+            pushes += l * x;
+            could += (x / norm).abs();
+        }
         if pushes.abs() <= PUSHES * could {
             return refused(format!("at t = {t} {s} no driver pushes the parts that are singular"));
         }

@@ -5,6 +5,9 @@
 //! mechanisms) stands on this; the driver does not.
 
 use crate::linear::{Echelon, RANK, Sparse};
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
+
 use crate::model::error::Error;
 use crate::model::layout::Layout;
 use crate::model::units::Unit;
@@ -25,6 +28,28 @@ pub(crate) struct Model<'a> {
     pub links: &'a [f64],
     /// By how much of their norms rows may be off and count as met, beyond rounding.   \[-\]
     pub closure: f64,
+    /// The work that searches may spend on it; none where their own limits are all.
+    pub work: Option<&'a Work>,
+}
+
+/// Work that may be spent on searches, counted in values of C_q that are computed and factored: it is not
+/// timed, so that the outcome is the same on each machine.
+#[derive(Debug)]
+pub(crate) struct Work(AtomicU64);
+
+impl Work {
+    pub(crate) fn new(values: f64) -> Self {
+        Work(AtomicU64::new(values as u64))
+    }
+
+    /// True if nothing is left.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.0.load(Relaxed) == 0
+    }
+
+    fn spend(&self, values: usize) {
+        self.0.store(self.0.load(Relaxed).saturating_sub(values as u64), Relaxed);
+    }
 }
 
 /// C and the values of C_q at one pose.
@@ -34,8 +59,8 @@ pub(crate) struct Point {
     pub values: Vec<f64>,
 }
 
-/// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few poses: by them
-/// everything is of order 1.
+/// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few poses: by
+/// them everything is of order 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Measures {
     pub sizes: Vec<f64>,
@@ -47,6 +72,18 @@ pub(crate) struct Measures {
 impl Model<'_> {
     pub(crate) fn n(&self) -> usize {
         self.layout.len()
+    }
+
+    /// One more step of a search is asked for; false if no work is left for it.
+    pub(crate) fn may_search(&self) -> bool {
+        let Some(work) = self.work else { return true };
+        work.spend(self.equations.entries.len());
+        !work.is_spent()
+    }
+
+    /// True if no work is left for searches.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.work.is_some_and(Work::is_spent)
     }
 
     pub(crate) fn m(&self) -> usize {
@@ -71,8 +108,8 @@ impl Model<'_> {
         Ok(rhs)
     }
 
-    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order of a motion
-    /// along v that time has no part in.
+    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order of a
+    /// motion along v that time has no part in.
     pub(crate) fn second_order(&self, q: &[f64], t: f64, v: &[f64], t_dot: f64) -> Result<Vec<f64>, Bad> {
         let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
         self.equations.set_rates(v, &mut instant);

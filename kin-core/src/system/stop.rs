@@ -7,6 +7,9 @@ use crate::numbers::lanes::lanewise::Judged;
 /// position.   \[-\]
 pub(crate) const STALL: f64 = 1e-9;
 
+/// Pivots below this are those of a singular position, which Newton's method does not come to.   \[-\]
+const SMALLEST: f64 = 1e-3;
+
 /// Quad roundings of a number in units of the tolerance: a number that large may be off by that much.
 pub(crate) fn rounding(tolerance: f64) -> f64 {
     4.0 * f64::EPSILON / tolerance
@@ -20,6 +23,14 @@ pub(crate) fn rounding(tolerance: f64) -> f64 {
 #[inline(always)]
 pub(crate) fn has_stalled<N: Judged>(correction: N, previous: N) -> N::Answer {
     correction.above(correction.all(0.5) * previous) & correction.at_most(correction.all(STALL))
+}
+
+/// A correction that no longer shrinks, of equations that are met, is rounding of q itself where it is no
+/// larger than this: far from the origin, beside a singular position, more cannot be had. q in units of its
+/// sizes; a pivot below [`SMALLEST`] makes no more of rounding than that one does.   \[-\]
+pub(crate) fn resting(q: &[f64], sizes: &[f64], pivot: f64) -> f64 {
+    let farthest = q.iter().zip(sizes).fold(0.0_f64, |most, (q, size)| most.max((q / size).abs()));
+    16.0 * f64::EPSILON * farthest / pivot.clamp(SMALLEST, 1.0)
 }
 
 /// |dq| of a coordinate against its size, with `rounding` of it allowed for.

@@ -106,7 +106,7 @@ class System:
 
         Options: `tolerance`, `jerk`, `engine` ("auto", "plain" or "compiled"), `follow` ("smooth" or "unchecked"), `turning`
         (numbers of change points), `closure`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
-        `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
+        `effort`, `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
 
         Warns (`warnings.warn`) where the run goes beyond the table of a law, where that is a straight line; `motion.events` says so
         too.

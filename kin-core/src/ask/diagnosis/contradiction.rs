@@ -90,7 +90,7 @@ impl Search<'_> {
             if next.met || next.place.merit < LOWER * best.place.merit {
                 best = Found { starts: best.starts, ..next };
             }
-            if best.met || self.clock.is_up() {
+            if best.met || self.is_up() {
                 break;
             }
         }
@@ -186,7 +186,7 @@ impl Search<'_> {
     fn let_go(&self, found: Found, first: &[usize]) -> Placed {
         let (starts, mut found) = (found.starts, found);
         let mut open: Vec<usize> = Vec::new();
-        while !found.met && open.len() < self.options.let_go && !self.clock.is_up() {
+        while !found.met && open.len() < self.options.let_go && !self.is_up() {
             let Some((block, next)) = self.most_telling(&found, &open, first) else { break };
             open.push(block);
             found = next;
@@ -247,6 +247,9 @@ impl Search<'_> {
         };
         let mut best: Option<(usize, Found)> = None;
         for block in drivers {
+            if self.is_up() {
+                break;
+            }
             let without: Vec<usize> = let_go(block).collect();
             let trial =
                 Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
@@ -293,6 +296,9 @@ impl Search<'_> {
     fn best_of(&self, found: &Found, open: &[usize], blocks: &[usize]) -> Option<(usize, Found)> {
         let mut best: Option<(usize, Found)> = None;
         for &block in blocks {
+            if self.is_up() {
+                break;
+            }
             let Some(next) = self.without(found, open, block) else { continue };
             if next.met && near(&self.model, found, &next, block) {
                 return Some((block, next));

@@ -32,8 +32,8 @@ fn dependency(
     let norms = &examined.measures().norms;
     let unit = norms[own];
     let mut combination: Sparse = vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
-    if combination.iter().any(|(row, _)| examined.open(*row)) {
-        // At a smallest gap the pose is known to fewer digits, and so are the coefficients.
+    if !examined.gaps.is_empty() {
+        // At a smallest gap the pose is known to fewer digits, and so are all coefficients.
         combination.retain(|(row, z)| *row == own || (z * norms[*row] / unit).abs() > OPEN);
     }
     combination.sort_by_key(|(row, _)| (*row != own, *row));

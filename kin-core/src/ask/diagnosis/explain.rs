@@ -5,7 +5,7 @@ use crate::model::error::Error;
 use crate::solve::explain::{Explain, Start};
 use crate::solve::newton::Options;
 use crate::system::System;
-use crate::system::scaled::Model;
+use crate::system::scaled::{Model, Work};
 
 /// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
 const EXAMINED: usize = 1500;
@@ -13,17 +13,29 @@ const EXAMINED: usize = 1500;
 /// The functions that explain a failed run by its diagnosis.
 pub(crate) const EXPLAIN: Explain = Explain { cannot_be_driven, explained };
 
+/// Values of C_q that the diagnosis of a failed run may compute and factor: some seconds' worth.
+const WORK: f64 = 2e8;
+
 fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {
-    match diagnose(model, start, t, &DiagnosisOptions::searching(&options.search)) {
+    let work = Work::new(WORK * options.effort);
+    let found = diagnose(
+        Model { work: Some(&work), ..model },
+        start,
+        t,
+        &DiagnosisOptions::searching(&options.search),
+    );
+    match found {
+        // Of a search that was not brought to its end nothing is reported.
+        Ok(_) if work.is_spent() => unsolved(model, start, t, None),
         // An error never carries the verdict that there is none.
-        Ok(diagnosis) if diagnosis.can_be_driven() => unsolved(model, start, t, diagnosis),
+        Ok(diagnosis) if diagnosis.can_be_driven() => unsolved(model, start, t, Some(diagnosis)),
         Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
         Err(error) => error,
     }
 }
 
 /// The error of a position that the solver has not found although the diagnosis sees nothing wrong.
-fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Diagnosis) -> Error {
+fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Option<Diagnosis>) -> Error {
     let (Start::Guess(q) | Start::Pose(q)) = start;
     let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();
     let rows = c.iter().map(|c| c.abs()).enumerate();
@@ -39,7 +51,7 @@ fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Diagnosis) ->
         row,
         residual,
         last: None,
-        diagnosis: Some(Box::new(diagnosis)),
+        diagnosis: diagnosis.map(Box::new),
         motion: None,
     }
 }
@@ -52,8 +64,11 @@ pub(crate) fn explained(mut error: Error, system: &System, options: &Options) ->
     {
         let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
         let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
-        let found = diagnose(system.model(), start, *t, &DiagnosisOptions::searching(&options.search));
-        *diagnosis = found.ok().map(Box::new);
+        let work = Work::new(WORK * options.effort);
+        let model = Model { work: Some(&work), ..system.model() };
+        let found = diagnose(model, start, *t, &DiagnosisOptions::searching(&options.search));
+        // Of a search that was not brought to its end nothing is reported.
+        *diagnosis = found.ok().filter(|_| !work.is_spent()).map(Box::new);
     }
     error
 }

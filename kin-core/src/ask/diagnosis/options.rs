@@ -43,3 +43,10 @@ pub(super) struct Search<'a> {
     pub options: &'a DiagnosisOptions,
     pub clock: Clock,
 }
+
+impl Search<'_> {
+    /// True if nothing else is to be tried: the time is over, or the work spent.
+    pub(super) fn is_up(&self) -> bool {
+        self.clock.is_up() || self.model.is_spent()
+    }
+}

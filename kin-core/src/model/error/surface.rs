@@ -80,6 +80,21 @@ impl Surface {
         }
     }
 
+    /// The reason why a run ends that would need more smaller steps than it may take.
+    pub(crate) fn too_many_steps(self) -> &'static str {
+        match self {
+            Surface::Rust => {
+                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `Options::effort`"
+            }
+            Surface::Python => {
+                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `effort`"
+            }
+            Surface::Command => {
+                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `--effort`"
+            }
+        }
+    }
+
     /// How the engine is left to Kin.
     pub(crate) fn any_engine(self) -> &'static str {
         match self {

@@ -112,6 +112,7 @@ impl<'a> LevenbergMarquardt<'a> {
             && here.merit > ZERO
             && DAMPING.contains(&self.damping)
             && idle < IDLE
+            && self.model.may_search()
         {
             let Some((next, length)) = self.step(&here) else {
                 self.damping *= 4.0;

@@ -3,7 +3,7 @@
 
 use super::branching::{self, Branching};
 use super::curve::{Curve, CurvePoint};
-use super::singular;
+use super::singular::{self, Scales};
 use super::turning;
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;
@@ -89,8 +89,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         to: f64,
         other: &'w dyn Fn(usize) -> bool,
     ) -> Option<Self> {
-        let time = singular::time(newton, q, t, to - t);
-        let mut curve = Curve::new(newton.system, &newton.sizes, time);
+        let Scales { sizes, time } = singular::scales(newton, q, t, to - t);
+        let mut curve = Curve::new(newton.system, &sizes, time);
         let sign = (to - t).signum();
         let along: Vec<f64> = newton.qd.iter().chain([&1.0]).map(|x| sign * x).collect();
         let length = curve.dot(&along, &along).sqrt();

@@ -25,6 +25,43 @@ impl SingularPosition {
 
 /// Drivers that move nothing by more than this within a step of time stand still.   \[-\]
 const STILL: f64 = 1e-12;
+/// Coordinates that enter all equations linearly are measured by how far they go where they are so many
+/// times as fast as the others.   \[-\]
+const OUTRUN: f64 = 100.0;
+
+/// The measures of the curve through (q, t).
+pub(super) struct Scales {
+    pub sizes: Vec<f64>,
+    pub time: f64,
+}
+
+/// The sizes of coordinates by which steps are judged, and the measure of time.
+///
+/// Along a coordinate whose column of C_q is constant no equation bends, so that it may have any size. One
+/// that is carried away fast (a feed, a carriage) must not make the others seem to stand still: it is
+/// measured by how far it goes while the fastest of the others moves by its size.
+pub(super) fn scales(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> Scales {
+    let (time, mut sizes) = (time(newton, q, t, h), newton.sizes.clone());
+    let equations = newton.system.equations();
+    let mut is_linear = vec![true; sizes.len()];
+    for (entry, constant) in equations.entries.iter().zip(&equations.constants) {
+        if let (Some((_, column)), None) = (entry, constant) {
+            is_linear[*column] = false;
+        }
+    }
+    let paces = newton.qd.iter().zip(&sizes).zip(&is_linear).filter(|(_, is_linear)| !**is_linear);
+    let fastest = paces.fold(0.0_f64, |most, ((qd, size), _)| most.max((qd / size).abs()));
+    let slower = fastest.recip().min(h.abs());
+    if !(slower > OUTRUN * time && slower.is_finite()) {
+        return Scales { sizes, time };
+    }
+    for ((size, qd), _) in
+        sizes.iter_mut().zip(newton.qd.iter()).zip(&is_linear).filter(|(_, is_linear)| **is_linear)
+    {
+        *size = size.max(qd.abs() * slower);
+    }
+    Scales { sizes, time: slower }
+}
 
 /// The measure of time: what the fastest driver needs to move something of order 1; the step of time where
 /// all stand still, or begin to move.

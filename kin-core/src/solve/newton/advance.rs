@@ -1,9 +1,10 @@
 //! From one solved time to the next: in one step of time if that works, else in smaller ones, which grow
-//! again. Plain steps and those of redundant mechanisms are taken by this one loop; programs take whole steps
-//! only, and leave the rest to it where that needs smaller ones.
+//! again. Plain steps and those of redundant mechanisms are taken by this one loop; programs take whole
+//! steps only, and leave the rest to it where that needs smaller ones.
 
 use super::Outcome;
 use super::options::resolution;
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
@@ -19,16 +20,18 @@ pub(super) const SHORTEST: f64 = 1e-9;
 const MANY: f64 = 8192.0;
 
 /// The effort that a run may spend on smaller steps of time, which are no results: so many steps times
-/// coordinates, `OVERHEAD` of them for what each step does beside its coordinates. A processor of today takes
-/// some seconds for it. And so many smaller steps for each time of the run.
+/// coordinates, `OVERHEAD` of them for what each step does beside its coordinates. A processor of today
+/// takes some seconds for it. And so many smaller steps for each time of the run.
 const EFFORT: f64 = 1e7;
 const OVERHEAD: f64 = 4.0;
 const EACH: f64 = 20.0;
 
+/// The length of a step may be all that is wrong with it where it is more than this share of the time asked
+/// for.   \[-\]
+const CLEARLY_SHORT: f64 = 1e-6;
+
 /// A step along a curve takes as long as so many of these.
 const ALONG: f64 = 10.0;
-
-pub(super) const TOO_MANY: &str = "millions of smaller steps lead to the next time, which is too far away: give times that are nearer to one another";
 
 /// The work that a run may still spend on smaller steps of time. It is counted, not timed, so that the
 /// verdict is the same on each machine.
@@ -36,17 +39,19 @@ pub(super) const TOO_MANY: &str = "millions of smaller steps lead to the next ti
 pub(crate) struct Effort {
     /// Smaller steps that are left.
     left: f64,
+    /// Smaller steps that each time of the run adds.
+    each: f64,
 }
 
 impl Effort {
-    /// For a run of a system with so many coordinates.
-    pub(crate) fn new(coordinates: usize) -> Self {
-        Effort { left: EFFORT / (OVERHEAD + coordinates as f64) }
+    /// For a run of a system with so many coordinates, with so many times the usual effort.
+    pub(crate) fn new(coordinates: usize, times: f64) -> Self {
+        Effort { left: times * EFFORT / (OVERHEAD + coordinates as f64), each: times * EACH }
     }
 
     /// One more time is asked for.
     pub(super) fn grant(&mut self) {
-        self.left += EACH;
+        self.left += self.each;
     }
 
     /// So many steps along a curve were tried.
@@ -138,14 +143,20 @@ pub(super) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outc
                 let more = tried * ((to - t) / (t - from)).abs();
                 let effort = stepper.effort();
                 if !effort.spend(1.0) || (tried >= MANY && more > effort.left) {
-                    return Err(exhausted(stepper, t, TOO_MANY));
+                    return Err(exhausted(stepper, t, Surface::chosen().too_many_steps()));
                 }
             }
             Err(trouble) => {
                 stepper.go_back();
                 tried += 1.0;
                 if !stepper.effort().spend(1.0) {
-                    return Err(exhausted(stepper, t, S::objection(&trouble).unwrap_or(TOO_MANY)));
+                    let is_short = (target - t).abs() <= CLEARLY_SHORT * asked.whole();
+                    let objection = S::objection(&trouble).filter(|_| is_short);
+                    return Err(exhausted(
+                        stepper,
+                        t,
+                        objection.unwrap_or_else(|| Surface::chosen().too_many_steps()),
+                    ));
                 }
                 if !stepper.is_short(target - t, target, asked, &trouble) {
                     h *= 0.5;

@@ -38,6 +38,10 @@ pub(super) trait Iterating {
     /// True where C = 0 holds to the tolerance, each row by its own measure.
     fn is_met(&mut self, tolerance: f64) -> bool;
 
+    /// True where C = 0 holds and a correction that no longer shrinks is rounding of coordinates that are far
+    /// from zero.
+    fn rests(&mut self, correction: f64, tolerance: f64) -> bool;
+
     /// True if an equation has jumped with the last step: then the correction may have grown by that.
     fn has_changed_branch(&mut self) -> bool;
 
@@ -76,7 +80,8 @@ pub(super) fn newton<I: Iterating>(point: &mut I, options: &Options, near: bool)
                 correction = point.correction_but_for_rounding(tolerance);
             }
             if let Stop::Converged { .. } = options.stop {
-                let stalled = stop::has_stalled(correction, previous);
+                let stalled = stop::has_stalled(correction, previous)
+                    || (near && correction > 0.5 * previous && point.rests(correction, tolerance));
                 if stalled || (correction <= tolerance && point.is_met(tolerance)) {
                     match point.end() {
                         Ending::Jumped => {}

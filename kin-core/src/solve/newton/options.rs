@@ -41,9 +41,9 @@ pub struct Options {
     /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q; after three
     /// equal steps from the same made of q̇ and q̈ at all three times, where that has been nearer.
     pub predict: bool,
-    /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and approach
-    /// in smaller steps of time (later times) before giving up; default true. Without it plain Newton steps
-    /// from the guess are all that is done, but for what [`Options::follow`] asks.
+    /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and
+    /// approach in smaller steps of time (later times) before giving up; default true. Without it plain
+    /// Newton steps from the guess are all that is done, but for what [`Options::follow`] asks.
     pub rescue: bool,
     /// Halvings of one step of time at most before the run is given up, where steps are rescued and not
     /// checked; default 12. Times that rounding hardly tells apart are not halved any more.
@@ -55,8 +55,8 @@ pub struct Options {
     pub jerk: bool,
     /// How far redundant equations may contradict one another, of the norm of each: of the mechanism's size
     /// where a row is a length. 0, the default, allows what rounding makes (1e-10) and no more; parts of
-    /// ordinary accuracy, such as an imported assembly, need more. Positions are then those of least squares,
-    /// and the motion and its summary tell the misfit ([`crate::Motion::misfit`]).   \[-\]
+    /// ordinary accuracy, such as an imported assembly, need more. Positions are then those of least
+    /// squares, and the motion and its summary tell the misfit ([`crate::Motion::misfit`]).   \[-\]
     pub closure: f64,
     /// The check that each step stays on its branch, and the branch that is taken where branches cross;
     /// default [`Follow::Smooth`].
@@ -69,6 +69,11 @@ pub struct Options {
     /// GiB). A run that needs more is refused before it begins; [`crate::System::run_in_parts`] needs the
     /// memory of one part.   \[B\]
     pub memory: usize,
+    /// How much work a run may spend on smaller steps of time, which are no results, and after a failure on
+    /// finding out why, as a multiple of the usual; default 1, some seconds' worth. A run that needs more
+    /// ends with [`crate::Error::CannotFollow`]. The work is counted, not timed, so that a run ends alike
+    /// on each machine.   \[-\]
+    pub effort: f64,
 }
 
 /// The engines that compute the times of a run.
@@ -82,23 +87,23 @@ pub enum Engine {
     /// has 24 at least. [`crate::Motion::engine`] tells how many times a program has computed,
     /// [`crate::Motion::why_plain`] what stood in the way of one.
     ///
-    /// A program is kept for the next run that begins at the same time and position, until anything is set in
-    /// the system.
+    /// A program is kept for the next run that begins at the same time and position, until anything is set
+    /// in the system.
     #[default]
     Auto,
     /// Constraint by constraint, one time after the other.
     Plain,
-    /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is judged as
-    /// plain steps are; where there is an objection plain steps go on from the last time that was accepted.
-    /// Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
+    /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is judged
+    /// as plain steps are; where there is an objection plain steps go on from the last time that was
+    /// accepted. Numbers agree to the tolerance of [`Options::stop`], not to the last digit.
     ///
     /// Where an equation chooses another side of an `if` of coordinates, or a `floor` of them jumps, the
     /// block of times ends and plain steps go on. A value of time that only rustc can read is asked for
     /// each time.
     ///
     /// A mechanism that cannot be compiled is an error that names why not: it has more equations than
-    /// coordinates, an equation that is not known as a formula, or a function of coordinates that only rustc
-    /// can read.
+    /// coordinates, an equation that is not known as a formula, or a function of coordinates that only
+    /// rustc can read.
     Compiled,
 }
 
@@ -107,14 +112,14 @@ pub enum Engine {
 /// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept: a coarse
 /// grid gives the same motion as a fine one. Each drive is asked for its bounds between both times
 /// ([`crate::model::law::LawFunction::over`]): a motor that goes out and comes back within a step is
-/// followed. A law of one's own without bounds, and constraints on the dual route or written by hand in which
-/// time stands, are sampled at the eighths of each step instead; what they do between those is not seen.
-/// A run takes ten million smaller steps times coordinates at most, some seconds' worth, and twenty for
-/// each of its times. Where more would lead to the next time, the run ends with
-/// [`crate::Error::CannotFollow`]: give times that are nearer to one another. A toggle ends the run with
-/// [`crate::Error::Toggle`] at its time; change points are passed, and told by
-/// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by prediction
-/// alone: at a singular position their runs end.
+/// followed. A law of one's own without bounds, and constraints on the dual route or written by hand in
+/// which time stands, are sampled at the eighths of each step instead; what they do between those is not
+/// seen. A run takes ten million smaller steps times coordinates at most, some seconds' worth, and twenty
+/// for each of its times. Where more would lead to the next time, the run ends with
+/// [`crate::Error::CannotFollow`]: give times that are nearer to one another, or a larger
+/// [`Options::effort`]. A toggle ends the run with [`crate::Error::Toggle`] at its time; change points are
+/// passed, and told by [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are
+/// checked by prediction alone: at a singular position their runs end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
     /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it can be one
@@ -149,6 +154,7 @@ impl Default for Options {
             follow: Follow::default(),
             engine: Engine::default(),
             memory: 1 << 30,
+            effort: 1.0,
         }
     }
 }
@@ -180,8 +186,8 @@ impl Options {
         }
     }
 
-    /// A step of time no longer than this is the last that is tried, of those between two times; times nearer
-    /// to one another are hardly told apart.
+    /// A step of time no longer than this is the last that is tried, of those between two times; times
+    /// nearer to one another are hardly told apart.
     pub(crate) fn smallest_step(&self, from: f64, to: f64) -> f64 {
         let halved = (to - from).abs() * 0.5_f64.powi(self.halvings.min(1000) as i32);
         halved.max(resolution(from, to))
@@ -197,6 +203,12 @@ impl Options {
             let closure = self.closure;
             return Err(Error::InvalidOptions {
                 reason: format!("the closure is {closure}; give a share of the size from 0 to 0.1"),
+            });
+        }
+        if !(self.effort.is_finite() && self.effort > 0.0) {
+            let effort = self.effort;
+            return Err(Error::InvalidOptions {
+                reason: format!("the effort is {effort}; give a positive number such as 10"),
             });
         }
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;

@@ -58,7 +58,7 @@ impl<'a> Stepper<'a> {
             check: (options.follow != Follow::Unchecked).then(|| Check::new(system)),
             passed: Vec::new(),
             bifurcations: 0,
-            effort: Effort::new(n),
+            effort: Effort::new(n, options.effort),
         }
     }
 

@@ -8,8 +8,9 @@ use crate::solve::assembly::search::{self, Found};
 use crate::solve::assembly::turned_over;
 use crate::system::scaled::{Measures, Model};
 
-/// Free motions that are tried one by one.
+/// Free motions that are tried one by one, and mixtures of all of them.
 const BESIDE: usize = 12;
+const MIXED: u64 = 4;
 
 /// A mechanism with something changed or left out, to be put together.
 #[derive(Clone, Copy)]
@@ -57,10 +58,10 @@ impl Trial<'_> {
         let free = free(model, measures, &found.place.point.values, self.without);
         if drivers.is_empty() {
             let joints = (0..model.m()).filter(|row| !self.without.contains(row)).count();
-            return joints >= model.n() || free.iter().any(|v| walk.beside(q, self.t, v).is_some());
+            return joints >= model.n() || ways(&free).iter().any(|v| walk.beside(q, self.t, v).is_some());
         }
         // In a toggle a driver drives nothing, so poses beside the toggle are tried.
-        let beside = free.iter().take(BESIDE).filter_map(|v| walk.beside(q, self.t, v));
+        let beside = ways(&free).into_iter().filter_map(|v| walk.beside(q, self.t, &v));
         let poses: Vec<Vec<f64>> = beside.collect();
         drivers.iter().all(|row| poses.iter().any(|q| self.drives(q, measures, *row)))
     }
@@ -79,7 +80,7 @@ impl Trial<'_> {
         let walk = Walk { model, measures, open: &[], without: self.without, steps: self.steps };
         let here = free(model, measures, &found.place.point.values, self.without);
         // At a change point the joints leave more than elsewhere.
-        let beside = here.iter().take(BESIDE).filter_map(|v| walk.beside(q, self.t, v));
+        let beside = ways(&here).into_iter().filter_map(|v| walk.beside(q, self.t, &v));
         let left = beside.filter_map(|q| model.linearize(&q, self.t).ok());
         let least = left.map(|point| free(model, measures, &point.values, self.without).len()).min();
         if count <= least.unwrap_or(here.len()).min(here.len()) {
@@ -112,6 +113,26 @@ fn free(model: &Model<'_>, measures: &Measures, values: &[f64], without: &[usize
         v
     };
     Echelon::new(joints, model.n(), LEAST).null_space().into_iter().map(dense).collect()
+}
+
+/// The directions that are tried: each free motion, and where there are several also mixtures of all of them.
+/// Loops that toggle together move together only, because each of them alone is locked by the others.
+fn ways(free: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let mut ways: Vec<Vec<f64>> = free.iter().take(BESIDE).cloned().collect();
+    for seed in 0..if free.len() > 1 { MIXED } else { 0 } {
+        let mut random = Random::new(seed);
+        let mut way = vec![0.0; free[0].len()];
+        for v in free {
+            // Each motion takes part with a share that is not small, to either side.
+            let share = random.number();
+            let share = share + share.signum();
+            way.iter_mut().zip(v).for_each(|(sum, x)| *sum += share * x);
+        }
+        let largest = way.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
+        way.iter_mut().for_each(|x| *x /= largest);
+        ways.push(way);
+    }
+    ways
 }
 
 /// The equations of driving constraints, of those that are not left out.

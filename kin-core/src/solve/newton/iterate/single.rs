@@ -98,6 +98,12 @@ impl Iterating for Single<'_, '_> {
         self.newton.is_within(tolerance)
     }
 
+    #[cold]
+    fn rests(&mut self, correction: f64, tolerance: f64) -> bool {
+        let Newton { linear, q, sizes, .. } = &*self.newton;
+        correction <= stop::resting(q, sizes, linear.smallest_pivot()) && self.is_met(tolerance)
+    }
+
     /// The last correction keeps errors of predictions from adding up, and where equations jump it decides
     /// the branch.
     #[inline(always)]

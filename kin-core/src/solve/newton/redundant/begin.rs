@@ -56,7 +56,7 @@ impl<'a> Position<'a> {
             worst: 0,
             misfit: 0.0,
             drive: Some(Drive::new(equations)),
-            effort: Effort::new(n),
+            effort: Effort::new(n, options.effort),
         }
     }
 

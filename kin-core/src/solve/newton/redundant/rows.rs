@@ -3,6 +3,7 @@
 use super::Position;
 use crate::numbers::padded;
 use crate::solve::newton::iterate::{Ending, Iterating};
+use crate::system::stop;
 
 /// A position that all rows ask for.
 pub(super) struct Rows<'d, 'a> {
@@ -40,6 +41,12 @@ impl Iterating for Rows<'_, '_> {
     /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
     fn is_met(&mut self, _: f64) -> bool {
         true
+    }
+
+    #[cold]
+    fn rests(&mut self, correction: f64, _: f64) -> bool {
+        let Position { q, measures, solver, .. } = &*self.position;
+        correction <= stop::resting(q, &measures.sizes, solver.smallest_pivot())
     }
 
     #[cold]

@@ -1,8 +1,9 @@
 //! Where smaller steps of time help no more: along the curve past a singular position, or the end of a run.
 
-use super::super::advance::{Asked, SHORTEST, TOO_MANY};
+use super::super::advance::{Asked, SHORTEST};
 use super::super::{Failure, Newton, Outcome, Steps, largest};
 use super::{SHORT, Stepper, Trouble};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
@@ -46,7 +47,7 @@ impl Stepper<'_> {
             Trouble::Failed(_) if is_far => Error::CannotFollow {
                 t,
                 units: self.newton.system.unit_words().clone(),
-                reason: TOO_MANY,
+                reason: Surface::chosen().too_many_steps(),
                 motion: None,
             },
             Trouble::Failed(failure) => {
@@ -58,7 +59,7 @@ impl Stepper<'_> {
             Trouble::Objected(Objection::Long) => Error::CannotFollow {
                 t,
                 units: self.newton.system.unit_words().clone(),
-                reason: TOO_MANY,
+                reason: Surface::chosen().too_many_steps(),
                 motion: None,
             },
             Trouble::Objected(objection) => Error::CannotFollow {
