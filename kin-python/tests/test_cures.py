@@ -84,7 +84,7 @@ def test_an_assert_of_a_coordinate_is_a_branch_and_of_a_parameter_a_requirement(
 
 
 # Sentences that only rustc or a program in Rust meets.
-TO_RUST = ("Registry::", "kin::text", "Lanes::Best", "SpatialPose::", "Axis::new", "spatial::", "Law::constant")
+TO_RUST = ("Registry::", "kin::text", "kin::loads", "Lanes::Best", "SpatialPose::", "Axis::new", "spatial::", "Law::constant")
 
 
 def test_no_sentence_of_kin_has_names_of_rust_in_python():
