@@ -301,3 +301,24 @@ fn a_fold_is_found_beside_what_is_carried_far_away() {
         }
     }
 }
+
+/// A slider whose first position is the rounding of zero has no length of its own: its steps are not judged by
+/// that rounding.
+#[test]
+fn a_slider_that_starts_at_the_rounding_of_zero_runs() {
+    for phase in [0.0, 1e-18, 1e-15, 1e-14, 1e-12, 1e-9, 1e-3, std::f64::consts::PI] {
+        for drawn in [0.0, 0.1] {
+            let mut m = Mechanism::new("slider");
+            let slider = m.planar("slider", pose(drawn, 0.0, 0.0)).unwrap();
+            let (o, up) = (vec2(0.0, 0.0), vec2(0.0, 1.0));
+            m.add("guide", prismatic(slider, m.ground(), o, o, up, 0.0)).unwrap();
+            m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, phase))).unwrap();
+            let system = m.build().unwrap();
+            for engine in [Engine::Plain, Engine::Compiled] {
+                let what = format!("{phase} {drawn} {engine:?}");
+                let motion = run(&system, &linspace(0.0, 1.0, 5), engine).expect(&what);
+                assert!((motion.q(4)[0] - 0.3 * (1.0 + phase).sin()).abs() < 1e-15, "{what}");
+            }
+        }
+    }
+}

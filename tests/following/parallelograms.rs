@@ -7,12 +7,12 @@ use crate::families::{Frame, Random, near_parallelogram};
 
 /// How many a test run takes; `KIN_CAMPAIGN=10000` is the whole campaign, for a release build.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
 }
 
 /// The number of the first one; `KIN_FIRST=5000` runs a campaign in parts.
 fn first() -> usize {
-    std::env::var("KIN_FIRST").ok().and_then(|first| first.parse().ok()).unwrap_or(0)
+    std::env::var("KIN_FIRST").ok().and_then(|first| first.parse().ok()).unwrap_or(540)
 }
 
 /// The end of a run in words, with the times at which something happens.

@@ -32,6 +32,10 @@ const SLIGHT: f64 = 1e-3;
 /// An equation that bends within a size divided by this has a size of its own.   \[-\]
 const WITHIN: f64 = 4.0;
 
+/// A lever or a coordinate below this share of the largest length, or of the unit of length, is the rounding
+/// of a zero: a slider that starts at 0.3 sin π metres is no mechanism of attometres.   \[-\]
+const ROUNDING: f64 = 1e-12;
+
 /// Distances smaller than this share of the largest coordinate are rounding.   \[-\]
 const RESOLVED: f64 = 1e-9;
 
@@ -63,10 +67,13 @@ pub(crate) fn sizes_with(
     (q, t): (&[f64], f64),
     links: &[f64],
 ) -> Vec<f64> {
-    let length = lever(layout, equations, [values, &turned.values])
+    let known = || lengths(layout).map(|column| q[column]).chain(links.iter().copied());
+    let floor = ROUNDING * known().fold(1.0_f64, |most, length| most.max(length.abs()));
+    let is_length = |length: &f64| *length > floor;
+    let length = lever(layout, equations, [values, &turned.values], floor)
         .or_else(|| largest(links.iter().copied()))
         .or_else(|| median(bends(layout, equations, (q, t), LADDER.map(power)).distances))
-        .or_else(|| largest(lengths(layout).map(|column| q[column])))
+        .or_else(|| largest(lengths(layout).map(|column| q[column])).filter(is_length))
         .unwrap_or(1.0);
     layout.units.iter().map(|unit| if *unit == Unit::Metre { length } else { 1.0 }).collect()
 }
@@ -102,12 +109,12 @@ fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
     layout.units.iter().enumerate().filter(|(_, unit)| **unit == Unit::Metre).map(|(column, _)| column)
 }
 
-/// The median lever of the constraints that have one.
+/// The median lever of the constraints that have one above the floor.
 ///
 /// Rows of angles alone, such as those of an axis, say nothing of lengths. A row with a length may turn with
 /// its angles until a lever vanishes (l cos θ = x at θ = 0), so slopes count at these angles and a quarter
 /// turn further on.
-fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2]) -> Option<f64> {
+fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2], floor: f64) -> Option<f64> {
     let (mut levers, mut rows): (Vec<f64>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
     for block in &equations.blocks {
         rows.clear();
@@ -125,7 +132,7 @@ fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2]) -> Option<
             both.fold([0.0_f64; 2], |most, row| [most[0].max(row[0]), most[1].max(row[1])]);
         levers.push(per_angle / per_length);
     }
-    levers.retain(|lever| lever.is_finite() && *lever > 0.0);
+    levers.retain(|lever| lever.is_finite() && *lever > floor);
     median(levers)
 }
 
@@ -148,12 +155,12 @@ impl Turned {
         Turned { q: q.to_vec(), values }
     }
 
-    /// True if these slopes serve at q too: no angle is further from where they were taken than that the
-    /// larger of the slopes here and there is at least half of the largest of any angle.
-    pub(crate) fn serves(&self, layout: &Layout, q: &[f64]) -> bool {
+    /// True if these slopes serve at q too: no coordinate has moved by more than half of its size since.
+    pub(crate) fn serves(&self, q: &[f64], sizes: &[f64]) -> bool {
         const NEAR: f64 = 0.5;
-        let angles = layout.units.iter().zip(self.q.iter().zip(q)).filter(|(unit, _)| **unit == Unit::Radian);
-        self.q.len() == q.len() && angles.into_iter().all(|(_, (from, to))| (to - from).abs() <= NEAR)
+        let moved = self.q.iter().zip(q).zip(sizes);
+        self.q.len() == q.len()
+            && moved.into_iter().all(|((from, to), size)| (to - from).abs() <= NEAR * size)
     }
 }
 

@@ -76,7 +76,7 @@ fn sizes(newton: &mut Newton<'_>, finite: bool) -> Vec<f64> {
     let system = newton.system;
     let (layout, equations) = (system.layout(), system.equations());
     let t = newton.instant.t();
-    if !newton.turned.serves(layout, &newton.q) {
+    if !newton.turned.serves(&newton.q, &newton.sizes) {
         newton.turned = scale::Turned::new(layout, equations, (&newton.q, t));
     }
     let values = if finite { newton.linear.values() } else { &[] };
