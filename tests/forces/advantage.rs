@@ -33,6 +33,7 @@ fn a_slider_crank_gives_force_by_torque() {
     assert_eq!((advantage.name(), advantage.unit()), ("motor.advantage on ram.R_x", "1/mm"));
     let forces = system.forces(&motion).expect("forces");
     let effort = forces.drive("motor").expect("a driver").effort().values().to_vec();
+    assert_eq!((advantage.values().len(), effort.len()), (35, 35));
     for ((t, found), effort) in motion.times().iter().zip(advantage.values()).zip(effort) {
         let phi = 0.3 + 1.5 * t;
         let slope = -r * phi.sin() * (1.0 + r * phi.cos() / (l * l - (r * phi.sin()).powi(2)).sqrt());
@@ -60,7 +61,7 @@ fn a_toggle_press_gives_force_by_force() {
     let motion = system.run_both(linspace(-1.0, 1.5, 26)).expect("a motion");
     assert!(motion.qd(10).iter().all(|rate| rate.abs() < 1e-12), "it stands still at t = 0");
     let advantage = system.mechanical_advantage(&motion, "pull", "ram.R_y").expect("an advantage");
-    assert_eq!(advantage.unit(), "-");
+    assert_eq!((advantage.unit(), advantage.values().len()), ("-", 26));
     for (t, found) in motion.times().iter().zip(advantage.values()) {
         let tan = (0.2 - 0.05 * t * t) / (arm * arm - (0.2 - 0.05 * t * t).powi(2)).sqrt();
         assert!((found * -2.0 * tan - 1.0).abs() < 1e-12, "{t}: {found}");
@@ -81,6 +82,7 @@ fn of_several_drives_the_others_stand_still() {
     let motion = system.run_both(linspace(0.0, 0.5, 6)).expect("a motion");
     for (drive, by) in [("motor 1", true), ("motor 2", false)] {
         let on_turn = system.mechanical_advantage(&motion, drive, fore.theta()).expect("an advantage");
+        assert_eq!(on_turn.values().len(), 6);
         assert!(on_turn.values().iter().all(|x| (x - 1.0).abs() < 1e-12));
         let on_upper = system.mechanical_advantage(&motion, drive, "upper.R_x").expect("an advantage");
         for (t, found) in motion.times().iter().zip(on_upper.values()) {
@@ -113,6 +115,7 @@ fn of_redundant_mechanisms_too() {
     let motion = system.run_both(linspace(0.0, 1.0, 6)).expect("a motion");
     assert!(system.n_equations() > system.n_coordinates());
     let advantage = system.mechanical_advantage(&motion, "motor", "ram.R_x").expect("an advantage");
+    assert_eq!(advantage.values().len(), 6);
     for (t, found) in motion.times().iter().zip(advantage.values()) {
         let phi = phi + t;
         let slope = -r * phi.sin() * (1.0 + r * phi.cos() / (l * l - (r * phi.sin()).powi(2)).sqrt());
@@ -146,4 +149,97 @@ fn mistakes_are_told_by_name() {
         other => panic!("{other:?}"),
     }
     assert!(system.mechanical_advantage(&motion, "motor", ram.x()).is_err(), "another system's motion");
+}
+
+/// Other dimensions make another mechanism: neither its forces nor its advantage are those of an old motion.
+#[test]
+fn a_motion_of_other_dimensions_is_refused() {
+    let (mut system, ram) = press(250.0);
+    let motion = system.run_both([0.0, 0.1]).expect("a motion");
+    system.set("B.u_i.x", 45.0).expect("a parameter");
+    for told in
+        [system.forces(&motion).map(drop), system.mechanical_advantage(&motion, "motor", ram.x()).map(drop)]
+    {
+        assert!(matches!(told, Err(Error::OtherMotion(_))), "{told:?}");
+    }
+}
+
+/// At its dead centres a ram is infinitely strong, along whichever axis and however the crank turns.
+#[test]
+fn at_dead_centres_of_the_output_the_advantage_is_infinite() {
+    let mut m = Mechanism::new("shaft");
+    let ground = PlanarBody::from(m.ground());
+    for (name, rate) in [("left", 1.0), ("right", -1.0)] {
+        let shaft = m.planar(name, pose(0.0, 0.0, 0.0)).expect("a body");
+        m.add(&format!("{name} pin"), revolute(shaft, ground, ZERO, ZERO)).expect("a pin");
+        m.add(&format!("{name} motor"), drive_angle(shaft, Law::ramp(rate))).expect("a driver");
+        let pan = m.planar(&format!("{name} pan"), pose(0.5, 0.0, 0.0)).expect("a body");
+        m.add(&format!("{name} end"), revolute(pan, shaft, ZERO, vec2(0.5, 0.0))).expect("a pin");
+        m.add(&format!("{name} level"), drive_angle(pan, Law::constant(0.0))).expect("a driver");
+    }
+    let system = m.build().expect("a system");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
+    for side in ["left", "right"] {
+        for output in ["x", "theta", "other"] {
+            let name = match (output, side) {
+                ("x", _) => format!("{side} pan.R_x"),
+                ("theta", _) => format!("{side} pan.theta"),
+                (_, "left") => "right pan.R_y".to_string(),
+                _ => "left pan.R_y".to_string(),
+            };
+            let found = system.mechanical_advantage(&motion, &format!("{side} motor"), &name);
+            assert_eq!(found.expect("an advantage").values()[0], f64::INFINITY, "{side} {name}");
+        }
+    }
+}
+
+/// A measure that changes by itself: its own rate is nobody's advantage.
+#[test]
+fn what_time_itself_makes_of_an_output_does_not_count() {
+    /// A point on a belt that runs away: x − 3 t.      [m]
+    #[constraint]
+    #[measure(ahead = i.point(u).x - 3.0 * t, "m")]
+    fn on_rail(i: Planar, u: Vec2, t: Time) -> f64 {
+        i.point(u).y
+    }
+    let mut m = Mechanism::new("belt");
+    let body = m.planar("body", pose(0.0, 0.0, 0.0)).expect("a body");
+    m.add("rail", on_rail(body, ZERO)).expect("a joint");
+    m.add("jack", drive(body.x(), Law::ramp(2.0))).expect("a driver");
+    m.add("level", drive_angle(body, Law::ramp(0.3))).expect("a driver");
+    let system = m.build().expect("a system");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
+    for (drive, due) in [("jack", 1.0), ("level", f64::INFINITY)] {
+        let found = system.mechanical_advantage(&motion, drive, "rail.ahead").expect("an advantage");
+        assert_eq!(found.values(), [due, due], "{drive}");
+    }
+}
+
+/// Two jacks for one slide: neither moves it alone, in whatever unit of length.
+#[test]
+fn a_drive_that_another_one_holds_has_no_advantage() {
+    for scale in [1.0, 1e9, 1e-9] {
+        let mut m = Mechanism::new("twins");
+        let ground = PlanarBody::from(m.ground());
+        let slide = m.planar("slide", pose(0.0, 0.0, 0.0)).expect("a body");
+        m.add("guide", prismatic(slide, ground, ZERO, ZERO, vec2(0.0, scale), 0.0)).expect("a joint");
+        m.add("jack 1", drive(slide.x(), Law::ramp(scale))).expect("a driver");
+        m.add("jack 2", drive_slide(slide, ground, ZERO, ZERO, vec2(1.0, 0.0), Law::ramp(scale)))
+            .expect("a driver");
+        let shaft = m.planar("shaft", pose(3.0 * scale, 0.0, 0.0)).expect("a body");
+        m.add("bearing", revolute(shaft, ground, ZERO, vec2(3.0 * scale, 0.0))).expect("a joint");
+        m.add("motor", drive_angle(shaft, Law::ramp(1.0))).expect("a driver");
+        let system = m.build().expect("a system");
+        let motion = system.run_both([0.0, 0.5]).expect("a motion");
+        for jack in ["jack 1", "jack 2"] {
+            match system.mechanical_advantage(&motion, jack, slide.x()) {
+                Err(Error::InvalidParameters { constraint, reason, .. }) => {
+                    assert!(constraint == jack && reason.contains("do not let it move alone"), "{reason}");
+                }
+                other => panic!("{scale}, {jack}: {other:?}"),
+            }
+        }
+        let alone = system.mechanical_advantage(&motion, "motor", shaft.theta()).expect("an advantage");
+        assert!(alone.values().iter().all(|x| (x - 1.0).abs() < 1e-12), "{scale}");
+    }
 }

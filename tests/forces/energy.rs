@@ -19,8 +19,8 @@ fn off(found: &Series, exact: impl Fn(f64) -> f64) -> f64 {
     found.times().iter().zip(found.values()).map(|(t, x)| (x - exact(*t)).abs()).fold(0.0, f64::max)
 }
 
-/// A bar that swings, with a point that has mass, a torsion spring, a spring to the ground and a damper,
-/// which has no energy.
+/// A bar that swings, with a point that has mass, a torsion spring and a spring to the ground. Its damper has
+/// no energy.
 #[test]
 fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     let law = Law::constant(0.4) + Law::sine(0.8, 2.0, 0.3);
@@ -54,6 +54,17 @@ fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     let found = [off(&energy.kinetic, kinetic), off(&energy.potential, potential)];
     assert!(energy.potential.max() > 10.0 && found.iter().all(|off| *off < 1e-12), "{found:?}");
     assert_eq!([energy.kinetic.unit(), energy.potential.unit()], ["J", "J"]);
+    // Masses of points are in both balances of powers.
+    for engine in [kin::Engine::Plain, kin::Engine::Compiled] {
+        let forces = system.forces_by(&motion, engine).expect("forces");
+        let balance = forces.balance();
+        assert!(balance.worst() < 1e-13, "{engine:?}: {balance}");
+        let rate = |t: f64| {
+            let [_, rate, second, _] = law.jet(t);
+            (0.05 + 2.0 * 0.3 * 0.3 + 0.5 * 0.6 * 0.6) * rate * second
+        };
+        assert!(off(&balance.kinetic, rate) < 1e-12);
+    }
 }
 
 /// Without friction and dampers the drives put in what energy gains: the power is the rate of T + V, here by

@@ -126,7 +126,9 @@ fn a_closure_and_friction_are_told_by_name() {
         assert!(told.contains("`rope` cannot be compiled: its force is a closure"), "{told}");
     }
     let (mut m, _) = four_bar();
-    m.friction("C", Friction::pin(0.1, 0.02, 0.1)).expect("friction");
+    for joint in ["C", "O"] {
+        m.friction(joint, Friction::pin(0.1, 0.02, 0.1)).expect("friction");
+    }
     for told in reasons(m) {
         assert!(told.contains("`C` cannot be compiled: friction"), "{told}");
     }

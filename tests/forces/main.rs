@@ -6,10 +6,13 @@ mod along;
 mod both;
 mod chrono;
 mod closed;
+mod columns;
+mod coulomb;
 // Its mechanisms are those of other files.
 #[allow(dead_code)]
 #[path = "../data/mod.rs"]
 mod data;
+mod efforts;
 mod energy;
 mod engines;
 mod errors;
@@ -23,7 +26,11 @@ mod measures;
 mod newton_euler;
 #[path = "../data/own.rs"]
 mod own;
+mod points;
+mod powers;
+mod programs;
 mod references;
+mod shared;
 mod singular;
 mod unique;
 mod views;

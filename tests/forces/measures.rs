@@ -218,7 +218,7 @@ fn names_that_no_measure_has_are_told_with_those_there_are() {
 }
 
 /// Between the times of a coarse grid, where a step is more than half a turn, turns are counted from the
-/// nearer end; a length is not counted at all.
+/// nearer end. A length is not counted at all.
 #[test]
 fn forces_between_coarse_times_follow_turns_and_lengths() {
     let mut m = Mechanism::new("winch");
@@ -226,7 +226,7 @@ fn forces_between_coarse_times_follow_turns_and_lengths() {
     let (h, ground) = (vec3(0.0, 0.6, 0.8), m.ground());
     m.add("sleeve", spatial::cylindrical(drum, ground, ORIGIN, ORIGIN, h, h)).expect("a joint");
     m.add("motor", spatial::drive_turn(drum, ground, h, h, Law::ramp(1.0))).expect("a driver");
-    let along = spatial::drive_slide(drum, ground, ORIGIN, ORIGIN, h, Law::ramp(2.0));
+    let along = spatial::drive_slide(drum, ground, ORIGIN, ORIGIN, h, Law::ramp(3.0));
     m.add("rack", along).expect("a driver");
     m.load("coil", loads::spring_damper("sleeve.angle", 7.0, 0.0, 0.0)).expect("a load");
     m.load("spring", loads::spring_damper("sleeve.slide", 3.0, 0.0, 0.0)).expect("a load");
@@ -238,7 +238,7 @@ fn forces_between_coarse_times_follow_turns_and_lengths() {
         // Backwards in time turns count from where the run begins.
         let turns = first - motion.times()[0];
         for at in [1.0, 3.0, 13.5, 22.9, 37.2] {
-            let level = [("motor", 7.0 * (at + turns)), ("rack", 6.0 * at)];
+            let level = [("motor", 7.0 * (at + turns)), ("rack", 9.0 * at)];
             for (name, level) in level {
                 let found = forces.drive(name).expect("a driver").effort().crossings(level);
                 assert_eq!(found.len(), 1, "{name} at {at}: {found:?}");
@@ -246,6 +246,27 @@ fn forces_between_coarse_times_follow_turns_and_lengths() {
             }
         }
     }
+}
+
+/// A measure that changes by itself: its damper takes its whole rate, and pushes the body along it.
+#[test]
+fn a_damper_along_a_measure_of_time() {
+    /// A rail, and how far the body is ahead of a belt that runs at 3 m/s.      [m]
+    #[constraint]
+    #[measure(ahead = i.point(u).x - 3.0 * t, "m")]
+    fn on_rail(i: Planar, u: Vec2, t: Time) -> f64 {
+        i.point(u).y
+    }
+    let mut m = Mechanism::new("belt");
+    let body = m.planar("body", pose(0.0, 0.0, 0.0)).expect("a body");
+    m.add("rail", on_rail(body, O)).expect("a joint");
+    m.add("jack", drive(body.x(), Law::ramp(2.0))).expect("a driver");
+    m.add("level", drive_angle(body, Law::ramp(0.3))).expect("a driver");
+    m.load("belt", loads::viscous("rail.ahead", 4.0)).expect("a load");
+    let system = m.build().expect("a system");
+    let motion = system.run_both([0.0, 1.0]).expect("a motion");
+    let found = efforts(&system.forces(&motion).expect("forces"), "jack");
+    assert!(apart(&found, &[-4.0, -4.0]) < 1e-12, "{found:?}");
 }
 
 /// Dampers between a body that slides and turns and points of the ground off its origin.

@@ -16,6 +16,10 @@ struct Pump {
 
 impl Pump {
     fn system(self) -> System {
+        self.mechanism().build().expect("a system")
+    }
+
+    fn mechanism(self) -> Mechanism {
         let Pump { rod, start, law, torque, mass } = self;
         let mut m = Mechanism::new("pump");
         let (a, b) = (m.link("crank", 1.0).expect("a link"), m.link("rod", rod).expect("a link"));
@@ -35,7 +39,7 @@ impl Pump {
             m.mass(a, mass, zero, 0.1 * mass).expect("a mass");
             m.mass(b, 0.5 * mass, zero, 0.2 * mass).expect("a mass");
         }
-        m.build().expect("a system")
+        m
     }
 }
 
@@ -144,6 +148,107 @@ fn a_dead_centre_that_is_passed() {
     let motion = system.run_both(linspace(-0.5, 0.61, 20)).expect("a motion");
     assert_eq!(motion.singular_positions().len(), 1);
     assert_eq!(system.forces(&motion).expect("forces").growth().expect("growth"), []);
+}
+
+/// A piston between both of its dead centres, x = 2.5 + cos t: they are change points at every half turn.
+/// It begins at the end of a motion, if one is given.
+fn piston(torque: &Law, begin: Option<&Motion>) -> System {
+    let law = Law::constant(2.5) + Law::sine(1.0, 1.0, 0.5 * PI);
+    let mut m = Pump { rod: 2.5, start: -0.55, law, torque: torque.clone(), mass: 0.0 }.mechanism();
+    begin.map_or(Ok(()), |motion| m.set_initial(motion.q(motion.len() - 1))).expect("a position");
+    m.build().expect("a system")
+}
+
+/// Both ways in time; a torque that is none at one of the dead centres leaves forces there bounded.
+#[test]
+fn two_dead_centres_that_are_passed() {
+    let names = ["O", "A", "B", "push"];
+    let both = [0.0, PI].map(|t| names.map(|name| (name, t)));
+    for (torque, due) in [
+        (Law::constant(3.0), both.concat()),
+        (Law::linear(0.0, 1.0), both[1].to_vec()),
+        (Law::linear(-PI, 1.0), both[0].to_vec()),
+    ] {
+        for count in [25, 301] {
+            let times = linspace(-0.5, 3.6, count);
+            let back: Vec<f64> = times.iter().rev().copied().collect();
+            let system = piston(&torque, None);
+            let there = system.run_both(&times).expect("a motion");
+            let end = piston(&torque, Some(&there));
+            let again = end.run_both(&back).expect("a motion");
+            for (system, motion) in [(&system, &there), (&end, &again)] {
+                let forces = system.forces(motion).expect("forces");
+                let mut growth = forces.growth().expect("growth");
+                growth.sort_by(|a, b| a.t.total_cmp(&b.t));
+                let told: Vec<(&str, f64)> =
+                    growth.iter().map(|one| (one.constraint.as_str(), one.power)).collect();
+                let names: Vec<(&str, f64)> = due.iter().map(|one| (one.0, -1.0)).collect();
+                assert_eq!(told, names, "{count} {:?}", motion.times()[0]);
+                let off = growth.iter().zip(&due).map(|(one, due)| (one.t - due.1).abs());
+                assert!(off.fold(0.0, f64::max) < 1e-8, "{growth:?}");
+            }
+        }
+    }
+}
+
+/// Beside a change point pivots are close to zero: a program hands these times back, and counts them.
+#[test]
+fn times_beside_a_change_point_are_handed_back() {
+    let system = piston(&Law::constant(3.0), None);
+    let mut times = linspace(-0.5, 0.61, 100);
+    times.extend([-1e-4, 1e-4]);
+    times.sort_by(f64::total_cmp);
+    let motion = system.run(times).expect("a motion");
+    let [plain, compiled] = [kin::Engine::Plain, kin::Engine::Compiled]
+        .map(|engine| system.forces_by(&motion, engine).expect("forces"));
+    let counts = compiled.engine();
+    assert!(counts.handed_back > 0 && counts.compiled > 50, "{counts:?}");
+    assert_eq!(counts.compiled + counts.handed_back + 1, motion.len());
+    let effort =
+        |forces: &kin::Forces<'_>| forces.drive("push").expect("a driver").effort().values().to_vec();
+    let (plain, compiled) = (effort(&plain), effort(&compiled));
+    assert!(plain.iter().zip(&compiled).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{plain:?} {compiled:?}");
+}
+
+/// A torque that begins, or ends, at a dead centre: forces grow without bound from one side alone.
+#[test]
+fn forces_that_grow_from_one_side() {
+    for (before, after) in [(3.0, 0.0), (0.0, 3.0)] {
+        let law = Law::constant(2.5) + Law::sine(1.0, 1.0, 0.5 * PI);
+        let none = Law::constant(0.0);
+        let push = move |_: f64, _: f64, t: f64| if t < 0.0 { before } else { after };
+        let pump = Pump { rod: 2.5, start: -0.55, law, torque: none, mass: 0.0 };
+        let mut m = pump.mechanism();
+        m.load("one side", Load::along("crank.theta", push)).expect("a load");
+        let system = m.build().expect("a system");
+        let motion = system.run_both(linspace(-0.5, 0.61, 20)).expect("a motion");
+        let growth = system.forces(&motion).expect("forces").growth().expect("growth");
+        assert_eq!(powers(&growth), [("O", -1.0), ("A", -1.0), ("B", -1.0), ("push", -1.0)], "{before}");
+    }
+}
+
+/// An error at the second of two singular positions is about that one, both ways in time.
+#[test]
+fn forces_at_the_second_change_point() {
+    let mut times = linspace(-3.6, 0.5, 42);
+    times[36] = 0.0;
+    let torque = Law::constant(3.0);
+    let first = piston(&torque, None).run_both(linspace(-0.5, -3.6, 32)).expect("a motion");
+    let system = piston(&torque, Some(&first));
+    let there = system.run_both(&times).expect("a motion");
+    let end = piston(&torque, Some(&there));
+    times.reverse();
+    let back = end.run_both(&times).expect("a motion");
+    for (system, motion) in [(&system, &there), (&end, &back)] {
+        assert_eq!(motion.singular_positions().len(), 2);
+        match system.forces(motion).map(drop) {
+            Err(Error::Unbounded(found)) => {
+                assert_eq!((found.t, found.growth.len()), (0.0, 4));
+                assert!(found.growth.iter().all(|one| one.t.abs() < 1e-9 && one.power == -1.0), "{found}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
 }
 
 /// At the singular position itself there is no number, but an error that says who grows.

@@ -138,16 +138,20 @@ impl<'f, V: Turning> Acted<'f, V> {
     fn one(&self, number: usize) -> Result<()> {
         let Some(k) = self.first_open(number) else { return Ok(()) };
         let name = V::COMPONENTS.iter().find(|(_, known)| *known == number).map_or("", |(name, _)| *name);
-        Err(NotUnique::error(&self.name, &format!("{name} on {}", self.on), self.forces.sharing(k)))
+        let sharing = self.forces.sharing(k, |open| self.is_loose(k, number, open));
+        Err(NotUnique::error(&self.name, &format!("{name} on {}", self.on), sharing))
     }
 
     /// The first time at which one of the six components is not unique.
     fn first_open(&self, number: usize) -> Option<usize> {
-        let loose = |k: usize, open: &Wrench| {
-            let scale = if number < 3 { self.forces.multipliers.beside(k).length } else { 1.0 };
-            part(open, number).abs() * scale > LOOSE
-        };
-        (0..self.open.len()).find(|k| self.open[*k].iter().any(|open| loose(*k, open)))
+        let is_open = |k: &usize| (0..self.open[*k].len()).any(|open| self.is_loose(*k, number, open));
+        (0..self.open.len()).find(is_open)
+    }
+
+    /// True if a vector of the null space at time k changes one of the six components.
+    fn is_loose(&self, k: usize, number: usize, open: usize) -> bool {
+        let scale = if number < 3 { self.forces.multipliers.beside(k).length } else { 1.0 };
+        part(&self.open[k][open], number).abs() * scale > LOOSE
     }
 
     fn series(&self, name: &str, number: usize, of: impl Fn(&Wrench) -> f64) -> Series {

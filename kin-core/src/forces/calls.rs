@@ -348,9 +348,9 @@ impl<'a> Forces<'a> {
         })
     }
 
-    /// The constraints that share what is not unique at time k.
-    pub(super) fn sharing(&self, k: usize) -> Vec<String> {
-        self.multipliers.beside(k).sharing(self.system)
+    /// The constraints that share what is not unique at time k, by the vectors of the null space in it.
+    pub(super) fn sharing(&self, k: usize, is_in_it: impl Fn(usize) -> bool) -> Vec<String> {
+        self.multipliers.beside(k).sharing(self.system, is_in_it)
     }
 
     /// The values of C_q of one constraint at time k.

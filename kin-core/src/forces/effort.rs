@@ -43,13 +43,10 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// Of a series; `None` of an empty one.
+    /// Of a series; NaN of an empty one.
     fn of(series: &Series) -> Peak {
-        let (value, t) = if series.max().abs() >= series.min().abs() {
-            (series.max(), series.at_max())
-        } else {
-            (series.min(), series.at_min())
-        };
+        let first = series.best(|a, b| a.abs() > b.abs());
+        let [value, t] = [series.values(), series.times()].map(|all| first.map_or(f64::NAN, |k| all[k]));
         Peak { value, t, unit: series.unit().to_string(), units: series.unit_words().clone() }
     }
 }
@@ -114,8 +111,9 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
         for time in 0..motion.len() {
             let at = forces.multipliers.beside(time);
             let scale = if is_length { at.length } else { 1.0 };
-            if at.open.iter().any(|open| led.of(block, open, time).abs() * scale > LOOSE) {
-                return Err(NotUnique::error(&led.name, "its effort", forces.sharing(time)));
+            let is_loose = |open: usize| led.of(block, &at.open[open], time).abs() * scale > LOOSE;
+            if (0..at.open.len()).any(is_loose) {
+                return Err(NotUnique::error(&led.name, "its effort", forces.sharing(time, is_loose)));
             }
         }
         let unit = match (led.unit.as_deref(), &led.share) {

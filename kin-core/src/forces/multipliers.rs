@@ -26,6 +26,8 @@ pub(super) struct BesideThem {
     /// Vectors of the null space of C_qᵀ, none of a mechanism without redundant equations: the largest
     /// generalised force times the size of its coordinate that one of their entries makes is 1.
     pub open: Vec<Vec<f64>>,
+    /// By which factor entries of a row are in units of order 1, where there are such vectors.
+    norms: Vec<f64>,
     /// The characteristic length, where there are such vectors.   \[m\]
     pub length: f64,
     /// Friction in each joint that has it.
@@ -33,12 +35,15 @@ pub(super) struct BesideThem {
 }
 
 impl BesideThem {
-    const NOTHING: BesideThem = BesideThem { open: Vec::new(), length: 1.0, rubs: Vec::new() };
+    const NOTHING: BesideThem =
+        BesideThem { open: Vec::new(), norms: Vec::new(), length: 1.0, rubs: Vec::new() };
 
-    /// The constraints that share what is not unique.
-    pub(super) fn sharing(&self, system: &System) -> Vec<String> {
-        let largest = self.open.iter().flatten().fold(0.0_f64, |m, y| m.max(y.abs()));
-        let shares = |row: usize| self.open.iter().any(|y| y[row].abs() > LOOSE * largest);
+    /// The constraints that share what is not unique, by the vectors of the null space that are in it.
+    pub(super) fn sharing(&self, system: &System, is_in_it: impl Fn(usize) -> bool) -> Vec<String> {
+        let own: Vec<&Vec<f64>> =
+            self.open.iter().enumerate().filter(|(number, _)| is_in_it(*number)).map(|(_, y)| y).collect();
+        let shares =
+            |row: usize| own.iter().any(|y| (y[row] * self.norms.get(row).unwrap_or(&1.0)).abs() > LOOSE);
         let blocks = system.equations().blocks.iter();
         blocks.filter(|block| block.rows().any(shares)).map(|block| block.name.clone()).collect()
     }
@@ -219,7 +224,8 @@ impl<'a> Solver<'a> {
                     y.iter_mut().zip(&measures.norms).for_each(|(y, norm)| *y /= norm);
                 }
                 let length = length(system, &measures.sizes);
-                Ok(Multipliers { lambda, beside: BesideThem { open, length, rubs: Vec::new() } })
+                let norms = measures.norms.to_vec();
+                Ok(Multipliers { lambda, beside: BesideThem { open, norms, length, rubs: Vec::new() } })
             }
         }
     }

@@ -59,7 +59,8 @@ impl<'f> Reaction<'f> {
             && !touched.contains(&item)
         {
             let bodies: Vec<&str> = touched.iter().map(|item| layout.items[*item].name.as_str()).collect();
-            let reason = format!("it does not act on {on}; it acts on {}", bodies.join(", "));
+            let bodies = if bodies.is_empty() { "no body".to_string() } else { bodies.join(", ") };
+            let reason = format!("it does not act on {on}; it acts on {bodies}");
             return Err(Error::InvalidParameters {
                 constraint: self.name.clone(),
                 kind: "reaction".to_string(),

@@ -122,6 +122,9 @@ impl Forces<'_> {
             let reason = format!("{} equations are left out, but {n} are redundant", rows.len());
             return Err(invalid(self.system.name(), &reason));
         }
+        if n == 0 {
+            return Ok(DVector::zeros(0));
+        }
         // Each row by its largest entry, so that units do not count.
         let size = |row: usize| at.open.iter().fold(0.0_f64, |m, open| m.max(open[row].abs()));
         let largest = (0..equations.rows).map(size).fold(0.0, f64::max);
@@ -136,7 +139,7 @@ impl Forces<'_> {
         let rhs = DVector::from_fn(n, |i, _| -lambda[rows[i]] / size(rows[i]));
         let values = matrix.clone().singular_values();
         let dependent = values.min() <= 1e-7 * values.max() || values.min().is_nan();
-        if n > 0 && dependent {
+        if dependent {
             let reason = format!("without `{}` something is free", names.join("`, `"));
             return Err(invalid(self.system.name(), &reason));
         }

@@ -6,7 +6,6 @@ use super::{Beside, Now};
 use crate::ask::measure::Measure;
 use crate::model::coordinates::{Argument, Target};
 use crate::model::error::Result;
-use crate::model::layout::Kind;
 use crate::model::loads::{Along, Line};
 use crate::model::terms::{Moving, measure};
 use crate::numbers::algebra::Vec3;
@@ -17,7 +16,7 @@ use crate::system::System;
 pub(in crate::forces) enum Way<'a> {
     Row(Beside<'a>),
     Measure(Measured<'a>),
-    /// The coordinate in that column, and the body that it is one of.
+    /// The coordinate in that column, and what it is one of.
     Coordinate(usize, Option<Target>),
 }
 
@@ -57,8 +56,7 @@ impl<'a> Way<'a> {
         }
         let column = name.coordinate(system).ok_or_else(|| system.no_measure(name))?;
         let item = layout.items.iter().rposition(|item| item.first <= column);
-        let is_body = |item: &usize| matches!(layout.items[*item].kind, Kind::Planar | Kind::Spatial);
-        Ok(Way::Coordinate(column, item.filter(is_body).map(|item| layout.target(item))))
+        Ok(Way::Coordinate(column, item.map(|item| layout.target(item))))
     }
 
     pub(in crate::forces) fn seen(&self, now: Now<'_>) -> Seen {

@@ -2,6 +2,7 @@
 
 use super::unit_of_row;
 use crate::forces::Forces;
+use crate::model::coordinates::{Coordinate, Target};
 use crate::model::formula::jerk::Along;
 use crate::model::formula::laws::{are_rows, lengths, of_time, slopes};
 use crate::model::formula::{Given, Outside, Table};
@@ -100,11 +101,9 @@ fn units(
     let (system, layout) = (forces.system, forces.system.layout());
     let mut columns = Vec::new();
     for argument in block.constraint.arguments() {
-        let n = argument.target.columns();
         let own = layout.columns(&argument).into_iter().enumerate().map(|(k, column)| match column {
             Some(column) => f64::from(u8::from(layout.units[column] == Unit::Metre)),
-            // Of the ground: a place comes before what turns.
-            None => f64::from(u8::from(k < n / 2 || n == 3 && k < 2)),
+            None => f64::from(u8::from(is_place(argument.target, k))),
         });
         columns.extend(own);
     }
@@ -120,6 +119,17 @@ fn units(
         _ => None,
     };
     lengths(formula, laws, &columns, &rows).into_iter().map(word).collect()
+}
+
+/// True if column k of the ground is a length: of a body its place comes before what turns.
+fn is_place(target: Target, k: usize) -> bool {
+    match target {
+        Target::Planar(_) => k < 2,
+        Target::Spatial(_) => k < 3,
+        Target::Coord(Coordinate::Planar(_, axis), _) => axis < 2,
+        Target::Coord(Coordinate::Spatial(_, axis), _) => axis < 3,
+        Target::Coord(Coordinate::Own { .. }, _) => false,
+    }
 }
 
 /// `NAME.LAW` by the names of parameters; that of the driver alone where it has one law.

@@ -80,7 +80,8 @@ impl<'a> Laws<'a> {
         for law in &self.all {
             let normals = law.contacts.clone().map(|k| normal(contacts, k));
             all.push(share * law.along * normals.map(|normal| normal.norm()).sum::<f64>());
-            let force = law.ends().fold(Vec3::zeros(), |force, k| force + normal(contacts, k));
+            // The contact across a guide's width has its force along the axis, and no part in this.
+            let force = law.contacts.clone().fold(Vec3::zeros(), |force, k| force + normal(contacts, k));
             all.extend(law.directions.iter().map(|u| share * law.across * u.dot(force)));
         }
         all
@@ -101,7 +102,7 @@ impl<'a> Laws<'a> {
                 }
             }
             for (number, u) in law.directions.iter().enumerate() {
-                for k in law.ends() {
+                for k in law.contacts.clone() {
                     for (axis, u) in u.to_array().into_iter().enumerate() {
                         slopes[(row + 1 + number, 3 * k + axis)] = law.across * u;
                     }
@@ -115,7 +116,7 @@ impl<'a> Laws<'a> {
     /// The normal forces with friction, of those without.
     pub(super) fn grow(&self, without: &DVector<f64>) -> Grown {
         let size = without.amax();
-        if size == 0.0 || self.n_amounts == 0 {
+        if size == 0.0 {
             return Grown::Whole(without.clone());
         }
         let start = without / size;
@@ -143,9 +144,6 @@ impl<'a> Laws<'a> {
     fn unbounded(&self, mut place: Station, start: &DVector<f64>, [mut from, mut to]: [f64; 2]) -> Grown {
         while to - from > 1e-15 {
             let middle = 0.5 * (from + to);
-            if middle == from || middle == to {
-                break;
-            }
             match self.corrected(&place, start, middle) {
                 Some(found) if found.w > BOUND => (place, from) = (found, middle),
                 _ => to = middle,
@@ -185,13 +183,6 @@ impl<'a> Laws<'a> {
             }
         }
         None
-    }
-}
-
-impl Law {
-    /// The contacts that hold force and bending: one, or both ends.
-    fn ends(&self) -> Range<usize> {
-        self.contacts.start..self.contacts.end.min(self.contacts.start + 2)
     }
 }
 

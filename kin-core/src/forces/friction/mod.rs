@@ -104,13 +104,14 @@ impl Frictions {
 
     /// Errors: contacts to which something can be added that no balance notices.
     fn unique(&self, rubs: &[Rub], solver: &Solver<'_>, found: &Multipliers) -> Result<()> {
-        for open in &found.beside.open {
+        for (number, open) in found.beside.open.iter().enumerate() {
             for (rubbing, rub) in self.all.iter().zip(rubs) {
                 let wrench = rub.held(&solver.by_block(rubbing.block, open));
                 let loose = |normal: &Vec3| normal.norm() * found.beside.length > LOOSE;
                 if rubbing.contacts(rub, wrench).iter().any(loose) {
                     let what = "the force that its friction comes from";
-                    return Err(NotUnique::error(&rubbing.name, what, found.beside.sharing(solver.system())));
+                    let sharing = found.beside.sharing(solver.system(), |open| open == number);
+                    return Err(NotUnique::error(&rubbing.name, what, sharing));
                 }
             }
         }

@@ -24,7 +24,7 @@ const PLACES: usize = 40;
 const ROUNDING: f64 = 1e-12;
 const NOTHING: f64 = 1e-9;
 
-/// The side from which a singular position is come to.
+/// The side of its time from which a singular position is come to, whichever way the motion runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
     Before,
@@ -92,8 +92,7 @@ impl Approach {
 /// The time of a motion from which the way begins.
 fn start(motion: &Motion, at: f64, side: Side, way: &dyn Fn(&[f64]) -> f64) -> Option<usize> {
     let times = motion.times();
-    let forwards = times.last() >= times.first();
-    let is_there = |t: f64| if forwards == (side == Side::Before) { t < at } else { t > at };
+    let is_there = |t: f64| if side == Side::Before { t < at } else { t > at };
     let mut there: Vec<usize> = (0..times.len()).filter(|k| is_there(times[*k])).collect();
     there.sort_by(|a, b| (times[*a] - at).abs().total_cmp(&(times[*b] - at).abs()));
     let far = there.iter().find(|k| way(motion.q(**k)) >= FIRST);

@@ -101,7 +101,7 @@ impl Series {
     }
 
     /// Index of the first value that no other is better than.
-    fn best(&self, better: impl Fn(f64, f64) -> bool) -> Option<usize> {
+    pub(crate) fn best(&self, better: impl Fn(f64, f64) -> bool) -> Option<usize> {
         (0..self.values.len().min(self.times.len()))
             .reduce(|best, k| if better(self.values[k], self.values[best]) { k } else { best })
     }
