@@ -302,8 +302,8 @@ fn a_fold_is_found_beside_what_is_carried_far_away() {
     }
 }
 
-/// A slider whose first position is the rounding of zero has no length of its own: its steps are not judged by
-/// that rounding.
+/// A slider whose first position is the rounding of zero has no length: its steps are not judged by that
+/// rounding.
 #[test]
 fn a_slider_that_starts_at_the_rounding_of_zero_runs() {
     for phase in [0.0, 1e-18, 1e-15, 1e-14, 1e-12, 1e-9, 1e-3, std::f64::consts::PI] {
