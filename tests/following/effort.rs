@@ -63,7 +63,7 @@ fn effort_bounds_the_diagnosis_after_a_failure() {
 /// How many mechanisms of either kind a test run takes; `KIN_CAMPAIGN=2000` for a measurement, in a release
 /// build.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(40)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(12)
 }
 
 /// The longest that runs took.

@@ -169,7 +169,7 @@ fn pair(number: usize, frame: Frame) -> Option<[System; 2]> {
 
 /// How many mechanisms a test run takes; `KIN_CAMPAIGN=1000` for many.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(20)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(12)
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::families::{Frame, Random, near_parallelogram};
 
 /// How many a test run takes; `KIN_CAMPAIGN=10000` is the whole campaign, for a release build.
 fn count() -> usize {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(30)
 }
 
 /// The number of the first one; `KIN_FIRST=5000` runs a campaign in parts.

@@ -99,7 +99,7 @@ fn points_and_axes_in_space_in_any_order() {
         assert!(apart(&found.torque().expect("unique"), due) < 1e-11);
     }
     let moved = on().in_body().at(u);
-    assert!(apart(&moved.points(), &(0..5).map(|k| place(k)).collect::<Vec<_>>()) < 1e-14);
+    assert!(apart(&moved.points(), &(0..5).map(place).collect::<Vec<_>>()) < 1e-14);
     let units = moved.components().iter().map(|one| one.unit().to_string()).collect::<Vec<_>>();
     assert_eq!(units, ["N", "N", "N", "N m", "N m", "N m"]);
     let size = moved.torque_magnitude().expect("unique").values()[4];
