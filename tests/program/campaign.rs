@@ -12,7 +12,7 @@ use crate::steps::{Case, difference, random};
 
 /// How many a test run takes; `KIN_CAMPAIGN=20000` is the whole campaign, for a release build.
 fn count() -> u64 {
-    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(40)
+    std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(16)
 }
 
 /// The number of the first one; `KIN_FIRST=5000` runs a campaign in parts.
