@@ -36,12 +36,16 @@ fn is_same((one, times): &(String, Vec<f64>), (other, expected): &(String, Vec<f
 
 #[test]
 fn near_parallelograms_end_alike_on_coarse_and_fine_grids() {
-    let (mut wrong, mut toggles) = (Vec::new(), 0);
+    let (mut wrong, mut toggles, mut apart) = (Vec::new(), 0, 0);
     for number in first()..first() + count() {
         let mut random = Random::of(number);
         let (mut system, off) = near_parallelogram(&mut random, Frame::default()).expect("builds");
-        let q = system.position(0.0).expect("assembles").q;
-        system.set_initial(&q).expect("sets");
+        // A coupler that is too short leaves no position where the run would begin with all links in line.
+        let Ok(begin) = system.position(0.0) else {
+            apart += 1;
+            continue;
+        };
+        system.set_initial(&begin.q).expect("sets");
         let steps = random.one_of(&[1, 3, 5, 9, 10, 36]);
         let fine = random.one_of(&[90, 180, 360]);
         let found = [(steps, Engine::Plain), (fine, Engine::Plain), (fine, Engine::Compiled)]
@@ -54,5 +58,5 @@ fn near_parallelograms_end_alike_on_coarse_and_fine_grids() {
     }
     println!("{} near-parallelograms, {toggles} of them end in a toggle", count());
     assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), count(), wrong.join("\n"));
-    assert!(toggles > count() / 10, "{toggles}");
+    assert!(toggles > count() / 10 && apart <= 1 + count() / 100, "{toggles} {apart}");
 }
