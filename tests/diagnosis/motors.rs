@@ -1,4 +1,4 @@
-//! A motor too many, begun at values at which bodies stand in line: the motor is told, not a length that
+//! A motor too many, begun at values at which bodies stand in line: the error names the motor, not a length that
 //! would fit at that moment alone.
 
 use kin::diagnosis::Change;

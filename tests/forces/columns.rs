@@ -93,7 +93,7 @@ fn every_number_has_a_column_in_order() {
     assert!(sizes[1].values().iter().all(|size| (size - 5.0).abs() < 1e-12));
 }
 
-/// A joint whose force is small beside the others, but no rounding, is told, whichever unit forces have.
+/// A joint whose force is small beside the others, but no rounding, is named, whichever unit forces have.
 #[test]
 fn small_forces_are_told_beside_large_ones() {
     for scale in [1.0, 1e6, 1e-6] {

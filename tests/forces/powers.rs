@@ -81,7 +81,7 @@ fn powers_of_loads_and_friction_may_be_the_largest() {
     }
 }
 
-/// Power that is left is told as a share of the largest power, on either side of zero.
+/// The balance gives power that is left as a share of the largest power, on either side of zero.
 #[test]
 fn what_is_left_is_told_as_a_share_of_the_largest_power() {
     let worst = |law: Law| {

@@ -139,7 +139,7 @@ fn a_rod_has_a_point_on_each_body() {
         assert!(on.torque().expect("unique").iter().all(|torque| torque.abs() < 1e-11));
         assert!(on.magnitude().expect("unique").min() > 1.0);
     }
-    // A load of two parts is told about the point of its first part.
+    // A load of two parts has its torque about the point of its first part.
     let two = forces.load("two").expect("a load").on(slider).expect("its body");
     assert!(two.points().iter().zip(points(slider, u)).all(|(a, b)| (*a - b).norm() < 1e-12));
     let torque = two.torque().expect("unique");

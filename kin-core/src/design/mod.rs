@@ -11,7 +11,7 @@
 //! forward (`sensitivities.rs`, `solver.rs`), and transposed every parameter at once (`adjoint.rs`), which is
 //! what optimisers ask for (`objective.rs`). Superfluous equations of a redundant mechanism have to agree
 //! (`agreement.rs`). Along a motion of many times all of it is one tape, and the walk is for what is left
-//! (`variation/`). Measures are asked for what they read (`partials.rs`, `measured.rs`).
+//! (`variation/`). A measure reports what it reads (`partials.rs`, `measured.rs`).
 //! The time of a toggle stands by itself (`toggle.rs`). With tolerances of dimensions derivatives tell how
 //! far a measure, or an extreme or a stroke of it (`feature.rs`), may be off (`tolerance/`).
 

@@ -74,7 +74,7 @@ impl Model<'_> {
         self.layout.len()
     }
 
-    /// One more step of a search is asked for; false if no work is left for it.
+    /// Spends the work of one more step of a search; false if no work is left for it.
     pub(crate) fn may_search(&self) -> bool {
         let Some(work) = self.work else { return true };
         work.spend(self.equations.entries.len());

@@ -81,7 +81,7 @@ def sweep(
     `keep` lists what is kept of each motion: "rocker.theta max", or ("rocker.theta", "max"). Of a measure or coordinate
     `max`, `min`, `range`, `first`, `last`, and of its rates `max_rate` and `max_second_rate`, the largest absolute values;
     of a column of forces, such as `motor` or `A on crank.F_x`, the first five. They are those of the times that are given: what
-    lies between them is told by `system.extremes(motion, …)`, and by the command's `kin sweep`. A function of a motion cannot be kept.
+    lies between them is reported by `system.extremes(motion, …)`, and by the command's `kin sweep`. A function of a motion cannot be kept.
 
     Cases run on all cores, and by one program of the whole mechanism where it pays, in which `names` are left free: many
     times of a case at once, in the lanes of SIMD registers. A few rows are run by plain steps, whose last digits are
