@@ -1,5 +1,5 @@
-//! A motor too many, begun at values at which bodies stand in line: the error names the motor, not a length that
-//! would fit at that moment alone.
+//! A motor too many, begun at values at which bodies stand in line: the error names the motor, not a length
+//! that would fit at that moment alone.
 
 use kin::diagnosis::Change;
 use kin::prelude::*;
