@@ -1,10 +1,10 @@
-//! The lecture's offset slider-crank as two bare loop-closure equations in θ3 and x. Lengths in m, angles in
-//! rad, time in s.
+//! The lecture's offset slider-crank as two bare loop-closure equations in θ3 and x. Lengths in m,
+//! angles in rad, time in s.
 //!
-//! What to see: no body is modelled, only the angle of the coupler and the place of the slider, as in the
-//! lecture; Newton's results lie on those by elimination to the last digits. The slider lingers at the far
-//! end and turns sharply at the near one; since its line passes above the crank's pin, its way there and its
-//! way back are not alike.
+//! What to see: no body is modelled, only the angle of the coupler and the place of the slider, as
+//! in the lecture; Newton's results lie on those by elimination to the last digits. The slider
+//! lingers at the far end and turns sharply at the near one; since its line passes above the
+//! crank's pin, its way there and its way back are not alike.
 //!
 //! `cargo run --release --example 01_slider_crank`
 
@@ -22,13 +22,21 @@ const OMEGA: f64 = TAU; // rad/s: one turn a second
 // 2. Constraints: the loop closes, with the crank at θ2 = ω t.
 /// Loop closure of the offset slider-crank (lecture, "Classical Approach").      [m]
 #[constraint]
-fn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omega: f64) -> [f64; 2] {
+fn slider_crank(
+    theta3: Coord,
+    x: Coord,
+    t: Time,
+    l2: f64,
+    l3: f64,
+    h: f64,
+    omega: f64,
+) -> [f64; 2] {
     let theta2 = omega * t;
     [l2 * theta2.cos() + l3 * theta3.cos() - x, l2 * theta2.sin() + l3 * theta3.sin() - h]
 }
 
-/// θ3, x and their first and second rates by elimination, θ3 = asin((h − l2 sin θ2)/l3), and by hand from
-/// there.
+/// θ3, x and their first and second rates by elimination, θ3 = asin((h − l2 sin θ2)/l3), and by
+/// hand from there.
 fn elimination(t: f64) -> [f64; 6] {
     let (sin2, cos2) = (OMEGA * t).sin_cos();
     let theta3 = ((H - L2 * sin2) / L3).asin();
@@ -54,7 +62,8 @@ fn main() -> kin::Result<()> {
     println!("{}\n", motion.summary());
 
     // 4. Results: Newton beside elimination.
-    let (coupler, slider) = (motion.coordinate(theta3)?, motion.coordinate(x)?);
+    let coupler = motion.coordinate(theta3)?;
+    let slider = motion.coordinate(x)?;
     let by_newton = [
         &coupler.value,
         &slider.value,
@@ -75,7 +84,9 @@ fn main() -> kin::Result<()> {
             .zip(&by_hand)
             .map(|(newton, hand)| (newton - hand[k]).abs())
             .fold(0.0, f64::max);
-        let (name, degrees, unit) = (format!("{} [{}]", q.name(), q.unit()), 360.0 * q.at_max(), q.unit());
+        let name = format!("{} [{}]", q.name(), q.unit());
+        let degrees = 360.0 * q.at_max();
+        let unit = q.unit();
         println!(
             "{name:18} {:9.5} {:9.5}  {degrees:3.0} deg        {difference:.0e} {unit}",
             q.min(),
@@ -92,7 +103,8 @@ fn main() -> kin::Result<()> {
     let pin: Vec<Vec2> =
         motion.times().iter().map(|t| vec2((OMEGA * t).cos(), (OMEGA * t).sin()) * L2).collect();
     let end: Vec<Vec2> = slider.value.values().iter().map(|x| vec2(*x, H)).collect();
-    for (name, values) in [("slider.x", end.iter().map(|p| p.x).collect()), ("slider.y", vec![H; end.len()])]
+    for (name, values) in
+        [("slider.x", end.iter().map(|p| p.x).collect()), ("slider.y", vec![H; end.len()])]
     {
         motion.add_output(name, "m", values)?;
     }
@@ -115,14 +127,16 @@ fn main() -> kin::Result<()> {
     let rates = vec![
         Panel::over_time("Coupler", "angular velocity").series("theta3'", &coupler.rate),
         Panel::over_time("Slider", "velocity").series("x'", &slider.rate),
-        Panel::over_time("Coupler", "angular acceleration").series("theta3''", &coupler.second_rate),
+        Panel::over_time("Coupler", "angular acceleration")
+            .series("theta3''", &coupler.second_rate),
         Panel::over_time("Slider", "acceleration").series("x''", &slider.second_rate),
     ];
     Figure::new(positions).save(format!("{OUT}/positions.svg"))?;
     Figure::new(rates).save(format!("{OUT}/rates.svg"))?;
 
     // 6. The mechanism: lines through the pins, since there are no bodies to be drawn.
-    let scene = Scene::new(&system).line("crank", &[&[vec2(0.0, 0.0)], &pin]).line("slider", &[&pin, &end]);
+    let scene =
+        Scene::new(&system).line("crank", &[&[vec2(0.0, 0.0)], &pin]).line("slider", &[&pin, &end]);
     let scene = scene.outline(ground, Outline::line([vec2(0.25, H), vec2(0.55, H)]));
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
     scene.page(&motion)?.coordinate("Slider", &slider).save(format!("{OUT}/index.html"))?;

@@ -1,9 +1,9 @@
-//! The lecture's two-link manipulator: three planar bodies, 9 coordinates, 9 equations. Lengths in m, angles
-//! in rad, time in s.
+//! The lecture's two-link manipulator: three planar bodies, 9 coordinates, 9 equations. Lengths in
+//! m, angles in rad, time in s.
 //!
-//! What to see: both links turn evenly, the second three times for two turns of the first, and the end
-//! effector draws a curve with loops that would close after 8π s, 25.1 s. The ground is a body too, as in the
-//! lecture, held by three equations; since it stands still it is drawn as ground.
+//! What to see: both links turn evenly, the second three times for two turns of the first, and the
+//! end effector draws a curve with loops that would close after 8π s, 25.1 s. The ground is a body
+//! too, as in the lecture, held by three equations; since it stands still it is drawn as ground.
 //!
 //! `cargo run --release --example 02_two_link_manipulator`
 
@@ -14,7 +14,8 @@ const OUT: &str = "out/02_two_link_manipulator";
 
 fn main() -> kin::Result<()> {
     // 1. Geometry: body 1 is the ground, as a body; links 2 and 3 have their frames at the middle.
-    let (l2, l3) = (0.2, 0.35); // m
+    let l2 = 0.2;
+    let l3 = 0.35; // m
     let mut m = Mechanism::new("two-link manipulator");
     let body1 = m.planar("body 1", pose(0.0, 0.0, 0.0))?;
     let link2 = m.link("link 2", l2)?;
@@ -34,7 +35,8 @@ fn main() -> kin::Result<()> {
 
     // 4. Results: the end effector E is the free end of link 3.
     let e = motion.point(link3, link3.end())?;
-    let (speed, acceleration) = (e.speed(), e.acceleration_magnitude());
+    let speed = e.speed();
+    let acceleration = e.acceleration_magnitude();
     println!("{}", motion.summary());
     println!(
         "end effector   max speed {:.4} m/s at {:.2} s    max acceleration {:.4} m/s² at {:.2} s",
@@ -47,9 +49,11 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 5. Figures: the lecture's.
-    let (r2, r3) = (motion.point(link2, vec2(0.0, 0.0))?, motion.point(link3, vec2(0.0, 0.0))?);
+    let r2 = motion.point(link2, vec2(0.0, 0.0))?;
+    let r3 = motion.point(link3, vec2(0.0, 0.0))?;
     let origin = |title, link: Link| -> kin::Result<Panel> {
-        let (x, y) = (motion.coordinate(link.x())?, motion.coordinate(link.y())?);
+        let x = motion.coordinate(link.x())?;
+        let y = motion.coordinate(link.y())?;
         Ok(Panel::over_time(title, "position").series("R_x", &x.value).series("R_y", &y.value))
     };
     let origins = vec![origin("Origin of link 2", link2)?, origin("Origin of link 3", link3)?];
@@ -60,8 +64,10 @@ fn main() -> kin::Result<()> {
     for k in (0..motion.len()).step_by(400) {
         paths = paths.sketch(&[vec2(0.0, 0.0), elbow.r()[k], e.r()[k]]);
     }
-    let paths =
-        paths.path("origin of link 2", r2.r()).path("origin of link 3", r3.r()).path("end effector", e.r());
+    let paths = paths
+        .path("origin of link 2", r2.r())
+        .path("origin of link 3", r3.r())
+        .path("end effector", e.r());
     Figure::new(vec![paths]).save(format!("{OUT}/paths.svg"))?;
 
     let components = e.components(); // x, y, x', y', x'', y''
@@ -72,7 +78,8 @@ fn main() -> kin::Result<()> {
                 .series("along y", &components[k + 1]),
         ]
     };
-    Figure::new(two("Velocity of the end effector", "velocity", 2)).save(format!("{OUT}/velocities.svg"))?;
+    Figure::new(two("Velocity of the end effector", "velocity", 2))
+        .save(format!("{OUT}/velocities.svg"))?;
     Figure::new(two("Acceleration of the end effector", "acceleration", 4))
         .save(format!("{OUT}/accelerations.svg"))?;
     let scene = Scene::new(&system).trace("end effector", link3, link3.end());

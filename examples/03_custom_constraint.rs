@@ -1,9 +1,9 @@
-//! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m, angles in rad,
-//! time in s.
+//! A joint nobody ships, declared, checked and used: a pin in a parabolic slot. Lengths in m,
+//! angles in rad, time in s.
 //!
-//! What to see: the slot is milled into a disc that a motor turns; the pin sits at the end of an arm and is
-//! dragged round by it, slowly and then quickly: a quick-return drive. The constraint is five lines of this
-//! file, and the slot on the page comes from it. Copy this one.
+//! What to see: the slot is milled into a disc that a motor turns; the pin sits at the end of an
+//! arm and is dragged round by it, slowly and then quickly: a quick-return drive. The constraint is
+//! five lines of this file, and the slot on the page comes from it. Copy this one.
 //!
 //! `cargo run --release --example 03_custom_constraint`
 
@@ -23,7 +23,8 @@ fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
 }
 
 fn main() -> kin::Result<()> {
-    // 2. The check: C_q, C_t and Q_d of the compiled constraint, by dual numbers, and by central differences.
+    // 2. The check: C_q, C_t and Q_d of the compiled constraint, by dual numbers, and by central
+    //    differences.
     let any = parabolic_slot(any_planar(), any_planar(), vec2(0.06, 0.01), K);
     let report = check::compare(&any)?;
     println!("{}: {} route, compared at {} states", any.facts().kind, any.route(), report.states);
@@ -32,7 +33,8 @@ fn main() -> kin::Result<()> {
         report.routes, report.differences
     );
 
-    // 3. Geometry: the disc turns about the vertex of its slot; the arm about C, nearer than its own length.
+    // 3. Geometry: the disc turns about the vertex of its slot; the arm about C, nearer than its
+    //    own length.
     let c = vec2(0.05, 0.0); // m
     let mut m = Mechanism::new("quick return");
     let ground = m.ground();
@@ -44,8 +46,8 @@ fn main() -> kin::Result<()> {
     m.add("C", revolute(ground, arm, c, arm.start()))?;
     m.add("slot", parabolic_slot(arm, disc, arm.end(), K))?;
 
-    // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the right half
-    //    of the slot.
+    // 5. Motion: the motor turns once a second; of the two assemblies, the one with the pin in the
+    //    right half of the slot.
     m.add("motor", drive_angle(disc, Law::ramp(TAU)))?; // rad/s
     m.prefer(arm, 0.0); // rad
     m.write_json(format!("{OUT}/mechanism.json"))?;
@@ -54,10 +56,15 @@ fn main() -> kin::Result<()> {
     println!("{}", motion.summary());
 
     // 6. Results: how unevenly the arm turns, and whether the pin has stayed in the slot.
-    let (pin, disc_angle) = (motion.point(arm, arm.end())?, motion.coordinate(disc.theta())?.value);
+    let pin = motion.point(arm, arm.end())?;
+    let disc_angle = motion.coordinate(disc.theta())?.value;
     let disc_at = |angle: &f64| PlanarState::new([0.0, 0.0, *angle]);
-    let in_disc: Vec<Vec2> =
-        pin.r().iter().zip(disc_angle.values()).map(|(p, angle)| disc_at(angle).local(*p)).collect();
+    let in_disc: Vec<Vec2> = pin
+        .r()
+        .iter()
+        .zip(disc_angle.values())
+        .map(|(p, angle)| disc_at(angle).local(*p))
+        .collect();
     let off_slot: Vec<f64> = in_disc.iter().map(|s| s.y - K * s.x * s.x).collect();
     let arm_turns = motion.coordinate(arm.theta())?;
     println!(
@@ -66,7 +73,13 @@ fn main() -> kin::Result<()> {
     );
     for q in [&arm_turns.rate, &arm_turns.second_rate, &pin.speed()] {
         let name = format!("{} [{}]", q.name(), q.unit());
-        println!("{name:28} {:9.3} {:10.3} {:9.3} {:10.3}", q.min(), q.at_min(), q.max(), q.at_max());
+        println!(
+            "{name:28} {:9.3} {:10.3} {:9.3} {:10.3}",
+            q.min(),
+            q.at_min(),
+            q.max(),
+            q.at_max()
+        );
     }
     motion.add_point("pin", arm, arm.end())?;
     motion.add_output("pin off the slot", "m", off_slot)?;

@@ -1,8 +1,9 @@
-//! A four-bar linkage with the path of a point of its coupler. Lengths in m, angles in rad, time in s.
+//! A four-bar linkage with the path of a point of its coupler. Lengths in m, angles in rad, time in
+//! s.
 //!
-//! What to see: the crank goes round evenly, the rocker swings; the coupler point P draws a closed curve of
-//! its own, straight on one side and round on the other. Such coupler curves pull film, stir dough and walk;
-//! other lengths and another P give another curve.
+//! What to see: the crank goes round evenly, the rocker swings; the coupler point P draws a closed
+//! curve of its own, straight on one side and round on the other. Such coupler curves pull film,
+//! stir dough and walk; other lengths and another P give another curve.
 //!
 //! `cargo run --release --example 04_four_bar`
 

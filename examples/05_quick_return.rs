@@ -1,9 +1,10 @@
-//! A crank-shaper: a slotted lever that goes slowly one way and quickly back. Lengths in m, angles in rad,
-//! time in s.
+//! A crank-shaper: a slotted lever that goes slowly one way and quickly back. Lengths in m, angles
+//! in rad, time in s.
 //!
-//! What to see: the crank turns evenly and its pin slides in the slot of the lever. While the pin is far from
-//! the lever's pivot the ram creeps to the left, cutting; when it passes near the pivot the ram is thrown
-//! back. The path of the pin in the lever is the slot itself: nobody told the page to draw it.
+//! What to see: the crank turns evenly and its pin slides in the slot of the lever. While the pin
+//! is far from the lever's pivot the ram creeps to the left, cutting; when it passes near the pivot
+//! the ram is thrown back. The path of the pin in the lever is the slot itself: nobody told the
+//! page to draw it.
 //!
 //! `cargo run --release --example 05_quick_return`
 
@@ -14,7 +15,10 @@ const OUT: &str = "out/05_quick_return";
 
 fn main() -> kin::Result<()> {
     // 1. Geometry: crank about O, lever about C below it, ram on a line above.
-    let (r, depth, lever_length, height) = (0.1, 0.25, 0.62, 0.35); // m
+    let r = 0.1;
+    let depth = 0.25;
+    let lever_length = 0.62;
+    let height = 0.35; // m
     let c = vec2(0.0, -depth);
     let mut m = Mechanism::new("crank-shaper");
     let ground = m.ground();
@@ -33,8 +37,8 @@ fn main() -> kin::Result<()> {
     m.add("guide", prismatic(ram, ground, vec2(0.0, 0.0), vec2(0.0, height), vec2(0.0, 1.0), 0.0))?;
     m.add("motor", drive_angle(crank, Law::ramp(TAU)))?; // one turn a second
 
-    // 3. Motion, and how uneven it is: the ram turns round where its rate is zero, found by solving the pose
-    //    there.
+    // 3. Motion, and how uneven it is: the ram turns round where its rate is zero, found by solving
+    //    the pose there.
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 721))?;
@@ -43,7 +47,9 @@ fn main() -> kin::Result<()> {
     let by_angles = (0.5 * PI + (r / depth).asin()) / (0.5 * PI - (r / depth).asin());
     println!("{}", motion.summary());
     if let Some(ratio) = ram_turns.time_ratio() {
-        println!("cutting takes {ratio:.9} times as long as the way back, by the angles {by_angles:.9}");
+        println!(
+            "cutting takes {ratio:.9} times as long as the way back, by the angles {by_angles:.9}"
+        );
     }
     println!(
         "ram: stroke {:.6} m, fastest {:.2} m/s one way and {:.2} m/s back",
@@ -52,7 +58,11 @@ fn main() -> kin::Result<()> {
         x.rate.max()
     );
     let pin = system.measure(&motion, "slot.slide")?.value;
-    println!("the pin moves in the slot from {:.3} m to {:.3} m of {lever_length} m", pin.min(), pin.max());
+    println!(
+        "the pin moves in the slot from {:.3} m to {:.3} m of {lever_length} m",
+        pin.min(),
+        pin.max()
+    );
     motion.add_point("E", ram, vec2(0.0, 0.0))?;
     motion.add_point("D", lever, lever_end)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
@@ -62,5 +72,6 @@ fn main() -> kin::Result<()> {
     scene.sequence(&motion, 8)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 3.0)?.save(format!("{OUT}/animated.svg"))?;
     scene.page(&motion)?.coordinate("Ram", &x).save(format!("{OUT}/index.html"))?;
-    Figure::new([Panel::over_time("Ram", "velocity").series("ram", &x.rate)]).save(format!("{OUT}/ram.svg"))
+    Figure::new([Panel::over_time("Ram", "velocity").series("ram", &x.rate)])
+        .save(format!("{OUT}/ram.svg"))
 }

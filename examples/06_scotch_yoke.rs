@@ -1,8 +1,8 @@
 //! A Scotch yoke: a turning crank becomes a pure sine. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the pin of the crank slides up and down in the yoke, the yoke slides sideways, and its
-//! position is the cosine of the crank's angle exactly; a slider-crank, with its rod of finite length, only
-//! comes near to that. The charts are sine, cosine and sine.
+//! What to see: the pin of the crank slides up and down in the yoke, the yoke slides sideways, and
+//! its position is the cosine of the crank's angle exactly; a slider-crank, with its rod of finite
+//! length, only comes near to that. The charts are sine, cosine and sine.
 //!
 //! `cargo run --release --example 06_scotch_yoke`
 
@@ -13,7 +13,9 @@ const OUT: &str = "out/06_scotch_yoke";
 
 fn main() -> kin::Result<()> {
     // 1. Geometry and constraints: 6 equations for 6 coordinates.
-    let (r, slot, rod) = (0.1, 0.13, 0.3); // m
+    let r = 0.1;
+    let slot = 0.13;
+    let rod = 0.3; // m
     let mut m = Mechanism::new("Scotch yoke");
     let ground = m.ground();
     let crank = m.link("crank", r)?;

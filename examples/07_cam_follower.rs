@@ -1,9 +1,9 @@
 //! A cam from a table, with a knife-edge follower. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the table has the lift at every fifteen degrees, and a periodic cubic spline goes through it.
-//! The follower rests, rises, rests and falls as the table says; its velocity is smooth, its acceleration
-//! only continuous. The outline of the cam on the page is not drawn by the program: it is the path of the
-//! follower's tip as the cam sees it.
+//! What to see: the table has the lift at every fifteen degrees, and a periodic cubic spline goes
+//! through it. The follower rests, rises, rests and falls as the table says; its velocity is
+//! smooth, its acceleration only continuous. The outline of the cam on the page is not drawn by the
+//! program: it is the path of the follower's tip as the cam sees it.
 //!
 //! `cargo run --release --example 07_cam_follower`
 
@@ -13,16 +13,17 @@ use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/07_cam_follower";
 
-/// Lift in mm at 0°, 15°, …, 345°: at rest, a rise of 20 mm within 105°, at rest, and back within 105°.
+/// Lift in mm at 0°, 15°, …, 345°: at rest, a rise of 20 mm within 105°, at rest, and back within
+/// 105°.
 const LIFT: [f64; 24] = [
-    0.0, 0.0, 0.0, 0.0, 0.7, 3.2, 7.6, 12.4, 16.8, 19.3, 20.0, 20.0, 20.0, 20.0, 19.3, 16.8, 12.4, 7.6, 3.2,
-    0.7, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.7, 3.2, 7.6, 12.4, 16.8, 19.3, 20.0, 20.0, 20.0, 20.0, 19.3, 16.8, 12.4,
+    7.6, 3.2, 0.7, 0.0, 0.0, 0.0, 0.0,
 ];
 const BASE: f64 = 0.04; // m: radius of the cam where the follower rests
 
 fn main() -> kin::Result<()> {
-    // 1. The profile: distance of the edge from the axle at each angle of the cam; the last entry is the
-    //    first one again.
+    // 1. The profile: distance of the edge from the axle at each angle of the cam; the last entry
+    //    is the first one again.
     let table: Vec<(f64, f64)> =
         (0..=24).map(|k| (deg(15.0 * k as f64), BASE + 1e-3 * LIFT[k % 24])).collect();
     let profile = Law::spline(&table, Ends::Periodic);
@@ -49,21 +50,32 @@ fn main() -> kin::Result<()> {
         .map(|(k, mm)| (lift.value.values()[40 * k] - BASE - 1e-3 * mm).abs())
         .fold(0.0, f64::max);
     println!("{}", motion.summary());
-    println!("lift {:.4} m, at the table's angles within {off:.0e} m of it", lift.value.max() - BASE);
+    println!(
+        "lift {:.4} m, at the table's angles within {off:.0e} m of it",
+        lift.value.max() - BASE
+    );
     println!("follower: at most {:.3} m/s and {:.2} m/s²", lift.rate.max(), lift.second_rate.max());
     motion.add_point("tip", follower, tip)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
     // 4. Pictures: the follower is told to be a pointed rod.
-    let rod = [vec2(0.0, 0.0), vec2(0.006, 0.015), vec2(0.006, 0.1), vec2(-0.006, 0.1), vec2(-0.006, 0.015)];
+    let rod = [
+        vec2(0.0, 0.0),
+        vec2(0.006, 0.015),
+        vec2(0.006, 0.1),
+        vec2(-0.006, 0.1),
+        vec2(-0.006, 0.015),
+    ];
     let scene = Scene::new(&system).outline(follower, Outline::polygon(rod));
-    let scene = [-0.009, 0.009]
-        .into_iter()
-        .fold(scene, |scene, x| scene.outline(ground, Outline::line([vec2(x, 0.095), vec2(x, 0.125)])));
+    let scene = [-0.009, 0.009].into_iter().fold(scene, |scene, x| {
+        scene.outline(ground, Outline::line([vec2(x, 0.095), vec2(x, 0.125)]))
+    });
     let scene = scene.trace("tip", follower, tip).hide_joint("guide");
     scene.pose(&motion, 0.6)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;
-    Figure::new([Panel::over_time("Follower", "acceleration").series("follower", &lift.second_rate)])
-        .save(format!("{OUT}/acceleration.svg"))?;
+    Figure::new([
+        Panel::over_time("Follower", "acceleration").series("follower", &lift.second_rate)
+    ])
+    .save(format!("{OUT}/acceleration.svg"))?;
     scene.page(&motion)?.coordinate("Follower", &lift).save(format!("{OUT}/index.html"))
 }

@@ -1,8 +1,9 @@
-//! Peaucellier's linkage: seven bars that draw a straight line. Lengths in m, angles in rad, time in s.
+//! Peaucellier's linkage: seven bars that draw a straight line. Lengths in m, angles in rad, time
+//! in s.
 //!
-//! What to see: every point of this linkage goes on a circle or a bent curve, but D goes straight up and
-//! down. The bars make D the inverse of C in a circle about O; C runs on a circle through O, and the inverse
-//! of such a circle is a line. In 1864 it was the first exact one.
+//! What to see: every point of this linkage goes on a circle or a bent curve, but D goes straight
+//! up and down. The bars make D the inverse of C in a circle about O; C runs on a circle through O,
+//! and the inverse of such a circle is a line. In 1864 it was the first exact one.
 //!
 //! `cargo run --release --example 08_peaucellier`
 
@@ -13,12 +14,17 @@ const OUT: &str = "out/08_peaucellier";
 
 fn main() -> kin::Result<()> {
     // 1. Geometry at mid-stroke: O, C and D in line, the rhombus A C B D upright.
-    let (arm, side, crank) = (0.5, 0.2, 0.17_f64); // m
+    let arm = 0.5;
+    let side = 0.2;
+    let crank = 0.17_f64; // m
     let c = vec2(2.0 * crank, 0.0);
     let d = vec2((arm * arm - side * side) / c.x, 0.0); // OC · OD = arm² − side²
     let middle = 0.5 * (c.x + d.x);
     let half = (arm * arm - middle * middle).sqrt();
-    let (o, q, a, b) = (vec2(0.0, 0.0), vec2(crank, 0.0), vec2(middle, half), vec2(middle, -half));
+    let o = vec2(0.0, 0.0);
+    let q = vec2(crank, 0.0);
+    let a = vec2(middle, half);
+    let b = vec2(middle, -half);
 
     // 2. Bars between these points, pins where they meet: 21 equations for 21 coordinates.
     let mut m = Mechanism::new("Peaucellier's linkage");

@@ -1,8 +1,9 @@
-//! The leg of Theo Jansen's beach animals, with his "holy numbers". Lengths in m, angles in rad, time in s.
+//! The leg of Theo Jansen's beach animals, with his "holy numbers". Lengths in m, angles in rad,
+//! time in s.
 //!
-//! What to see: one even turn of the crank makes a step. For half of the time the foot is on the ground and
-//! runs almost straight and evenly; then it is lifted, thrown forward and set down again. Seven bodies,
-//! twenty pins' equations, one motor.
+//! What to see: one even turn of the crank makes a step. For half of the time the foot is on the
+//! ground and runs almost straight and evenly; then it is lifted, thrown forward and set down
+//! again. Seven bodies, twenty pins' equations, one motor.
 //!
 //! `cargo run --release --example 09_jansen_leg`
 
@@ -19,11 +20,14 @@ fn apex(a: Vec2, b: Vec2, r_a: f64, r_b: f64) -> Vec2 {
 }
 
 fn main() -> kin::Result<()> {
-    // 1. Jansen's lengths, in mm, and the points of the leg where the crank lies to the right, from circles
-    //    about known points.
+    // 1. Jansen's lengths, in mm, and the points of the leg where the crank lies to the right, from
+    //    circles about known points.
     let [a, b, c, d, e, f, g, h, i, j, k, l, m_] =
-        [38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0].map(|x| 1e-3 * x);
-    let (z, y, x) = (vec2(0.0, 0.0), vec2(-a, -l), vec2(m_, 0.0)); // crank's axle, fixed pivot, crank pin
+        [38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0]
+            .map(|x| 1e-3 * x);
+    let z = vec2(0.0, 0.0);
+    let y = vec2(-a, -l);
+    let x = vec2(m_, 0.0); // crank's axle, fixed pivot, crank pin
     let v = apex(y, x, b, j);
     let w = apex(y, v, d, e);
     let u = apex(x, y, k, c);
@@ -36,7 +40,8 @@ fn main() -> kin::Result<()> {
     let crank = m.link_between("crank", z, x)?;
     let [upper_rod, lower_rod] = [m.link_between("j", x, v)?, m.link_between("k", x, u)?];
     let [rocker, tie] = [m.link_between("c", y, u)?, m.link_between("f", w, p)?];
-    let (hip, shin) = (m.planar("hip", pose(y.x, y.y, 0.0))?, m.planar("shin", pose(u.x, u.y, 0.0))?);
+    let hip = m.planar("hip", pose(y.x, y.y, 0.0))?;
+    let shin = m.planar("shin", pose(u.x, u.y, 0.0))?;
 
     // 3. Pins: 20 equations, and the motor's.
     m.add("Z", revolute(ground, crank, z, crank.start()))?;
@@ -58,8 +63,8 @@ fn main() -> kin::Result<()> {
     let path = motion.point(shin, foot - u)?;
     let (low, high) =
         path.r().iter().fold((f64::MAX, f64::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)));
-    let on_ground =
-        path.r().iter().filter(|p| p.y < low + 0.1 * (high - low)).count() as f64 / motion.len() as f64;
+    let on_ground = path.r().iter().filter(|p| p.y < low + 0.1 * (high - low)).count() as f64
+        / motion.len() as f64;
     println!("{}", motion.summary());
     println!(
         "the foot lifts by {:.1} mm and stays in the lowest tenth of that for {:.0} % of a turn",

@@ -1,10 +1,10 @@
-//! A two-link arm that follows a drawn path: inverse kinematics by a driver of two equations. Lengths in m,
-//! angles in rad, time in s.
+//! A two-link arm that follows a drawn path: inverse kinematics by a driver of two equations.
+//! Lengths in m, angles in rad, time in s.
 //!
-//! What to see: nobody says how the joints are to turn. Fifteen points of a drawing become two periodic
-//! splines of time, the pen at the end of the arm is driven along them, r_P = (f1(t), f2(t)), and the solver
-//! finds the angles; their rates and accelerations, which motors would need, come with them. Watch the elbow
-//! hurry at the tail of the fish.
+//! What to see: nobody says how the joints are to turn. Fifteen points of a drawing become two
+//! periodic splines of time, the pen at the end of the arm is driven along them, r_P = (f1(t),
+//! f2(t)), and the solver finds the angles; their rates and accelerations, which motors would need,
+//! come with them. Watch the elbow hurry at the tail of the fish.
 //!
 //! `cargo run --release --example 10_drawn_path`
 
@@ -35,7 +35,8 @@ const DRAWING: [(f64, f64); 15] = [
 ];
 
 fn main() -> kin::Result<()> {
-    // 1. The drawing, evenly fast: the time of each point is its way along the straight lines between them.
+    // 1. The drawing, evenly fast: the time of each point is its way along the straight lines
+    //    between them.
     let mut t = vec![0.0];
     for pair in DRAWING.windows(2) {
         t.push(t[t.len() - 1] + (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1));
@@ -46,7 +47,8 @@ fn main() -> kin::Result<()> {
             t.iter().zip(&DRAWING).map(|(t, p)| (SECONDS * t / whole, pick(p))).collect();
         Law::spline(&table, Ends::Periodic)
     };
-    let (x, y) = (spline(|p| p.0), spline(|p| p.1));
+    let x = spline(|p| p.0);
+    let y = spline(|p| p.1);
 
     // 2. The arm: two links, two pins, and the pen.
     let mut m = Mechanism::new("arm that draws");
@@ -62,9 +64,15 @@ fn main() -> kin::Result<()> {
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, SECONDS, 10_001))?;
-    let (shoulder, elbow) = (motion.coordinate(upper.theta())?, motion.coordinate(fore.theta())?);
-    let relative: Vec<f64> =
-        elbow.value.values().iter().zip(shoulder.value.values()).map(|(fore, upper)| fore - upper).collect();
+    let shoulder = motion.coordinate(upper.theta())?;
+    let elbow = motion.coordinate(fore.theta())?;
+    let relative: Vec<f64> = elbow
+        .value
+        .values()
+        .iter()
+        .zip(shoulder.value.values())
+        .map(|(fore, upper)| fore - upper)
+        .collect();
     println!("{}", motion.summary());
     println!(
         "shoulder: at most {:.2} rad/s and {:.1} rad/s²",
@@ -84,9 +92,11 @@ fn main() -> kin::Result<()> {
         .series("shoulder", &shoulder.rate)
         .series("forearm", &elbow.rate);
     Figure::new([rates]).save(format!("{OUT}/rates.svg"))?;
+    let page = scene
+        .page(&motion)?
+        .chart("Angles", [("shoulder", &shoulder.value), ("forearm", &elbow.value)]);
     let page =
-        scene.page(&motion)?.chart("Angles", [("shoulder", &shoulder.value), ("forearm", &elbow.value)]);
-    let page = page.chart("Angular velocities", [("shoulder", &shoulder.rate), ("forearm", &elbow.rate)]);
+        page.chart("Angular velocities", [("shoulder", &shoulder.rate), ("forearm", &elbow.rate)]);
     let page = page.chart(
         "Angular accelerations",
         [("shoulder", &shoulder.second_rate), ("forearm", &elbow.second_rate)],

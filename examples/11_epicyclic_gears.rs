@@ -1,10 +1,10 @@
-//! An epicyclic gear: sun, three planets on a carrier, and a ring that stands still. Lengths in m, angles in
-//! rad, time in s.
+//! An epicyclic gear: sun, three planets on a carrier, and a ring that stands still. Lengths in m,
+//! angles in rad, time in s.
 //!
-//! What to see: the sun turns four times while the carrier goes round once, 1 + z_ring/z_sun = 4, and the
-//! teeth stay in mesh all the way. A point on the edge of a planet draws a hypocycloid, with its cusps on the
-//! pitch circle of the ring. The teeth are only drawn: the constraint is that the pitch circles roll on each
-//! other.
+//! What to see: the sun turns four times while the carrier goes round once, 1 + z_ring/z_sun = 4,
+//! and the teeth stay in mesh all the way. A point on the edge of a planet draws a hypocycloid,
+//! with its cusps on the pitch circle of the ring. The teeth are only drawn: the constraint is that
+//! the pitch circles roll on each other.
 //!
 //! `cargo run --release --example 11_epicyclic_gears`
 
@@ -15,10 +15,13 @@ const OUT: &str = "out/11_epicyclic_gears";
 
 fn main() -> kin::Result<()> {
     // 1. Teeth and pitch radii, module 5 mm: the ring fits round sun and planets.
-    let (teeth_sun, teeth_planet) = (24, 24);
+    let teeth_sun = 24;
+    let teeth_planet = 24;
     let teeth_ring = teeth_sun + 2 * teeth_planet;
     let radius = |teeth: usize| 0.0025 * teeth as f64; // m
-    let (r_sun, r_planet, r_ring) = (radius(teeth_sun), radius(teeth_planet), radius(teeth_ring));
+    let r_sun = radius(teeth_sun);
+    let r_planet = radius(teeth_planet);
+    let r_ring = radius(teeth_ring);
 
     // 2. Sun and carrier on the ground, planets on the carrier; the ring is the ground.
     let mut m = Mechanism::new("epicyclic gear");
@@ -52,7 +55,11 @@ fn main() -> kin::Result<()> {
     let sun_turns = motion.coordinate(sun.theta())?;
     let (first, _) = scene_bodies[0];
     println!("{}", motion.summary());
-    println!("the sun turns {:.4} times, by Willis {:.4}", sun_turns.value.max() / TAU, 1.0 + r_ring / r_sun);
+    println!(
+        "the sun turns {:.4} times, by Willis {:.4}",
+        sun_turns.value.max() / TAU,
+        1.0 + r_ring / r_sun
+    );
     motion.add_point("edge", first, vec2(r_planet, 0.0))?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
@@ -69,8 +76,9 @@ fn main() -> kin::Result<()> {
     scene.pose(&motion, 0.5)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 8.0)?.save(format!("{OUT}/animated.svg"))?;
     let planet_turns = motion.coordinate(first.theta())?;
-    let page =
-        scene.page(&motion)?.chart("Angles", [("sun", &sun_turns.value), ("planet", &planet_turns.value)]);
+    let page = scene
+        .page(&motion)?
+        .chart("Angles", [("sun", &sun_turns.value), ("planet", &planet_turns.value)]);
     page.chart("Speed of the edge", [("edge", &motion.point(first, vec2(r_planet, 0.0))?.speed())])
         .save(format!("{OUT}/index.html"))
 }

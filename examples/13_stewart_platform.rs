@@ -1,9 +1,11 @@
-//! A Stewart platform: six legs of changing length carry a plate. Lengths in m, angles in rad, time in s.
+//! A Stewart platform: six legs of changing length carry a plate. Lengths in m, angles in rad, time
+//! in s.
 //!
-//! What to see: each leg follows a sine of its own, a sixth of a turn after its neighbour, and the plate
-//! rolls, pitches and rises. Where the plate stands is not in the program: six lengths decide it, and the
-//! solver finds it (the forward problem, which has no formula). The condition number tells how far the plate
-//! is from a pose that the legs cannot hold. Drag the picture to go round it.
+//! What to see: each leg follows a sine of its own, a sixth of a turn after its neighbour, and the
+//! plate rolls, pitches and rises. Where the plate stands is not in the program: six lengths decide
+//! it, and the solver finds it (the forward problem, which has no formula). The condition number
+//! tells how far the plate is from a pose that the legs cannot hold. Drag the picture to go round
+//! it.
 //!
 //! `cargo run --release --example 13_stewart_platform`
 
@@ -13,9 +15,11 @@ use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/13_stewart_platform";
 
-/// Six points on a circle in pairs: `spread` on either side of each third of a turn, which begin at `first`.
+/// Six points on a circle in pairs: `spread` on either side of each third of a turn, which begin at
+/// `first`.
 fn hexagon(radius: f64, first: f64, spread: f64) -> Vec<Vec3> {
-    let angle = |k: usize| first + TAU / 3.0 * (k / 2) as f64 + if k % 2 == 1 { spread } else { -spread };
+    let angle =
+        |k: usize| first + TAU / 3.0 * (k / 2) as f64 + if k % 2 == 1 { spread } else { -spread };
     (0..6).map(angle).map(|a| vec3(radius * a.cos(), radius * a.sin(), 0.0)).collect()
 }
 
@@ -28,9 +32,11 @@ fn main() -> kin::Result<()> {
     let ground = m.ground();
     let plate = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, height)))?;
 
-    // 2. Constraints: six legs, one equation each; heads go to the next foot, counted round from the first.
+    // 2. Constraints: six legs, one equation each; heads go to the next foot, counted round from
+    //    the first.
     for k in 0..6 {
-        let (foot, head) = (feet[(k + 5) % 6], heads[k]);
+        let foot = feet[(k + 5) % 6];
+        let head = heads[k];
         let length = (head + vec3(0.0, 0.0, height) - foot).norm();
         // four seconds a wave
         let law = Law::constant(length) + Law::sine(0.09, TAU / 4.0, TAU / 6.0 * k as f64);
@@ -63,8 +69,9 @@ fn main() -> kin::Result<()> {
     );
 
     // 4. Pictures: the plate's frame stands at its middle, the ground is told to be a plate too.
-    let scene =
-        Scene::new(&system).trace("centre", plate, vec3(0.0, 0.0, 0.0)).trace("head", plate, heads[0]);
+    let scene = Scene::new(&system)
+        .trace("centre", plate, vec3(0.0, 0.0, 0.0))
+        .trace("head", plate, heads[0]);
     let scene = scene.outline(ground, Outline::polygon(feet)).seen_from(-0.8, 0.45);
     scene.sequence(&motion, 4)?.save(format!("{OUT}/sequence.svg"))?;
     scene.animated(&motion, 8.0)?.save(format!("{OUT}/animated.svg"))?;

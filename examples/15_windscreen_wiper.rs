@@ -1,9 +1,11 @@
-//! A windscreen wiper, and what can be asked of a mechanism. Lengths in m, angles in rad, time in s.
+//! A windscreen wiper, and what can be asked of a mechanism. Lengths in m, angles in rad, time in
+//! s.
 //!
-//! What to see: a crank that goes round evenly swings the wiper to and fro. Where it turns round is not read
-//! off the grid: the pose is solved at the very time at which the rate is zero. Beside that the page has the
-//! angle at which the rod pushes the arm (the nearer to 90°, the better), the jerk of the blade's tip, which
-//! is what one hears, and the list of what happened on the way: the blade passes the edge of the glass.
+//! What to see: a crank that goes round evenly swings the wiper to and fro. Where it turns round is
+//! not read off the grid: the pose is solved at the very time at which the rate is zero. Beside
+//! that the page has the angle at which the rod pushes the arm (the nearer to 90°, the better), the
+//! jerk of the blade's tip, which is what one hears, and the list of what happened on the way: the
+//! blade passes the edge of the glass.
 //!
 //! `cargo run --release --example 15_windscreen_wiper`
 
@@ -14,10 +16,10 @@ use kin_view::{Figure, Outline, Panel, Scene};
 const OUT: &str = "out/15_windscreen_wiper";
 
 fn main() -> kin::Result<()> {
-    // 1. Geometry and constraints: a crank-rocker whose arm carries the blade; one turn of the crank in a
-    //    second.
-    // m: the ground pins; the blade's tip from the middle of the arm
-    let (apart, tip) = (0.26, vec2(0.45, 0.0));
+    // 1. Geometry and constraints: a crank-rocker whose arm carries the blade; one turn of the
+    //    crank in a second. m: the ground pins; the blade's tip from the middle of the arm
+    let apart = 0.26;
+    let tip = vec2(0.45, 0.0);
     let mut m = Mechanism::new("windscreen wiper");
     let ground = m.ground();
     let crank = m.link("crank", 0.035)?;
@@ -38,8 +40,8 @@ fn main() -> kin::Result<()> {
         system.run_with(linspace(0.0, 1.0, 361), &Options { jerk: true, ..Options::default() })?;
     println!("{}\n", motion.summary());
 
-    // 3. Questions. A measure is a name, a coordinate or a function of a motion; its extremes come with their
-    //    exact times.
+    // 3. Questions. A measure is a name, a coordinate or a function of a motion; its extremes come
+    //    with their exact times.
     println!("what can be asked by name: {}", system.measures().join(", "));
     let swing = system.extremes(&motion, "C.angle")?;
     println!(
@@ -49,7 +51,8 @@ fn main() -> kin::Result<()> {
     );
     for dead_centre in swing.all() {
         let pose = system.at(&motion, dead_centre.t)?; // a motion of one time: ask it anything
-        let (crank, rod) = (pose.coordinate(crank.theta())?.value, pose.coordinate(rod.theta())?.value);
+        let crank = pose.coordinate(crank.theta())?.value;
+        let rod = pose.coordinate(rod.theta())?.value;
         println!(
             "  dead centre at {:.9} s: wiper at {:6.2}°, crank at {:6.2}°, rod at {:6.2}°",
             dead_centre.t,
@@ -59,7 +62,11 @@ fn main() -> kin::Result<()> {
         );
     }
     let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(rod, arm))?;
-    println!("transmission angle at least {:.2}°, at {:.6} s", worst.min().value.to_degrees(), worst.min().t);
+    println!(
+        "transmission angle at least {:.2}°, at {:.6} s",
+        worst.min().value.to_degrees(),
+        worst.min().t
+    );
     for event in motion.events() {
         println!("  {event}");
     }
@@ -82,7 +89,8 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?; // with the jerk of all coordinates
     motion.write_json(format!("{OUT}/motion.json"))?; // with the events
 
-    // 5. Pictures: the blade is told; the sequence shows the motion at its dead centres and between.
+    // 5. Pictures: the blade is told; the sequence shows the motion at its dead centres and
+    //    between.
     let blade = [arm.start(), tip];
     let scene = Scene::new(&system).trace("tip", arm, tip).outline(arm, Outline::line(blade));
     for (side, dead_centre) in ["one", "other"].into_iter().zip(swing.all()) {
@@ -95,7 +103,8 @@ fn main() -> kin::Result<()> {
     let angle = motion.coordinate(arm.theta())?;
     let panels = vec![
         Panel::over_time("Wiper", "angle").series("wiper", &angle.value),
-        Panel::over_time("How well the rod pushes", "transmission angle").series("μ", &transmission.value),
+        Panel::over_time("How well the rod pushes", "transmission angle")
+            .series("μ", &transmission.value),
         Panel::over_time("Wiper", "angular jerk").series("wiper", &angle.third_rate),
         Panel::over_time("Tip", "jerk").series("tip", &jerk),
     ];

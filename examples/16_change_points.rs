@@ -1,9 +1,9 @@
 //! A parallelogram that changes at its dead positions. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: crank and rocker go round side by side until all four links lie in line; there the mechanism
-//! could be either of two. On the page it goes on as an antiparallelogram, the rocker the other way round,
-//! and changes back one turn later. Locomotives have a second set of rods at a right angle, so that theirs
-//! never can.
+//! What to see: crank and rocker go round side by side until all four links lie in line; there the
+//! mechanism could be either of two. On the page it goes on as an antiparallelogram, the rocker the
+//! other way round, and changes back one turn later. Locomotives have a second set of rods at a
+//! right angle, so that theirs never can.
 //!
 //! `cargo run --release --example 16_change_points`
 
@@ -29,8 +29,8 @@ fn parallelogram() -> kin::Result<(Mechanism, [Link; 3])> {
 }
 
 fn main() -> kin::Result<()> {
-    // 1. A crank that turns once a second, from 60°: the run passes both flat positions of each turn and
-    //    stays what it is.
+    // 1. A crank that turns once a second, from 60°: the run passes both flat positions of each
+    //    turn and stays what it is.
     let (mut m, [crank, coupler, rocker]) = parallelogram()?;
     m.add("motor", drive_angle(crank, Law::linear(deg(60.0), TAU)))?;
     m.write_json(format!("{OUT}/mechanism.json"))?;
@@ -55,13 +55,17 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?;
     println!("{}", motion.summary());
 
-    // 3. A press on the crank pushes until crank and strut are in line: a toggle, where the run ends.
+    // 3. A press on the crank pushes until crank and strut are in line: a toggle, where the run
+    //    ends.
     let (mut short, [crank, ..]) = parallelogram()?;
     let strut = short.link("strut", 1.2)?;
     short.add("D", revolute(crank, strut, crank.end(), strut.start()))?;
     let block = short.planar("block", pose(0.0, 1.5, 0.0))?;
     short.add("E", revolute(strut, block, strut.end(), vec2(0.0, 0.0)))?;
-    short.add("guide", prismatic(block, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0))?;
+    short.add(
+        "guide",
+        prismatic(block, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0),
+    )?;
     short.add("press", drive(block.y(), Law::linear(1.5, 1.0)))?; // reaches 1 + 1.2 at t = 0.7
     match short.build()?.run(linspace(0.0, 2.0, 21)) {
         Err(Error::Toggle { t, movable, .. }) => {

@@ -1,9 +1,10 @@
-//! A double wishbone suspension with a steering rack, both wheels. Lengths in mm, angles in rad, time in s.
+//! A double wishbone suspension with a steering rack, both wheels. Lengths in mm, angles in rad,
+//! time in s.
 //!
-//! What to see: for four seconds both wheels go up and down by 60 mm, and the camber follows, while the toe
-//! stays within a fifth of a degree: the tie rods swing with the wishbones. Then the rack goes to either side
-//! and the wheels steer, the inner one more. x is forwards, y to the left, z up; drag the picture to go round
-//! it.
+//! What to see: for four seconds both wheels go up and down by 60 mm, and the camber follows, while
+//! the toe stays within a fifth of a degree: the tie rods swing with the wishbones. Then the rack
+//! goes to either side and the wheels steer, the inner one more. x is forwards, y to the left, z
+//! up; drag the picture to go round it.
 //!
 //! `cargo run --release --example 17_double_wishbone`
 
@@ -17,9 +18,16 @@ const O: Vec3 = Vec3::new(0.0, 0.0, 0.0);
 /// Points of the left side; those of the right have y the other way.   [mm]
 const LOWER: [Vec3; 3] =
     // front and rear axle, ball
-    [Vec3::new(150.0, 350.0, 190.0), Vec3::new(-170.0, 350.0, 200.0), Vec3::new(5.0, 725.0, 175.0)];
-const UPPER: [Vec3; 3] =
-    [Vec3::new(110.0, 430.0, 470.0), Vec3::new(-130.0, 430.0, 455.0), Vec3::new(-20.0, 680.0, 500.0)];
+    [
+        Vec3::new(150.0, 350.0, 190.0),
+        Vec3::new(-170.0, 350.0, 200.0),
+        Vec3::new(5.0, 725.0, 175.0),
+    ];
+const UPPER: [Vec3; 3] = [
+    Vec3::new(110.0, 430.0, 470.0),
+    Vec3::new(-130.0, 430.0, 455.0),
+    Vec3::new(-20.0, 680.0, 500.0),
+];
 // at the rack, at the upright
 const TIE_ROD: [Vec3; 2] = [Vec3::new(-140.0, 390.0, 255.0), Vec3::new(-125.0, 705.0, 252.0)];
 const HUB: Vec3 = Vec3::new(0.0, 780.0, 320.0);
@@ -27,14 +35,15 @@ const RADIUS: f64 = 320.0; // of the wheel
 
 /// To `a` within a second, to −a within two, and back, from the time `start` on.
 fn to_and_fro(start: f64, a: f64) -> Law {
-    let from_to =
-        |from: f64, to: f64, time: f64| (time, Law::constant(from) + Law::polynomial_345(to - from, time));
+    let from_to = |from: f64, to: f64, time: f64| {
+        (time, Law::constant(from) + Law::polynomial_345(to - from, time))
+    };
     Law::sequence(start, [from_to(0.0, a, 1.0), from_to(a, -a, 2.0), from_to(-a, 0.0, 1.0)])
 }
 
 fn main() -> kin::Result<()> {
-    // 1. The rack slides across. All frames stand at the origin, so that local points are the points of the
-    //    drawing.
+    // 1. The rack slides across. All frames stand at the origin, so that local points are the
+    //    points of the drawing.
     let mut m = Mechanism::new("double wishbone suspension");
     m.units("mm", "s");
     let ground = m.ground();
@@ -84,8 +93,8 @@ fn main() -> kin::Result<()> {
     let mut motion = system.run(linspace(0.0, 8.0, 801))?;
     println!("{}", motion.summary());
     for &(name, side, upright, hub, _) in &sides {
-        let (wheel, spindle) =
-            (motion.point(upright, hub)?, motion.point(upright, hub + vec3(0.0, side, 0.0))?);
+        let wheel = motion.point(upright, hub)?;
+        let spindle = motion.point(upright, hub + vec3(0.0, side, 0.0))?;
         let axes = spindle.r().iter().zip(wheel.r()).map(|(tip, r)| *tip - *r);
         let (camber, toe): (Vec<f64>, Vec<f64>) =
             axes.map(|s| (-s.z.asin().to_degrees(), s.x.atan2(side * s.y).to_degrees())).unzip();
@@ -97,18 +106,29 @@ fn main() -> kin::Result<()> {
 
     // 4. Curves over wheel travel, from the first four seconds.
     let output = |name: &str| {
-        motion.outputs().iter().find(|output| output.name() == name).map(Series::values).unwrap_or_default()
+        motion
+            .outputs()
+            .iter()
+            .find(|output| output.name() == name)
+            .map(Series::values)
+            .unwrap_or_default()
     };
     let travel: Vec<f64> = output("left hub.z").iter().map(|z| z - HUB.z).collect();
-    let curve =
-        |name: &str| travel.iter().zip(output(name)).take(401).map(|(x, y)| vec2(*x, *y)).collect::<Vec<_>>();
-    let (camber, toe) = (curve("left camber"), curve("left toe"));
+    let curve = |name: &str| {
+        travel.iter().zip(output(name)).take(401).map(|(x, y)| vec2(*x, *y)).collect::<Vec<_>>()
+    };
+    let camber = curve("left camber");
+    let toe = curve("left toe");
     let range = |curve: &[Vec2]| {
         curve.iter().fold((f64::MAX, f64::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)))
     };
     println!("over ±60 mm of travel: camber {:.2?}°, toe {:.2?}°", range(&camber), range(&toe));
     let steer = |side: &str| output(&format!("{side} toe"))[500];
-    println!("rack 35 mm to the left: left wheel {:.2}°, right wheel {:.2}°", steer("left"), steer("right"));
+    println!(
+        "rack 35 mm to the left: left wheel {:.2}°, right wheel {:.2}°",
+        steer("left"),
+        steer("right")
+    );
     let panel = |title: &str, label: &str, curve: &[Vec2]| {
         Panel::numbers(title, "wheel travel [mm]", &format!("{label} [°]")).path(label, curve)
     };
@@ -116,12 +136,16 @@ fn main() -> kin::Result<()> {
         .save(format!("{OUT}/curves.svg"))?;
 
     // 5. Pictures: wishbones, uprights, wheels, the rack and the frame of the car are told.
-    let mut scene = Scene::new(&system).seen_from(0.62, 0.32).color(rack, "#009e73").hide_joint("rack guide");
+    let mut scene =
+        Scene::new(&system).seen_from(0.62, 0.32).color(rack, "#009e73").hide_joint("rack guide");
     let frame = [(LOWER[0], 1.0), (LOWER[1], 1.0), (LOWER[1], -1.0), (LOWER[0], -1.0)];
-    scene = scene.outline(ground, Outline::polygon(frame.map(|(p, side)| vec3(p.x, side * p.y, p.z))));
+    scene =
+        scene.outline(ground, Outline::polygon(frame.map(|(p, side)| vec3(p.x, side * p.y, p.z))));
     scene = scene.outline(
         rack,
-        Outline::line([-1.0, 1.0].map(|side| vec3(TIE_ROD[0].x, side * TIE_ROD[0].y, TIE_ROD[0].z))),
+        Outline::line(
+            [-1.0, 1.0].map(|side| vec3(TIE_ROD[0].x, side * TIE_ROD[0].y, TIE_ROD[0].z)),
+        ),
     );
     for (name, side, upright, hub, arms) in sides {
         let at = |p: Vec3| vec3(p.x, side * p.y, p.z);
@@ -149,8 +173,9 @@ fn main() -> kin::Result<()> {
     let series = |name: &str| motion.outputs().iter().find(|output| output.name() == name);
     let mut page = scene.page(&motion)?;
     for (title, what) in [("Camber", "camber"), ("Toe-in", "toe")] {
-        let both =
-            ["left", "right"].into_iter().filter_map(|side| Some((side, series(&format!("{side} {what}"))?)));
+        let both = ["left", "right"]
+            .into_iter()
+            .filter_map(|side| Some((side, series(&format!("{side} {what}"))?)));
         page = page.chart(title, both);
     }
     page.save(format!("{OUT}/index.html"))

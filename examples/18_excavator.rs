@@ -1,8 +1,8 @@
 //! An excavator with three cylinders. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the machine digs, lifts and empties its bucket. Nothing but the lengths of the three
-//! cylinders is told; boom and stick follow by triangles, the bucket by the four-bar linkage behind it. The
-//! velocity of the bucket's edge shows the three moves.
+//! What to see: the machine digs, lifts and empties its bucket. Nothing but the lengths of the
+//! three cylinders is told; boom and stick follow by triangles, the bucket by the four-bar linkage
+//! behind it. The velocity of the bucket's edge shows the three moves.
 //!
 //! `cargo run --release --example 18_excavator`
 
@@ -11,8 +11,8 @@ use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/18_excavator";
 
-/// Pins: on the machine, and on each body in its own frame, which stands at its lower pin with x to the next
-/// one. [m]
+/// Pins: on the machine, and on each body in its own frame, which stands at its lower pin with x to
+/// the next one. [m]
 const MACHINE: [Vec2; 2] = [Vec2::new(0.0, 1.8), Vec2::new(0.55, 1.15)]; // of the boom, of its cylinder
 // of the stick, of the boom's cylinder, of the stick's
 const BOOM: [Vec2; 3] = [Vec2::new(5.4, 0.0), Vec2::new(2.35, 0.55), Vec2::new(2.6, 1.25)];
@@ -25,7 +25,8 @@ const ROD: f64 = 0.5;
 
 /// The length of a cylinder: moves of three seconds each from one length to the next.
 fn moves(lengths: [f64; 5]) -> Law {
-    let three = |ends: &[f64]| (3.0, Law::constant(ends[0]) + Law::polynomial_345(ends[1] - ends[0], 3.0));
+    let three =
+        |ends: &[f64]| (3.0, Law::constant(ends[0]) + Law::polynomial_345(ends[1] - ends[0], 3.0));
     Law::sequence(0.0, lengths.windows(2).map(three))
 }
 
@@ -36,7 +37,8 @@ fn main() -> kin::Result<()> {
     let boom = m.planar("boom", pose(0.0, 1.8, deg(35.0)))?;
     let stick = m.planar("stick", pose(4.4, 4.9, deg(-40.0)))?;
     let bucket = m.planar("bucket", pose(6.5, 3.2, deg(-40.0)))?;
-    let (lever, rod) = (m.link("lever", LEVER)?, m.link("rod", ROD)?);
+    let lever = m.link("lever", LEVER)?;
+    let rod = m.link("rod", ROD)?;
     m.set_pose(lever, pose(6.4, 3.6, deg(40.0)))?;
     m.set_pose(rod, pose(6.7, 3.5, deg(-60.0)))?;
     let origin = vec2(0.0, 0.0);
@@ -69,12 +71,16 @@ fn main() -> kin::Result<()> {
     let edge = motion.point(bucket, BUCKET[1])?;
     let deepest = edge.r().iter().map(|p| p.y).fold(f64::MAX, f64::min);
     println!("{}", motion.summary());
-    println!("the edge digs {:.2} m deep and moves at {:.2} m/s at most", -deepest, edge.speed().max());
+    println!(
+        "the edge digs {:.2} m deep and moves at {:.2} m/s at most",
+        -deepest,
+        edge.speed().max()
+    );
     motion.add_point("edge", bucket, BUCKET[1])?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 4. Pictures: boom, stick and bucket are told in their frames, the machine on the ground; cylinders are
-    //    drawn by themselves.
+    // 4. Pictures: boom, stick and bucket are told in their frames, the machine on the ground;
+    //    cylinders are drawn by themselves.
     let at = |points: &[(f64, f64)]| points.iter().map(|(x, y)| vec2(*x, *y)).collect::<Vec<_>>();
     let shell = at(&[
         (-0.12, 0.3),
@@ -131,9 +137,11 @@ fn main() -> kin::Result<()> {
         (-1.6, 2.1),
         (-3.2, 2.1),
     ]);
-    for outline in
-        [Outline::polygon(tracks), Outline::polygon(house), Outline::line([vec2(-4.2, 0.0), vec2(9.2, 0.0)])]
-    {
+    for outline in [
+        Outline::polygon(tracks),
+        Outline::polygon(house),
+        Outline::line([vec2(-4.2, 0.0), vec2(9.2, 0.0)]),
+    ] {
         scene = scene.outline(ground, outline);
     }
     let scene = scene.trace("edge", bucket, BUCKET[1]);

@@ -1,8 +1,8 @@
 //! A Delta robot that picks and places. Lengths in mm, angles in rad, time in s.
 //!
-//! What to see: the path of the tool is told, up, across, down and back; the turns of the three motors
-//! follow. Each forearm is a pair of equal rods on balls, and the three pairs together keep the plate level,
-//! which is not told. Drag the picture to go round it.
+//! What to see: the path of the tool is told, up, across, down and back; the turns of the three
+//! motors follow. Each forearm is a pair of equal rods on balls, and the three pairs together keep
+//! the plate level, which is not told. Drag the picture to go round it.
 //!
 //! `cargo run --release --example 19_delta_robot`
 
@@ -20,8 +20,8 @@ const HALF: f64 = 40.0; // half the distance of the two rods of a forearm
 const LOW: f64 = -560.0; // where the tool picks, below the motors
 
 fn main() -> kin::Result<()> {
-    // 1. The plate, and three arms on the base, drawn where the plate stands in the middle at the height z =
-    //    LOW.
+    // 1. The plate, and three arms on the base, drawn where the plate stands in the middle at the
+    //    height z = LOW.
     let mut m = Mechanism::new("Delta robot");
     m.units("mm", "s");
     let ground = m.ground();
@@ -29,8 +29,8 @@ fn main() -> kin::Result<()> {
     let mut arms = Vec::new();
     for k in 0..3 {
         let azimuth = TAU / 3.0 * k as f64;
-        let (out, across) =
-            (vec3(azimuth.cos(), azimuth.sin(), 0.0), vec3(-azimuth.sin(), azimuth.cos(), 0.0));
+        let out = vec3(azimuth.cos(), azimuth.sin(), 0.0);
+        let across = vec3(-azimuth.sin(), azimuth.cos(), 0.0);
         let shoulder = out * BASE;
         let elbow = shoulder + out * ARM * deg(20.0).cos() - Vec3::z() * ARM * deg(20.0).sin();
         let arm = m.spatial_link_between(&format!("arm {}", k + 1), shoulder, elbow)?;
@@ -40,14 +40,18 @@ fn main() -> kin::Result<()> {
             spatial::revolute(arm, ground, arm.start(), shoulder, axis, across),
         )?;
         for (name, side) in [("left", -HALF), ("right", HALF)] {
-            let (upper, lower) = (arm.end() + axis * side, out * PLATE + across * side);
-            m.add(&format!("{name} rod {}", k + 1), spatial::distance(arm, plate, upper, lower, FOREARM))?;
+            let upper = arm.end() + axis * side;
+            let lower = out * PLATE + across * side;
+            m.add(
+                &format!("{name} rod {}", k + 1),
+                spatial::distance(arm, plate, upper, lower, FOREARM),
+            )?;
         }
         arms.push((arm, axis, out, across));
     }
 
-    // 2. The tool's path: 100 mm up, 300 mm across, down, and the same way back, in two seconds; the moves
-    //    overlap.
+    // 2. The tool's path: 100 mm up, 300 mm across, down, and the same way back, in two seconds;
+    //    the moves overlap.
     let lift = |begin: f64| {
         let up = Law::polynomial_345(100.0, 0.3);
         Law::sequence(
@@ -82,7 +86,12 @@ fn main() -> kin::Result<()> {
     }
     let tool = motion.point(plate, vec3(0.0, 0.0, 0.0))?;
     for turn in motion.outputs() {
-        println!("{}: {:.2}° to {:.2}°", turn.name(), turn.min().to_degrees(), turn.max().to_degrees());
+        println!(
+            "{}: {:.2}° to {:.2}°",
+            turn.name(),
+            turn.min().to_degrees(),
+            turn.max().to_degrees()
+        );
     }
     println!(
         "tool: at most {:.0} mm/s and {:.0} mm/s²",
@@ -95,12 +104,15 @@ fn main() -> kin::Result<()> {
 
     // 4. Pictures: base and plate are told, and the cross bars at the elbows.
     let corners = |radius: f64, half: f64| {
-        let sides = arms.iter().flat_map(|(_, _, out, across)| [(out, across, -half), (out, across, half)]);
+        let sides =
+            arms.iter().flat_map(|(_, _, out, across)| [(out, across, -half), (out, across, half)]);
         sides.map(|(out, across, half)| *out * radius + *across * half).collect::<Vec<Vec3>>()
     };
-    let scene =
-        Scene::new(&system).seen_from(-0.9, 0.3).outline(ground, Outline::polygon(corners(BASE, 60.0)));
-    let mut scene = scene.outline(plate, Outline::polygon(corners(PLATE, HALF))).color(plate, "#d55e00");
+    let scene = Scene::new(&system)
+        .seen_from(-0.9, 0.3)
+        .outline(ground, Outline::polygon(corners(BASE, 60.0)));
+    let mut scene =
+        scene.outline(plate, Outline::polygon(corners(PLATE, HALF))).color(plate, "#d55e00");
     for &(arm, axis, ..) in &arms {
         let bar = Outline::line([arm.end() - axis * HALF, arm.end() + axis * HALF]);
         scene = scene
@@ -111,11 +123,14 @@ fn main() -> kin::Result<()> {
     let scene = scene.trace("tool", plate, vec3(0.0, 0.0, 0.0));
     scene.pose(&motion, 0.2)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 4.0)?.save(format!("{OUT}/animated.svg"))?;
-    let panel = motors.iter().fold(Panel::over_time("Motors", "turn below the horizontal"), |panel, turn| {
-        panel.series(turn.name(), turn)
-    });
+    let panel = motors
+        .iter()
+        .fold(Panel::over_time("Motors", "turn below the horizontal"), |panel, turn| {
+            panel.series(turn.name(), turn)
+        });
     Figure::new([panel]).save(format!("{OUT}/motors.svg"))?;
-    let page =
-        scene.page(&motion)?.chart("Turns of the motors", motors.iter().map(|turn| (turn.name(), turn)));
+    let page = scene
+        .page(&motion)?
+        .chart("Turns of the motors", motors.iter().map(|turn| (turn.name(), turn)));
     page.chart("Speed of the tool", [("tool", &tool.speed())]).save(format!("{OUT}/index.html"))
 }

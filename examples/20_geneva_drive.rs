@@ -1,9 +1,9 @@
 //! A Geneva drive with six stations. Lengths in mm, angles in rad, time in s.
 //!
-//! What to see: the driver goes round evenly; for a third of a turn its pin runs in a slot of the wheel and
-//! turns it by 60°, for the rest the wheel is locked by the disc that runs in its hollow side. The pin comes
-//! in along the slot, so the wheel starts without a shock, but its acceleration jumps. The constraint is a
-//! user's own: one equation with an `if` in it.
+//! What to see: the driver goes round evenly; for a third of a turn its pin runs in a slot of the
+//! wheel and turns it by 60°, for the rest the wheel is locked by the disc that runs in its hollow
+//! side. The pin comes in along the slot, so the wheel starts without a shock, but its acceleration
+//! jumps. The constraint is a user's own: one equation with an `if` in it.
 //!
 //! `cargo run --release --example 20_geneva_drive`
 
@@ -12,11 +12,11 @@ use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/20_geneva_drive";
 
-/// Geneva drive: where the pin P of the driver is in a slot, s × e / |ū| = 0, s = P as the wheel sees it and
-/// e the slot's direction; else the wheel stands at its station. [–, rad]
+/// Geneva drive: where the pin P of the driver is in a slot, s × e / |ū| = 0, s = P as the wheel
+/// sees it and e the slot's direction; else the wheel stands at its station. [–, rad]
 ///
-/// `pin`: ū, P in the driver, on its x-axis; at the driver's angle 0 it is deepest in a slot. `slots`: their
-/// number; the wheel's axle is to the right.
+/// `pin`: ū, P in the driver, on its x-axis; at the driver's angle 0 it is deepest in a slot.
+/// `slots`: their number; the wheel's axle is to the right.
 #[constraint]
 #[require(slots >= 3.0 && slots.fract() == 0.0, "a Geneva wheel has three slots at least, and a whole number of them")]
 fn geneva(driver: Planar, wheel: Planar, pin: Vec2, slots: f64) -> f64 {
@@ -46,8 +46,8 @@ fn main() -> kin::Result<()> {
     let bottom = apart - CRANK; // of the slots, where the pin is deepest
     let lock = CRANK - 2.0 * PIN; // radius of the locking disc
 
-    // 2. Six equations for six coordinates; a turn of the driver in two seconds, six turns for one of the
-    //    wheel.
+    // 2. Six equations for six coordinates; a turn of the driver in two seconds, six turns for one
+    //    of the wheel.
     let mut m = Mechanism::new("Geneva drive");
     m.units("mm", "s");
     let ground = m.ground();
@@ -69,20 +69,29 @@ fn main() -> kin::Result<()> {
         "from station to station {:.4}°",
         (turn.value.values()[0] - turn.value.values()[400]).to_degrees()
     );
-    println!("wheel: at most {:.3} rad/s and {:.2} rad/s²", -turn.rate.min(), turn.second_rate.max());
+    println!(
+        "wheel: at most {:.3} rad/s and {:.2} rad/s²",
+        -turn.rate.min(),
+        turn.second_rate.max()
+    );
     motion.add_point("pin", driver, vec2(CRANK, 0.0))?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 4. Pictures: the wheel with slots and hollow sides, the driver with its pin and its locking disc, which
-    //    is cut out where the wheel passes.
-    // where the disc meets the rim of the wheel
+    // 4. Pictures: the wheel with slots and hollow sides, the driver with its pin and its locking
+    //    disc, which is cut out where the wheel passes. where the disc meets the rim of the wheel
     let open = ((apart * apart + lock * lock - outer * outer) / (2.0 * apart * lock)).acos();
     let passes = (lock * open.sin() / outer).asin();
-    let disc =
-        arc(origin, lock, open, TAU - open).chain(arc(vec2(apart, 0.0), outer, PI + passes, PI - passes));
+    let disc = arc(origin, lock, open, TAU - open).chain(arc(
+        vec2(apart, 0.0),
+        outer,
+        PI + passes,
+        PI - passes,
+    ));
     let edge = (0..SLOTS).flat_map(|k| {
-        let (slot, side) = (2.0 * half * k as f64, 2.0 * half * (k as f64 + 0.5));
-        let mouth = [-1.0, 1.0].map(|side| direction(slot) * outer + direction(slot).perp() * (side * PIN));
+        let slot = 2.0 * half * k as f64;
+        let side = 2.0 * half * (k as f64 + 0.5);
+        let mouth =
+            [-1.0, 1.0].map(|side| direction(slot) * outer + direction(slot).perp() * (side * PIN));
         let round = arc(direction(slot) * bottom, PIN, slot - 0.5 * PI, slot - 1.5 * PI);
         let hollow = arc(direction(side) * apart, lock, side + PI + open, side + PI - open);
         [mouth[0]].into_iter().chain(round).chain([mouth[1]]).chain(hollow)
@@ -98,8 +107,9 @@ fn main() -> kin::Result<()> {
         .trace("pin", driver, crank[1]);
     scene.pose(&motion, 0.9)?.save(format!("{OUT}/pose.svg"))?;
     scene.animated(&motion, 9.0)?.save(format!("{OUT}/animated.svg"))?;
-    let panel =
-        |title: &str, label: &str, series: &Series| Panel::over_time(title, label).series("wheel", series);
+    let panel = |title: &str, label: &str, series: &Series| {
+        Panel::over_time(title, label).series("wheel", series)
+    };
     let panels = [
         panel("Turn", "angle", &turn.value),
         panel("Angular acceleration", "acceleration", &turn.second_rate),

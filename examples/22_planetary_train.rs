@@ -1,10 +1,10 @@
-//! A planetary train with two inputs: sun and ring turn, the carrier adds them up. Lengths in mm, angles in
-//! rad, time in s.
+//! A planetary train with two inputs: sun and ring turn, the carrier adds them up. Lengths in mm,
+//! angles in rad, time in s.
 //!
-//! What to see: the sun turns evenly. The ring stands at first, then turns with the sun until all goes round
-//! as one block, and then against it until the carrier stands and the planets only turn on their axles.
-//! Nothing tells the carrier: the meshes of one planet do, and its speed is what Willis's equation says.
-//! Follow the mark on a planet.
+//! What to see: the sun turns evenly. The ring stands at first, then turns with the sun until all
+//! goes round as one block, and then against it until the carrier stands and the planets only turn
+//! on their axles. Nothing tells the carrier: the meshes of one planet do, and its speed is what
+//! Willis's equation says. Follow the mark on a planet.
 //!
 //! `cargo run --release --example 22_planetary_train`
 
@@ -18,10 +18,11 @@ const MODULE: f64 = 2.0; // mm
 const TEETH: [usize; 3] = [30, 21, 72];
 const OMEGA: f64 = TAU / 4.0; // of the sun
 
-/// The angle of something that turns at one speed after the other for two seconds, with a second between to
-/// change, and at the last one for good.
+/// The angle of something that turns at one speed after the other for two seconds, with a second
+/// between to change, and at the last one for good.
 fn at_speeds(speeds: &[f64]) -> Law {
-    let (mut angle, mut parts) = (0.0, Vec::new());
+    let mut angle = 0.0;
+    let mut parts = Vec::new();
     for (k, &speed) in speeds.iter().enumerate() {
         let time = if k + 1 < speeds.len() { 2.0 } else { 1e3 };
         parts.push((time, Law::linear(angle, speed)));
@@ -40,15 +41,17 @@ fn main() -> kin::Result<()> {
     let [r_sun, r_planet, r_ring] = TEETH.map(|z| 0.5 * MODULE * z as f64);
     let mut m = Mechanism::new("planetary train");
     m.units("mm", "s");
-    let (ground, origin) = (m.ground(), vec2(0.0, 0.0));
-    let (sun, ring) = (m.planar("sun", pose(0.0, 0.0, 0.0))?, m.planar("ring", pose(0.0, 0.0, 0.0))?);
+    let ground = m.ground();
+    let origin = vec2(0.0, 0.0);
+    let sun = m.planar("sun", pose(0.0, 0.0, 0.0))?;
+    let ring = m.planar("ring", pose(0.0, 0.0, 0.0))?;
     let carrier = m.planar("carrier", pose(0.0, 0.0, 0.0))?;
     for (name, wheel) in [("sun", sun), ("ring", ring), ("carrier", carrier)] {
         m.add(&format!("axle of the {name}"), revolute(ground, wheel, origin, origin))?;
     }
 
-    // 2. Three planets in the ring. The first meshes with the sun too, which decides how the carrier turns;
-    //    the others then do so by themselves.
+    // 2. Three planets in the ring. The first meshes with the sun too, which decides how the
+    //    carrier turns; the others then do so by themselves.
     let mut planets = Vec::new();
     for k in 0..3 {
         let place = TAU / 3.0 * k as f64;
@@ -84,8 +87,8 @@ fn main() -> kin::Result<()> {
     motion.add_point("mark", planets[0], mark)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 4. Pictures: the joints know the pitch circles; here the wheels are told with their teeth, the ring by
-    //    its edges.
+    // 4. Pictures: the joints know the pitch circles; here the wheels are told with their teeth,
+    //    the ring by its edges.
     let mut scene = Scene::new(&system)
         .outline(sun, Outline::gear(r_sun, TEETH[0]))
         .trace("mark", planets[0], mark)
@@ -101,7 +104,9 @@ fn main() -> kin::Result<()> {
     let speeds = [("sun", &w_sun), ("ring", &w_ring), ("carrier", &w_carrier)];
     let panel = speeds
         .iter()
-        .fold(Panel::over_time("Speeds", "angular velocity"), |panel, (name, rate)| panel.series(name, rate));
+        .fold(Panel::over_time("Speeds", "angular velocity"), |panel, (name, rate)| {
+            panel.series(name, rate)
+        });
     Figure::new([panel]).save(format!("{OUT}/speeds.svg"))?;
     scene.page(&motion)?.chart("Angular velocities", speeds).save(format!("{OUT}/index.html"))
 }

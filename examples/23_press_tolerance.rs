@@ -1,9 +1,9 @@
-//! The lower dead centre of a press, and how far the shop may be off. Lengths in mm, angles in rad, time in
-//! s.
+//! The lower dead centre of a press, and how far the shop may be off. Lengths in mm, angles in rad,
+//! time in s.
 //!
-//! What to see: the ram comes down to the same height within 0.15 mm whoever makes the parts, and the bars
-//! say whose tolerance that is: the frame's and the rod's, hardly that of the offset, though it is the
-//! widest. Of a thousand presses made at random nine in ten are within 0.06 mm.
+//! What to see: the ram comes down to the same height within 0.15 mm whoever makes the parts, and
+//! the bars say whose tolerance that is: the frame's and the rod's, hardly that of the offset,
+//! though it is the widest. Of a thousand presses made at random nine in ten are within 0.06 mm.
 //!
 //! `cargo run --release --example 23_press_tolerance`
 
@@ -14,17 +14,20 @@ use kin_view::{Bars, Outline, Scene};
 const OUT: &str = "out/23_press_tolerance";
 
 fn main() -> kin::Result<()> {
-    // 1. Dimensions with the tolerances of their drawings, and the play of the pin between crank and rod.
+    // 1. Dimensions with the tolerances of their drawings, and the play of the pin between crank
+    //    and rod.
     let mut m = Mechanism::new("eccentric press");
     m.units("mm", "s");
     let crank = m.dimension("crank", 40.0)?.tolerance(0.02).unit("mm");
     let rod = m.dimension("rod", 220.0)?.tolerance(0.05).unit("mm");
-    let height = m.dimension("frame", 420.0)?.tolerance(0.05).unit("mm").distributed(Distribution::Uniform);
+    let height =
+        m.dimension("frame", 420.0)?.tolerance(0.05).unit("mm").distributed(Distribution::Uniform);
     let offset = m.dimension("offset", 6.0)?.tolerance(0.1).unit("mm");
     let gap = m.clearance("gap", 0.03)?;
 
     // 2. The shaft stands above the table, the ram goes up and down beside its axis.
-    let (shaft, link) = (m.link("crank", crank)?, m.link("rod", rod)?);
+    let shaft = m.link("crank", crank)?;
+    let link = m.link("rod", rod)?;
     let ram = m.planar("ram", pose(offset, 420.0 - 220.0, 0.0))?;
     m.add("shaft", revolute(shaft, Ground, shaft.start(), (0.0, height)))?;
     m.add("pin", revolute(shaft, link, shaft.end() + gap, link.start()))?;
@@ -33,7 +36,8 @@ fn main() -> kin::Result<()> {
     m.add("motor", drive_angle(shaft, Law::ramp(TAU)))?;
     m.prefer(link, -1.5);
 
-    // 3. A turn; its lowest position is the lower dead centre, wherever in time dimensions move that.
+    // 3. A turn; its lowest position is the lower dead centre, wherever in time dimensions move
+    //    that.
     m.write_json(format!("{OUT}/mechanism.json"))?;
     let system = m.build()?;
     let mut motion = system.run(linspace(0.0, 1.0, 361))?;
@@ -52,7 +56,12 @@ fn main() -> kin::Result<()> {
     let scene = Scene::new(&system)
         .outline(
             ram,
-            Outline::polygon([vec2(-30.0, 0.0), vec2(30.0, 0.0), vec2(30.0, 60.0), vec2(-30.0, 60.0)]),
+            Outline::polygon([
+                vec2(-30.0, 0.0),
+                vec2(30.0, 0.0),
+                vec2(30.0, 60.0),
+                vec2(-30.0, 60.0),
+            ]),
         )
         .outline(Ground, Outline::line([vec2(-90.0, 130.0), vec2(90.0, 130.0)]));
     scene.animated(&motion, 2.0)?.save(format!("{OUT}/animated.svg"))?;

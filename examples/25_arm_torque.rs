@@ -1,10 +1,10 @@
-//! The torques of an arm that lifts a tool. Lengths in m, angles in rad, time in s, forces in N, torques in
-//! N m.
+//! The torques of an arm that lifts a tool. Lengths in m, angles in rad, time in s, forces in N,
+//! torques in N m.
 //!
-//! What to see: the arm swings from hanging low to reaching out and back. The shoulder carries both links and
-//! the tool, so it works hardest where the arm is stretched out level, though nothing moves fast there; the
-//! elbow's torque changes sign where the forearm begins to be braked. Lagrange's equations, by hand, give the
-//! same torques to the last digits.
+//! What to see: the arm swings from hanging low to reaching out and back. The shoulder carries both
+//! links and the tool, so it works hardest where the arm is stretched out level, though nothing
+//! moves fast there; the elbow's torque changes sign where the forearm begins to be braked.
+//! Lagrange's equations, by hand, give the same torques to the last digits.
 //!
 //! `cargo run --release --example 25_arm_torque`
 
@@ -18,7 +18,8 @@ const G: f64 = 9.81; // m/s²
 const LENGTHS: [f64; 2] = [0.45, 0.35]; // m
 const TOOL: f64 = 30.0; // N, the weight of what the arm carries at its end
 
-/// An arm with its bodies: the links are bars of aluminium, the upper one has a gear box at the elbow.
+/// An arm with its bodies: the links are bars of aluminium, the upper one has a gear box at the
+/// elbow.
 pub fn arm() -> kin::Result<(Mechanism, [Link; 2], [Solid; 2])> {
     let mut m = Mechanism::new("arm with a tool");
     let links = [m.link("upper arm", LENGTHS[0])?, m.link("forearm", LENGTHS[1])?];
@@ -49,14 +50,18 @@ pub fn arm() -> kin::Result<(Mechanism, [Link; 2], [Solid; 2])> {
     Ok((m, links, solids))
 }
 
-/// Both torques at one time by Lagrange's equations: θ of the upper arm, φ of the forearm in it, with their
-/// first and second rates.
+/// Both torques at one time by Lagrange's equations: θ of the upper arm, φ of the forearm in it,
+/// with their first and second rates.
 pub fn lagrange([upper, fore]: [Solid; 2], theta: [f64; 3], phi: [f64; 3]) -> [f64; 2] {
     // Distances of the centres from shoulder and elbow; frames of links are at their middles.
-    let (l1, l2) = (LENGTHS[0], LENGTHS[1]);
-    let (c1, c2) = (0.5 * l1 + upper.centre.x, 0.5 * l2 + fore.centre.x);
-    let (j1, j2) = (upper.inertia.m33, fore.inertia.m33);
-    let (m1, m2) = (upper.mass, fore.mass);
+    let l1 = LENGTHS[0];
+    let l2 = LENGTHS[1];
+    let c1 = 0.5 * l1 + upper.centre.x;
+    let c2 = 0.5 * l2 + fore.centre.x;
+    let j1 = upper.inertia.m33;
+    let j2 = fore.inertia.m33;
+    let m1 = upper.mass;
+    let m2 = fore.mass;
     let (sin, cos) = phi[0].sin_cos();
     let coupling = m2 * l1 * c2;
     let m11 = j1 + j2 + m1 * c1 * c1 + m2 * (l1 * l1 + c2 * c2) + 2.0 * coupling * cos;
@@ -65,7 +70,8 @@ pub fn lagrange([upper, fore]: [Solid; 2], theta: [f64; 3], phi: [f64; 3]) -> [f
     let fore_weight = (m2 * G * c2 + TOOL * l2) * (theta[0] + phi[0]).cos();
     let upper_weight = (m1 * G * c1 + m2 * G * l1 + TOOL * l1) * theta[0].cos();
     [
-        m11 * theta[2] + m12 * phi[2] - coupling * sin * (2.0 * theta[1] * phi[1] + phi[1] * phi[1])
+        m11 * theta[2] + m12 * phi[2]
+            - coupling * sin * (2.0 * theta[1] * phi[1] + phi[1] * phi[1])
             + upper_weight
             + fore_weight,
         m12 * theta[2] + m22 * phi[2] + coupling * sin * theta[1] * theta[1] + fore_weight,
@@ -73,8 +79,14 @@ pub fn lagrange([upper, fore]: [Solid; 2], theta: [f64; 3], phi: [f64; 3]) -> [f
 }
 
 /// The largest difference of torques over time from those by hand.   [N m]
-pub fn off(motion: &Motion, [upper, fore]: [Link; 2], solids: [Solid; 2], torques: [&Series; 2]) -> f64 {
-    let rates = |body: Link| motion.coordinate(body.theta()).map(|q| [q.value, q.rate, q.second_rate]);
+pub fn off(
+    motion: &Motion,
+    [upper, fore]: [Link; 2],
+    solids: [Solid; 2],
+    torques: [&Series; 2],
+) -> f64 {
+    let rates =
+        |body: Link| motion.coordinate(body.theta()).map(|q| [q.value, q.rate, q.second_rate]);
     let (Ok(theta), Ok(both)) = (rates(upper), rates(fore)) else { return f64::NAN };
     let at = |k: usize| {
         let theta: [f64; 3] = std::array::from_fn(|order| theta[order].values()[k]);
@@ -82,7 +94,9 @@ pub fn off(motion: &Motion, [upper, fore]: [Link; 2], solids: [Solid; 2], torque
         let [shoulder, elbow] = lagrange(solids, theta, phi);
         (torques[0].values()[k] - shoulder).abs().max((torques[1].values()[k] - elbow).abs())
     };
-    (0..motion.len()).map(at).fold(0.0, |worst, off| if off > worst || off.is_nan() { off } else { worst })
+    (0..motion.len())
+        .map(at)
+        .fold(0.0, |worst, off| if off > worst || off.is_nan() { off } else { worst })
 }
 
 #[allow(dead_code)] // Tests take the arm and Lagrange's equations from here.
@@ -98,11 +112,15 @@ fn main() -> kin::Result<()> {
 
     // 2. What the motors give, the pins hold, and the balance of powers.
     let forces = system.forces(&motion)?;
-    let (shoulder, elbow) = (forces.drive("shoulder motor")?, forces.drive("elbow motor")?);
+    let shoulder = forces.drive("shoulder motor")?;
+    let elbow = forces.drive("elbow motor")?;
     let torques = [shoulder.effort(), elbow.effort()];
     println!("shoulder: at most {}; elbow: at most {}", shoulder.peak(), elbow.peak());
     println!("power of the shoulder: at most {}", shoulder.power().peak());
-    println!("off Lagrange's equations by {:.0e} N m at most", off(&motion, links, solids, torques));
+    println!(
+        "off Lagrange's equations by {:.0e} N m at most",
+        off(&motion, links, solids, torques)
+    );
     println!("{}", forces.balance());
     forces.write_csv(format!("{OUT}/forces.csv"))?;
 

@@ -1,10 +1,11 @@
-//! An engine with gas in its cylinder, balanced and not. Lengths in mm, angles in rad, time in ms, masses in
-//! g: forces are in N, torques in N mm, pressures in MPa.
+//! An engine with gas in its cylinder, balanced and not. Lengths in mm, angles in rad, time in ms,
+//! masses in g: forces are in N, torques in N mm, pressures in MPa.
 //!
-//! What to see: a four-stroke engine of one cylinder at 3000 turns a minute. The gas pushes the piston down
-//! once in two turns, but shakes nothing: it pushes the head up as hard. What shakes the frame is what turns
-//! and what goes up and down; a counterweight on the crank, which takes the first and half of the second,
-//! leaves a quarter of the force. The torque at the crank is that of the gas and of the piston's inertia.
+//! What to see: a four-stroke engine of one cylinder at 3000 turns a minute. The gas pushes the
+//! piston down once in two turns, but shakes nothing: it pushes the head up as hard. What shakes
+//! the frame is what turns and what goes up and down; a counterweight on the crank, which takes the
+//! first and half of the second, leaves a quarter of the force. The torque at the crank is that of
+//! the gas and of the piston's inertia.
 //!
 //! `cargo run --release --example 26_engine`
 
@@ -26,8 +27,8 @@ pub struct Engine {
     pub solids: [Solid; 3],
 }
 
-/// Pressure in the cylinder above that outside, over the crank's angle after the dead centre at which it
-/// fires.   [MPa, rad]
+/// Pressure in the cylinder above that outside, over the crank's angle after the dead centre at
+/// which it fires. [MPa, rad]
 pub fn pressure() -> Law {
     let table = [
         (0.0, 2.1), // fires
@@ -66,7 +67,8 @@ pub fn engine(counterweight: bool) -> kin::Result<Engine> {
     let mut m = Mechanism::new("engine");
     m.units("mm", "ms").mass("g");
     let ground = m.ground();
-    let (crank, rod) = (m.link("crank", CRANK)?, m.link("rod", ROD)?);
+    let crank = m.link("crank", CRANK)?;
+    let rod = m.link("rod", ROD)?;
     let piston = m.planar("piston", pose(0.0, CRANK + ROD, 0.0))?;
     let origin = vec2(0.0, 0.0);
     m.add("shaft", revolute(ground, crank, origin, crank.start()))?;
@@ -79,13 +81,16 @@ pub fn engine(counterweight: bool) -> kin::Result<Engine> {
 
     // Two webs with the pin between them; the rod's centre is nearer to the crank.
     let web = Solid::bar(CRANK + 40.0, 60.0, 30.0, 7.85e-3); // g/mm³
-    let (rod_solid, piston_solid) = (solid(560.0, -0.2 * ROD, 1.9e6), solid(430.0, 0.0, 2.4e5));
+    let rod_solid = solid(560.0, -0.2 * ROD, 1.9e6);
+    let piston_solid = solid(430.0, 0.0, 2.4e5);
     let mut crank_solid = web;
     if counterweight {
-        // The rod as two masses: 0.3 of it goes up and down with the piston, 0.7 turns with the pin.
+        // The rod as two masses: 0.3 of it goes up and down with the piston, 0.7 turns with the
+        // pin.
         let turns = 0.7 * rod_solid.mass + 0.5 * (piston_solid.mass + 0.3 * rod_solid.mass);
         let moment = web.mass * CRANK / 2.0 + turns * CRANK;
-        let (away, radius) = (55.0, 40.0);
+        let away = 55.0;
+        let radius = 40.0;
         let disc = Solid::disc(radius, 1.0, 7.85e-3);
         let thickness = moment / (away * disc.mass);
         let weight = Solid::disc(radius, thickness, 7.85e-3);
@@ -103,8 +108,9 @@ pub fn engine(counterweight: bool) -> kin::Result<Engine> {
     Ok(Engine { mechanism: m, bodies, solids: [crank_solid, rod_solid, piston_solid] })
 }
 
-/// By hand at time t: the shaking force on the frame, the shaking moment about the shaft, and the torque that
-/// keeps the crank turning evenly: −Σ m a, −Σ (r × m a + J α), (Σ (m a · v + J α θ̇) + p A v)/ω.
+/// By hand at time t: the shaking force on the frame, the shaking moment about the shaft, and the
+/// torque that keeps the crank turning evenly: −Σ m a, −Σ (r × m a + J α), (Σ (m a · v + J α θ̇) +
+/// p A v)/ω.
 pub fn by_hand([crank, rod, piston]: [Solid; 3], t: f64) -> (Vec2, f64, f64) {
     let theta = PI / 2.0 + OMEGA * t;
     let e = |angle: f64| (vec2(angle.cos(), angle.sin()), vec2(-angle.sin(), angle.cos()));
@@ -113,17 +119,20 @@ pub fn by_hand([crank, rod, piston]: [Solid; 3], t: f64) -> (Vec2, f64, f64) {
     let rate = -CRANK / ROD * OMEGA * theta.sin() / psi.sin();
     let second = -(CRANK / ROD * OMEGA * OMEGA * theta.cos() + psi.cos() * rate * rate) / psi.sin();
     let (along_rod, across_rod) = e(psi);
-    // Position, velocity and acceleration of a point of the crank by its distance from the shaft, and of the
-    // rod by that from the pin.
+    // Position, velocity and acceleration of a point of the crank by its distance from the shaft,
+    // and of the rod by that from the pin.
     let on_crank = |d: f64| [along * d, across * (d * OMEGA), along * (-d * OMEGA * OMEGA)];
     let on_rod = |d: f64| {
         let [r, v, a] = on_crank(CRANK);
         let turned = across_rod * (d * second) - along_rod * (d * rate * rate);
         [r + along_rod * d, v + across_rod * (d * rate), a + turned]
     };
-    let centres = [on_crank(CRANK / 2.0 + crank.centre.x), on_rod(ROD / 2.0 + rod.centre.x), on_rod(ROD)];
+    let centres =
+        [on_crank(CRANK / 2.0 + crank.centre.x), on_rod(ROD / 2.0 + rod.centre.x), on_rod(ROD)];
     let turning = [0.0, rod.inertia.m33 * second, 0.0];
-    let (mut force, mut moment, mut power) = (vec2(0.0, 0.0), 0.0, rod.inertia.m33 * second * rate);
+    let mut force = vec2(0.0, 0.0);
+    let mut moment = 0.0;
+    let mut power = rod.inertia.m33 * second * rate;
     for ((solid, [r, v, a]), due) in [crank, rod, piston].iter().zip(centres).zip(turning) {
         force -= a * solid.mass;
         moment -= solid.mass * (r.x * a.y - r.y * a.x) + due;
@@ -136,7 +145,8 @@ pub fn by_hand([crank, rod, piston]: [Solid; 3], t: f64) -> (Vec2, f64, f64) {
 /// The force and moment that shake the frame: all that joints put on it, and the gas on the head.
 pub fn shaking(forces: &Forces<'_>) -> kin::Result<(Vec<Vec2>, Vec<f64>)> {
     let frame = PlanarBody::from(Ground);
-    let (joints, gas) = (forces.on_ground().on(frame)?, forces.load("gas")?.on(frame)?);
+    let joints = forces.on_ground().on(frame)?;
+    let gas = forces.load("gas")?.on(frame)?;
     let gas = gas.about(vec2(0.0, 0.0));
     let force = joints.force()?.into_iter().zip(gas.force()?).map(|(a, b)| a + b).collect();
     let moment = joints.torque()?.into_iter().zip(gas.torque()?).map(|(a, b)| a + b).collect();
@@ -177,7 +187,11 @@ fn main() -> kin::Result<()> {
     println!("{}", motion.summary());
     let names = ["without counterweight", "with counterweight"];
     for (name, (force, moment)) in names.iter().zip(&shaken) {
-        motion.add_output(&format!("shaking force {name}"), "N", force.iter().map(|f| f.norm()).collect())?;
+        motion.add_output(
+            &format!("shaking force {name}"),
+            "N",
+            force.iter().map(|f| f.norm()).collect(),
+        )?;
         motion.add_output(&format!("shaking moment {name}"), "N mm", moment.clone())?;
     }
     motion.add_point("piston pin", piston, vec2(0.0, 0.0))?;
@@ -193,7 +207,9 @@ fn main() -> kin::Result<()> {
         polar = polar.path(name, force);
     }
     let over_time = |title: &str, quantity: &str, k: usize| {
-        Panel::over_time(title, quantity).series(names[0], &outputs[k]).series(names[1], &outputs[k + 2])
+        Panel::over_time(title, quantity)
+            .series(names[0], &outputs[k])
+            .series(names[1], &outputs[k + 2])
     };
     let drive = forces.drive("turning")?;
     let torque = Panel::over_time("At the crank", "torque").series("torque", drive.effort());
@@ -208,10 +224,20 @@ fn main() -> kin::Result<()> {
         Outline::polygon([vec2(-x, low), vec2(x, low), vec2(x, high), vec2(-x, high)])
     };
     let wall = |x: f64| {
-        Outline::polygon([vec2(x, 100.0), vec2(x * 1.2, 100.0), vec2(x * 1.2, 240.0), vec2(x, 240.0)])
+        Outline::polygon([
+            vec2(x, 100.0),
+            vec2(x * 1.2, 100.0),
+            vec2(x * 1.2, 240.0),
+            vec2(x, 240.0),
+        ])
     };
-    let web =
-        [vec2(-95.0, -40.0), vec2(-60.0, -45.0), vec2(35.0, -14.0), vec2(35.0, 14.0), vec2(-60.0, 45.0)];
+    let web = [
+        vec2(-95.0, -40.0),
+        vec2(-60.0, -45.0),
+        vec2(35.0, -14.0),
+        vec2(35.0, 14.0),
+        vec2(-60.0, 45.0),
+    ];
     let web = web.into_iter().chain([vec2(-95.0, 40.0)]);
     let scene = Scene::new(&system)
         .outline(crank, Outline::polygon(web.collect::<Vec<_>>()))

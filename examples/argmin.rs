@@ -1,6 +1,6 @@
-//! The lengths of a machine from what it does, by an optimiser of another crate: `cargo run --release
-//! --features argmin --example argmin`. The height of a coupler point has been measured over a turn; which
-//! four-bar goes so?
+//! The lengths of a machine from what it does, by an optimiser of another crate:
+//! `cargo run --release --features argmin --example argmin`. The height of a coupler point has been
+//! measured over a turn; which four-bar goes so?
 use kin::Quantity;
 use kin::argmin::core::{Executor, State};
 use kin::argmin::solver::linesearch::MoreThuenteLineSearch;
@@ -10,8 +10,12 @@ use kin::prelude::*;
 /// The four-bar of the drawing, and the height of its coupler point.   [m]
 fn four_bar() -> kin::Result<(System, impl Fn(&Motion) -> kin::Result<Quantity>)> {
     let mut m = Mechanism::new("four-bar");
-    let (a, b, c) = (m.dimension("crank", 0.1)?, m.dimension("coupler", 0.27)?, m.dimension("rocker", 0.24)?);
-    let (crank, coupler, rocker) = (m.link("crank", a)?, m.link("coupler", b)?, m.link("rocker", c)?);
+    let a = m.dimension("crank", 0.1)?;
+    let b = m.dimension("coupler", 0.27)?;
+    let c = m.dimension("rocker", 0.24)?;
+    let crank = m.link("crank", a)?;
+    let coupler = m.link("coupler", b)?;
+    let rocker = m.link("rocker", c)?;
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
@@ -44,8 +48,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let start = objective.start();
 
     let solver = LBFGS::new(MoreThuenteLineSearch::new(), 5).with_tolerance_grad(1e-12)?;
-    let found =
-        Executor::new(objective, solver).configure(|state| state.param(start).max_iters(100)).run()?;
+    let found = Executor::new(objective, solver)
+        .configure(|state| state.param(start).max_iters(100))
+        .run()?;
     let best = found.state().get_best_param().ok_or("no lengths")?;
     println!("crank, coupler, rocker: {best:.6?} m after {} steps", found.state().get_iter());
     assert!(best.iter().zip(BUILT).all(|(found, built)| (found - built).abs() < 1e-6));

@@ -35,7 +35,8 @@ fn main() -> Result<(), Failure> {
 fn run(name: &str) -> Result<(), Failure> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let profile: &[&str] = if cfg!(debug_assertions) { &[] } else { &["--release"] };
-    let status = Command::new(cargo).args(["run", "--quiet", "--example", name]).args(profile).status()?;
+    let status =
+        Command::new(cargo).args(["run", "--quiet", "--example", name]).args(profile).status()?;
     if status.success() { Ok(()) } else { Err(format!("the example {name} failed").into()) }
 }
 
@@ -43,11 +44,16 @@ fn run(name: &str) -> Result<(), Failure> {
 fn described(program: &str) -> (String, String) {
     let comment: Vec<&str> =
         program.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim).collect();
-    let title =
-        comment.first().and_then(|line| line.split_once(". ").map_or(Some(*line), |(first, _)| Some(first)));
+    let title = comment
+        .first()
+        .and_then(|line| line.split_once(". ").map_or(Some(*line), |(first, _)| Some(first)));
     let paragraphs = comment.split(|line| line.is_empty()).map(|lines| lines.join(" "));
-    let text = paragraphs.filter_map(|text| text.strip_prefix("What to see: ").map(String::from)).next();
+    let text =
+        paragraphs.filter_map(|text| text.strip_prefix("What to see: ").map(String::from)).next();
     let mut letters = text.unwrap_or_default().chars().collect::<Vec<_>>();
-    letters.first_mut().into_iter().for_each(|first| *first = first.to_uppercase().next().unwrap_or(*first));
+    letters
+        .first_mut()
+        .into_iter()
+        .for_each(|first| *first = first.to_uppercase().next().unwrap_or(*first));
     (title.unwrap_or_default().trim_end_matches('.').to_string(), letters.into_iter().collect())
 }

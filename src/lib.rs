@@ -24,12 +24,13 @@ pub use kin_core::*;
 #[cfg(feature = "text")]
 pub use kin_text as text;
 
-// Listed under `extend`; these paths are shorter, and those that emitted code and constraints by hand have.
+// Listed under `extend`; these paths are shorter, and those that emitted code and constraints by
+// hand have.
 #[doc(hidden)]
 pub use kin_core::extend::{
-    Attached, Attachment, Dependence, Dual, Entry, Facts, Lanes, LawFunction, Measured, Moving, Parameters,
-    Real, Target, Terms, Written, blame, by_dual, coordinates, dual_route, dual_terms, jerk_rhs, measure,
-    real, state, terms,
+    Attached, Attachment, Dependence, Dual, Entry, Facts, Lanes, LawFunction, Measured, Moving,
+    Parameters, Real, Target, Terms, Written, blame, by_dual, coordinates, dual_route, dual_terms,
+    jerk_rhs, measure, real, state, terms,
 };
 
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.
@@ -39,10 +40,10 @@ pub mod prelude {
     pub use kin_core::joints::planar::*;
     pub use kin_core::joints::spatial;
     pub use kin_core::{
-        Axis, Constraint, Coord, Coordinate, Dimension, Ends, EulerParameters, Ground, Law, Link, Marker,
-        Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Rate, Route, Routed, Series, Spatial,
-        SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3, constraint, deg, force, law,
-        linspace, pose, potential, vec2, vec3,
+        Axis, Constraint, Coord, Coordinate, Dimension, Ends, EulerParameters, Ground, Law, Link,
+        Marker, Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Rate, Route, Routed,
+        Series, Spatial, SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3,
+        constraint, deg, force, law, linspace, pose, potential, vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }

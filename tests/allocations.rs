@@ -72,7 +72,8 @@ fn steps_of_a_program_allocate_nothing(system: &kin::System) {
 fn nor_do_those_of_programs_of_manipulators_platforms_and_chains() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
     for name in ["02_two_link_manipulator", "13_stewart_platform"] {
-        let mechanism = Mechanism::read_json(format!("{folder}/{name}.json"), &kin::Registry::new()).unwrap();
+        let mechanism =
+            Mechanism::read_json(format!("{folder}/{name}.json"), &kin::Registry::new()).unwrap();
         steps_of_a_program_allocate_nothing(&mechanism.build().unwrap());
     }
     let mut m = Mechanism::new("chain");
@@ -81,21 +82,26 @@ fn nor_do_those_of_programs_of_manipulators_platforms_and_chains() {
         let link = m.link(&format!("link {k}"), 1.0).unwrap();
         match last {
             None => m.add("pin 0", revolute(Ground, link, vec2(0.0, 0.0), link.start())).unwrap(),
-            Some(last) => m.add(&format!("pin {k}"), revolute(last, link, last.end(), link.start())).unwrap(),
+            Some(last) => {
+                m.add(&format!("pin {k}"), revolute(last, link, last.end(), link.start())).unwrap()
+            }
         };
-        m.add(&format!("motor {k}"), drive_angle(link, Law::sine(0.3, 1.0, 0.1 * k as f64))).unwrap();
+        m.add(&format!("motor {k}"), drive_angle(link, Law::sine(0.3, 1.0, 0.1 * k as f64)))
+            .unwrap();
         last = Some(link);
     }
     steps_of_a_program_allocate_nothing(&m.build().unwrap());
 }
 
-/// A bar on three rods of one length, one of which is superfluous: more times are no more work but for the
-/// tape, which allocates nothing, and what solves time by time allocates for each time and each parameter.
+/// A bar on three rods of one length, one of which is superfluous: more times are no more work but
+/// for the tape, which allocates nothing, and what solves time by time allocates for each time and
+/// each parameter.
 #[test]
 fn nor_do_times_of_the_gradient_of_a_redundant_mechanism() {
     let mut m = Mechanism::new("three equal rods");
     let length = m.dimension("length", 0.2).unwrap();
-    let places = ["first", "second", "third"].map(|name| m.dimension(name, name.len() as f64 - 5.0).unwrap());
+    let places = ["first", "second", "third"]
+        .map(|name| m.dimension(name, name.len() as f64 - 5.0).unwrap());
     let bar = m.planar("bar", pose(0.12, 0.16, 0.0)).unwrap();
     for (k, place) in places.into_iter().enumerate() {
         let ends = ((place, 0.1 * k as f64), (place, 0.1 * k as f64));

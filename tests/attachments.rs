@@ -53,7 +53,11 @@ fn whatever_they_are_computed_from_but_not_what_moves() {
     assert_eq!(joint.route(), Route::Symbolic);
     assert_eq!(
         shown(&joint),
-        [(1, "direction", [0.0, 1.0, 0.0]), (0, "point", [0.2, 0.4, 0.0]), (1, "point", [1.5, 0.0, 0.0])]
+        [
+            (1, "direction", [0.0, 1.0, 0.0]),
+            (0, "point", [0.2, 0.4, 0.0]),
+            (1, "point", [1.5, 0.0, 0.0])
+        ]
     );
     assert!(joint.set_parameter("length", 4.0));
     assert_eq!(shown(&joint)[2], (1, "point", [2.0, 0.0, 0.0]));
@@ -78,7 +82,10 @@ fn a_system_shows_its_bodies_its_constraints_and_its_condition() -> kin::Result<
         .constraints()
         .map(|(name, c)| (name, c.facts().kind.to_string(), c.attachments().len()))
         .collect();
-    assert_eq!(constraints, [("O", "revolute".to_string(), 2), ("motor", "drive_angle".to_string(), 0)]);
+    assert_eq!(
+        constraints,
+        [("O", "revolute".to_string(), 2), ("motor", "drive_angle".to_string(), 0)]
+    );
     let condition = system.condition(&system.run_both(linspace(0.0, 1.0, 5))?)?;
     assert!(condition.values().iter().all(|k| (1.0..10.0).contains(k)), "{condition:?}");
     Ok(())

@@ -1,5 +1,5 @@
-//! The jerk: of every example's mechanism against differences of its accelerations, of redundant and spatial
-//! mechanisms, of points, in files.
+//! The jerk: of every example's mechanism against differences of its accelerations, of redundant
+//! and spatial mechanisms, of points, in files.
 
 use kin::prelude::*;
 use kin::{Entry, Facts, Options, Registry, Solution};
@@ -15,16 +15,17 @@ fn with_jerk() -> Options {
     Options { jerk: true, ..Options::default() }
 }
 
-/// The largest difference of the jerk at the times from five-point differences of q̈ around them, by the
-/// largest number of the jerk. Of two steps, h and 20 h, that counts which fits: near a singular position
-/// rounding asks for the longer one.
+/// The largest difference of the jerk at the times from five-point differences of q̈ around them,
+/// by the largest number of the jerk. Of two steps, h and 20 h, that counts which fits: near a
+/// singular position rounding asks for the longer one.
 fn worst(system: &System, times: &[f64], h: f64) -> f64 {
     let motion = system.run_both_with(times, &with_jerk()).expect("runs");
     assert!(motion.has_jerk());
     let mut off = 0.0_f64;
     for (k, t) in times.iter().enumerate() {
         let beside = |s: f64| -> Vec<f64> {
-            let near = |j: usize| motion.q(k)[j] + s * (motion.qd(k)[j] + 0.5 * s * motion.qdd(k)[j]);
+            let near =
+                |j: usize| motion.q(k)[j] + s * (motion.qd(k)[j] + 0.5 * s * motion.qdd(k)[j]);
             let near: Vec<f64> = (0..motion.names().len()).map(near).collect();
             let Solution { qdd, .. } = system.solve_at(t + s, &near).expect("solves");
             qdd
@@ -34,7 +35,9 @@ fn worst(system: &System, times: &[f64], h: f64) -> f64 {
         let miss = |h: f64| {
             let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|s| beside(s * h));
             let difference = |j: usize| (a[j] - 8.0 * b[j] + 8.0 * c[j] - d[j]) / (12.0 * h);
-            jerk.iter().enumerate().fold(0.0_f64, |m, (j, known)| m.max((difference(j) - known).abs() / size))
+            jerk.iter()
+                .enumerate()
+                .fold(0.0_f64, |m, (j, known)| m.max((difference(j) - known).abs() / size))
         };
         off = off.max(miss(h).min(miss(20.0 * h)));
     }
@@ -76,20 +79,24 @@ const SECONDS: [(&str, f64); 27] = [
 #[test]
 fn every_example() {
     let root = env!("CARGO_MANIFEST_DIR");
-    let examples = std::fs::read_dir(format!("{root}/examples")).expect("readable").filter(|file| {
-        let name = file.as_ref().expect("an entry").file_name();
-        name.to_string_lossy().starts_with(|first: char| first.is_ascii_digit())
-    });
+    let examples =
+        std::fs::read_dir(format!("{root}/examples")).expect("readable").filter(|file| {
+            let name = file.as_ref().expect("an entry").file_name();
+            name.to_string_lossy().starts_with(|first: char| first.is_ascii_digit())
+        });
     assert_eq!(
         examples.count(),
         SECONDS.len(),
         "an example without its mechanism here; copy its mechanism.json to tests/data/examples/"
     );
-    let registry =
-        Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    let registry = Registry::new()
+        .with::<own::slider_crank>()
+        .with::<own::parabolic_slot>()
+        .with::<own::geneva>();
     for (name, seconds) in SECONDS {
-        let mechanism = Mechanism::read_json(format!("{root}/tests/data/examples/{name}.json"), &registry)
-            .expect("reads back");
+        let mechanism =
+            Mechanism::read_json(format!("{root}/tests/data/examples/{name}.json"), &registry)
+                .expect("reads back");
         // odd numbers, off the knots of splines and the dwells of cams
         let times: Vec<f64> = (0..=97).map(|k| seconds * (k as f64 + 0.137) / 98.3).collect();
         let off = worst(&mechanism.build().expect("builds"), &times, 1e-5 * seconds);
@@ -125,7 +132,13 @@ impl Constraint for OnUnitCircle {
     fn velocity_rhs(&self, _: &kin::state::At<'_>, rhs: &mut [f64]) {
         rhs[0] = 0.0;
     }
-    fn acceleration_rhs(&self, _: &kin::state::At<'_>, qd: &kin::state::Rates<'_>, _: f64, q_d: &mut [f64]) {
+    fn acceleration_rhs(
+        &self,
+        _: &kin::state::At<'_>,
+        qd: &kin::state::Rates<'_>,
+        _: f64,
+        q_d: &mut [f64],
+    ) {
         let [x, y] = qd.planar(0).r;
         q_d[0] = -2.0 * (x * x + y * y);
     }
@@ -150,7 +163,8 @@ fn a_constraint_that_does_not_know_it_is_named() {
 /// A parallelogram with a third crank: more equations than coordinates.
 fn three_cranks() -> System {
     let mut m = Mechanism::new("parallelogram");
-    let (ground, law) = (m.ground(), Law::ramp(1.0) + Law::sine(0.4, 2.0, 0.3));
+    let ground = m.ground();
+    let law = Law::ramp(1.0) + Law::sine(0.4, 2.0, 0.3);
     let coupler = m.planar("coupler", pose(0.94, 0.34, 0.0)).unwrap();
     for (k, pivot) in [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)].into_iter().enumerate() {
         let crank = m.link_between(&format!("crank {k}"), pivot, pivot + vec2(0.94, 0.34)).unwrap();
@@ -179,25 +193,49 @@ fn a_point_against_differences_of_its_acceleration() {
     let plate = m.spatial("plate", SpatialPose::at(vec3(0.5, 0.0, 0.0))).unwrap();
     m.add(
         "O",
-        spatial::revolute(shaft, m.ground(), vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0), axis, Vec3::z()),
+        spatial::revolute(
+            shaft,
+            m.ground(),
+            vec3(0.0, 0.0, 0.0),
+            vec3(0.0, 0.0, 0.0),
+            axis,
+            Vec3::z(),
+        ),
     )
     .unwrap();
     m.add(
         "A",
-        spatial::revolute(plate, shaft, vec3(0.0, 0.0, 0.0), vec3(0.5, 0.0, 0.0), Vec3::x(), Vec3::x()),
+        spatial::revolute(
+            plate,
+            shaft,
+            vec3(0.0, 0.0, 0.0),
+            vec3(0.5, 0.0, 0.0),
+            Vec3::x(),
+            Vec3::x(),
+        ),
     )
     .unwrap();
     m.add(
         "motor",
-        spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(2.0) + Law::sine(0.2, 3.0, 0.0)),
+        spatial::drive_turn(
+            shaft,
+            m.ground(),
+            axis,
+            axis,
+            Law::ramp(2.0) + Law::sine(0.2, 3.0, 0.0),
+        ),
     )
     .unwrap();
     let along = kin::Axis::along(Vec3::x());
-    m.add("spin", spatial::drive_turn(plate, shaft, along, along, Law::polynomial(&[0.0, 3.0, 0.5])))
-        .unwrap();
+    m.add(
+        "spin",
+        spatial::drive_turn(plate, shaft, along, along, Law::polynomial(&[0.0, 3.0, 0.5])),
+    )
+    .unwrap();
     let h = 1e-4;
-    let times: Vec<f64> =
-        (0..40).flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s))).collect();
+    let times: Vec<f64> = (0..40)
+        .flat_map(|k| (-2..=2).map(move |s| 0.3 + 0.1 * k as f64 + h * f64::from(s)))
+        .collect();
     let motion = m.build().unwrap().run_both_with(times, &with_jerk()).unwrap();
     let p = motion.point(plate, vec3(0.1, 0.2, -0.3)).unwrap();
     for k in (2..motion.len()).step_by(5) {
@@ -209,14 +247,18 @@ fn a_point_against_differences_of_its_acceleration() {
             p.jerk()[k]
         );
         assert!(
-            (p.jerk_magnitude().values()[k] - p.jerk()[k].norm()).abs() < 1e-12 * (1.0 + difference.norm())
+            (p.jerk_magnitude().values()[k] - p.jerk()[k].norm()).abs()
+                < 1e-12 * (1.0 + difference.norm())
         );
     }
-    assert_eq!(p.components().iter().map(Series::name).collect::<Vec<_>>()[9..], ["x'''", "y'''", "z'''"]);
+    assert_eq!(
+        p.components().iter().map(Series::name).collect::<Vec<_>>()[9..],
+        ["x'''", "y'''", "z'''"]
+    );
 }
 
-/// A slider that follows a cubic spline: its jerk is constant between the knots, and at a knot it is that of
-/// the part to the right.
+/// A slider that follows a cubic spline: its jerk is constant between the knots, and at a knot it
+/// is that of the part to the right.
 #[test]
 fn at_a_break_it_is_that_of_the_right() {
     let table = [(0.0, 0.0), (1.0, 0.3), (2.0, -0.1), (3.0, 0.4), (4.0, 0.0)];
@@ -227,7 +269,11 @@ fn at_a_break_it_is_that_of_the_right() {
     let motion = m.build().unwrap().run_both_with([0.5, 1.0, 1.5, 2.0, 2.5], &with_jerk()).unwrap();
     let jerk = motion.coordinate(x).unwrap().third_rate;
     let [left, first, middle, second, right] = jerk.values() else { panic!("five times") };
-    assert!((first - middle).abs() < 1e-12 && (second - right).abs() < 1e-12 && (left - first).abs() > 1.0);
+    assert!(
+        (first - middle).abs() < 1e-12
+            && (second - right).abs() < 1e-12
+            && (left - first).abs() > 1.0
+    );
     assert_eq!((jerk.name(), jerk.unit()), ("x'''", "m/s^3"));
 }
 
@@ -235,8 +281,8 @@ fn at_a_break_it_is_that_of_the_right() {
 fn files_have_it_where_it_was_asked_for() {
     let system = three_cranks();
     let times = linspace(0.0, 1.0, 11);
-    let (plain, motion) =
-        (system.run_both(&times).unwrap(), system.run_both_with(&times, &with_jerk()).unwrap());
+    let plain = system.run_both(&times).unwrap();
+    let motion = system.run_both_with(&times, &with_jerk()).unwrap();
     assert!(
         !plain.has_jerk()
             && plain.qddd(3).is_empty()
@@ -263,14 +309,20 @@ fn sweeps_have_it_too() {
     m.add("motor", drive_angle(arm, Law::sine(0.5, 2.0, 0.0))).unwrap();
     let system = m.build().unwrap();
     let cases = [[-0.5], [-0.6], [-0.7]];
-    let jerks =
-        system.sweep(["O.u_j.x"]).unwrap().options(with_jerk()).run(&cases, [0.0, 0.5], |_, motion| {
+    let jerks = system.sweep(["O.u_j.x"]).unwrap().options(with_jerk()).run(
+        &cases,
+        [0.0, 0.5],
+        |_, motion| {
             let motion = motion.unwrap();
             (motion.qddd(1)[2], motion.point(arm, arm.start()).unwrap().jerk().len())
-        });
+        },
+    );
     // θ⃛ = −½ 2³ cos 2t
     assert!(
-        jerks.unwrap().iter().all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2)
+        jerks
+            .unwrap()
+            .iter()
+            .all(|(jerk, count)| (jerk + 4.0 * 1.0_f64.cos()).abs() < 1e-12 && *count == 2)
     );
 }
 
@@ -331,13 +383,15 @@ fn soft_minimum(x: Coord, y: Coord, steep: f64) -> f64 {
 /// The tangents of the exponential are too large for a number before it is itself.
 #[test]
 fn the_jerk_of_a_steep_step_is_a_number_wherever_it_is_smooth() {
-    let (speed, steep) = (1.0, 800.0);
+    let speed = 1.0;
+    let steep = 800.0;
     // Of the minimum the exponential itself must be a number, its third derivative is none.
     let begin = |is_step: bool| if is_step { -1.0 } else { -0.885 };
     let built = |is_step: bool| {
         let from = begin(is_step);
         let mut m = Mechanism::new("step");
-        let (x, y) = (m.length("x", from).unwrap(), m.length("y", if is_step { 0.0 } else { from }).unwrap());
+        let x = m.length("x", from).unwrap();
+        let y = m.length("y", if is_step { 0.0 } else { from }).unwrap();
         m.add("drive", drive(x, Law::linear(from, speed))).unwrap();
         match is_step {
             true => m.add("step", logistic(x, y, steep)).unwrap(),
@@ -348,9 +402,12 @@ fn the_jerk_of_a_steep_step_is_a_number_wherever_it_is_smooth() {
     for is_step in [true, false] {
         let from = begin(is_step);
         let times = linspace(0.0, -2.0 * from, 4001);
-        let by = |engine| built(is_step).run_with(&times, &Options { engine, ..with_jerk() }).unwrap();
+        let by =
+            |engine| built(is_step).run_with(&times, &Options { engine, ..with_jerk() }).unwrap();
         let motions = [kin::Engine::Plain, kin::Engine::Compiled].map(by);
-        for (motion, k) in motions.iter().flat_map(|motion| (0..motion.len()).map(move |k| (motion, k))) {
+        for (motion, k) in
+            motions.iter().flat_map(|motion| (0..motion.len()).map(move |k| (motion, k)))
+        {
             let x = from + speed * times[k];
             // s (1 − s) is symmetric, and small where s is nearly 0 or 1.
             let e = (-steep * x.abs()).exp();

@@ -84,8 +84,10 @@ fn model() -> kin::Result<Mechanism> {
     let ground = m.ground();
     let slider = m.planar("slider", pose(0.2, 0.1, 0.0))?;
     let arm = m.link("arm", 0.1 + 0.2)?;
-    let (a, b) = (m.angle("a", 0.1)?, m.angle("b", 1.0 / 3.0)?);
-    let plate = m.spatial("plate", SpatialPose::turned(vec3(0.0, 0.0, 0.5), vec3(1.0, 2.0, 3.0), 0.3))?;
+    let a = m.angle("a", 0.1)?;
+    let b = m.angle("b", 1.0 / 3.0)?;
+    let plate =
+        m.spatial("plate", SpatialPose::turned(vec3(0.0, 0.0, 0.5), vec3(1.0, 2.0, 3.0), 0.3))?;
     m.add(
         "slot",
         bent_slot(
@@ -112,7 +114,10 @@ fn model() -> kin::Result<Mechanism> {
         ),
     )?;
     m.add("a itself", drive(a, Law::linear(0.1, 2.0)))?;
-    m.add("plate", spatial::fixed(plate, vec3(0.0, 0.0, 0.5), EulerParameters::new(1.0, 0.1, 0.2, 0.3)))?;
+    m.add(
+        "plate",
+        spatial::fixed(plate, vec3(0.0, 0.0, 0.5), EulerParameters::new(1.0, 0.1, 0.2, 0.3)),
+    )?;
     m.prefer(arm, 0.1);
     Ok(m)
 }
@@ -155,7 +160,8 @@ fn a_mechanism_comes_back_and_moves_the_same_to_the_last_bit() -> kin::Result<()
     let back = Mechanism::read_json(&path, &registry())?;
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!(back.data()?, model()?.data()?);
-    let (one, other) = (model()?.build()?, back.build()?);
+    let one = model()?.build()?;
+    let other = back.build()?;
     assert_eq!(one.parameters(), other.parameters());
     let times = linspace(0.0, 1.0, 21);
     assert_eq!(one.run_both(&times)?.data(), other.run_both(&times)?.data());
@@ -167,9 +173,10 @@ fn changed(from: &str, to: &str) -> String {
     let text = serde_json::to_string(&model().unwrap().data().unwrap()).unwrap();
     assert!(text.contains(from), "{from} is not in {text}");
     match MechanismData::read(&text.replacen(from, to, 1)) {
-        Ok(data) => {
-            Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string()).unwrap_or_default()
-        }
+        Ok(data) => Mechanism::from_data(&data, &registry())
+            .err()
+            .map(|error| error.to_string())
+            .unwrap_or_default(),
         Err(error) => error.to_string(),
     }
 }
@@ -206,7 +213,11 @@ fn mistakes_in_data_are_told_by_name() {
             r#"{"Down":2.0}"#,
             "constraint `slot`: its parameter `bend`: unknown variant `Down`",
         ),
-        (r#""format":1"#, r#""format":2"#, "it is of format 2, which a newer Kin has written; Kin "),
+        (
+            r#""format":1"#,
+            r#""format":2"#,
+            "it is of format 2, which a newer Kin has written; Kin ",
+        ),
         (r#""format":1"#, r#""format":2,"colour":3"#, " reads format 1: update it"),
         (r#""format":1"#, r#""format":0"#, "format 0 is none: format 1 can be read"),
         (
@@ -261,13 +272,24 @@ fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     for (from, twice, told) in [
         (r#""u_i":[0.0,0.0]"#, r#""u_i":[5.0,5.0]"#, "the key `u_i` stands twice"),
         (r#""Up":2.0"#, r#""Up":3.0"#, "the key `Up` stands twice in `bend`"),
-        (r#""rate":2.0"#, r#""rate":3.0"#, "the key `rate` stands twice in `law.parts.inner.numbers`"),
-        (r#""kind":"cubic""#, r#""kind":"ramp""#, "the key `kind` stands twice in `rise.parts.law.parts."),
+        (
+            r#""rate":2.0"#,
+            r#""rate":3.0"#,
+            "the key `rate` stands twice in `law.parts.inner.numbers`",
+        ),
+        (
+            r#""kind":"cubic""#,
+            r#""kind":"ramp""#,
+            "the key `kind` stands twice in `rise.parts.law.parts.",
+        ),
         (r#""name":"slider""#, r#""name":"other""#, "duplicate field `name`"),
         (r#""format":1"#, r#""format":1"#, "duplicate field `format`"),
     ] {
         let message = changed(from, &format!("{from},{twice}"));
-        assert!(message.contains(told) && message.contains(" at line 1 column "), "{message}: {told}");
+        assert!(
+            message.contains(told) && message.contains(" at line 1 column "),
+            "{message}: {told}"
+        );
     }
     let law: Result<LawData, _> =
         serde_json::from_str(r#"{"kind": "ramp", "numbers": {"rate": 2, "rate": 3}}"#);
@@ -276,11 +298,16 @@ fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     let text = serde_json::to_string(&motion.data()).expect("data");
     let twice = text.replacen(r#""times":"#, r#""times":[1.0],"times":"#, 1);
     assert!(
-        MotionData::read(&twice).is_err_and(|error| error.to_string().contains("duplicate field `times`"))
+        MotionData::read(&twice)
+            .is_err_and(|error| error.to_string().contains("duplicate field `times`"))
     );
     let load = r#"{"name": "l", "parts": [{"on_body": {"body": "arm", "force": [{"numbers": {"c": 1, "c": 2}}, {}, {}]}}]}"#;
     let load: Result<kin::data::LoadData, _> = serde_json::from_str(load);
-    assert!(load.is_err_and(|error| error.to_string().contains("the key `c` stands twice in `numbers`")));
+    assert!(
+        load.is_err_and(|error| error
+            .to_string()
+            .contains("the key `c` stands twice in `numbers`"))
+    );
     let friction: Result<kin::data::FrictionData, _> = serde_json::from_str(
         r#"{"joint": "O", "coefficient": 0.1, "rate": 1, "pin": {"radius": 1}, "pin": {"radius": 2}}"#,
     );
@@ -295,7 +322,10 @@ fn the_first_files_are_still_read() -> kin::Result<()> {
     for entry in std::fs::read_dir(folder.join("first_files")).unwrap() {
         let path = entry.unwrap().path();
         let run = |path: &std::path::Path| -> kin::Result<kin::data::MotionData> {
-            Ok(Mechanism::read_json(path, &registry)?.build()?.run_both(linspace(0.0, 0.5, 26))?.data())
+            Ok(Mechanism::read_json(path, &registry)?
+                .build()?
+                .run_both(linspace(0.0, 0.5, 26))?
+                .data())
         };
         let today = folder.join("examples").join(path.file_name().unwrap());
         assert_eq!(run(&path)?, run(&today)?, "{}", path.display());
@@ -325,7 +355,9 @@ fn what_cannot_be_written_is_told_by_name() -> kin::Result<()> {
     m.add("height", secret_height(b, Secret(1.0)))?;
     let message = m.data().unwrap_err().to_string();
     assert!(
-        message.starts_with("constraint `height`: its parameter `height` is of the type `json::Secret`"),
+        message.starts_with(
+            "constraint `height`: its parameter `height` is of the type `json::Secret`"
+        ),
         "{message}"
     );
     Ok(())
@@ -355,8 +387,10 @@ fn spoiled_files_are_errors_and_not_panics() -> kin::Result<()> {
 
 #[test]
 fn laws_come_back_as_they_are() {
-    let table: Vec<(f64, f64)> = (0..9).map(|k| 0.25 * f64::from(k)).map(|x| (x, (3.0 * x).sin())).collect();
-    let ring: Vec<(f64, f64)> = (0..=8).map(|k| (f64::from(k) / 8.0 * TAU, f64::from(k % 8) * 0.1)).collect();
+    let table: Vec<(f64, f64)> =
+        (0..9).map(|k| 0.25 * f64::from(k)).map(|x| (x, (3.0 * x).sin())).collect();
+    let ring: Vec<(f64, f64)> =
+        (0..=8).map(|k| (f64::from(k) / 8.0 * TAU, f64::from(k % 8) * 0.1)).collect();
     let rises = [
         Law::harmonic_rise,
         Law::cycloidal,
@@ -366,7 +400,8 @@ fn laws_come_back_as_they_are() {
         Law::modified_trapezoid,
     ];
     let mut all = vec![
-        (2.0 * (Law::harmonic(0.3, 0.05) + Law::ramp(1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0)).shifted(0.25),
+        (2.0 * (Law::harmonic(0.3, 0.05) + Law::ramp(1.0)) - 0.5 * Law::sine(1.0, 2.0, 0.0))
+            .shifted(0.25),
         Law::constant(0.1) * Law::linear(0.2, 3.0) + Law::polynomial(&[1.0, 0.0, 1.0 / 3.0]),
         Law::fourier(0.1, 2.0, &[(1.0, 0.5), (0.0, -0.25)]),
         Law::trapezoidal(2.0, 1.0, 3.0),

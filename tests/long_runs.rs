@@ -11,7 +11,9 @@ use crate::engines::Engines;
 /// A four-bar driven at a rate.
 fn four_bar(limited: bool) -> kin::Result<System> {
     let mut m = Mechanism::new("four-bar");
-    let (crank, coupler, rocker) = (m.link("crank", 1.0)?, m.link("coupler", 3.5)?, m.link("rocker", 3.0)?);
+    let crank = m.link("crank", 1.0)?;
+    let coupler = m.link("coupler", 3.5)?;
+    let rocker = m.link("rocker", 3.0)?;
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
@@ -38,20 +40,29 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
     );
     let text = error.to_string();
     assert!(
-        text.contains("10000000 times of 9 coordinates need 2.40 GB; `Options::memory` allows 1.07 GB."),
+        text.contains(
+            "10000000 times of 9 coordinates need 2.40 GB; `Options::memory` allows 1.07 GB."
+        ),
         "{text}"
     );
     assert!(text.contains("System::run_in_parts") && text.contains("allow more"), "{text}");
     let few = Options { memory: 8 * 11 * (3 + 4 * 9), jerk: true, ..Options::default() };
     assert!(system.run_both_with(linspace(0.0, 0.1, 11), &few).is_ok());
-    assert!(matches!(system.run_both_with(linspace(0.0, 0.1, 12), &few), Err(Error::NeedsMemory { .. })));
-    assert!(matches!(system.run_in_parts(times, 12, &few, |_| Ok(())), Err(Error::NeedsMemory { .. })));
+    assert!(matches!(
+        system.run_both_with(linspace(0.0, 0.1, 12), &few),
+        Err(Error::NeedsMemory { .. })
+    ));
+    assert!(matches!(
+        system.run_in_parts(times, 12, &few, |_| Ok(())),
+        Err(Error::NeedsMemory { .. })
+    ));
 }
 
 fn numbers(motion: &Motion) -> Vec<f64> {
     (0..motion.len())
         .flat_map(|k| {
-            [&[motion.times()[k]], motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)].concat()
+            [&[motion.times()[k]], motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)]
+                .concat()
         })
         .collect()
 }
@@ -69,7 +80,10 @@ fn a_run_in_parts_is_the_run_in_one() {
     let whole = system.run_both_with(&times, &options).unwrap();
     assert!(whole.events().len() >= 6 && whole.breaks().len() == 3, "{:?}", whole.events());
     for size in [1, 3, 64, 199, 200, 1000, 0] {
-        let (mut all, mut parts, mut breaks, mut events) = (Vec::new(), 0, Vec::new(), Vec::new());
+        let mut all = Vec::new();
+        let mut parts = 0;
+        let mut breaks = Vec::new();
+        let mut events = Vec::new();
         let keep = |part: &Motion| {
             assert!(!part.is_empty() && part.len() <= size.max(1));
             all.extend(numbers(part));
@@ -82,7 +96,8 @@ fn a_run_in_parts_is_the_run_in_one() {
         assert_eq!(parts, 200_usize.div_ceil(size.max(1)));
         assert_eq!(all, numbers(&whole), "parts of {size}: the same to the last bit");
         assert_eq!(breaks, whole.breaks());
-        let (mut a, mut b) = (happened(&events), happened(whole.events()));
+        let mut a = happened(&events);
+        let mut b = happened(whole.events());
         a.sort();
         b.sort();
         assert_eq!(a, b, "parts of {size}");
@@ -92,7 +107,8 @@ fn a_run_in_parts_is_the_run_in_one() {
 #[test]
 fn a_run_in_parts_ends_as_the_run_in_one() {
     let mut m = Mechanism::new("crank longer than its rod");
-    let (crank, rod) = (m.link("crank", 1.0).unwrap(), m.link("rod", 0.8).unwrap());
+    let crank = m.link("crank", 1.0).unwrap();
+    let rod = m.link("rod", 0.8).unwrap();
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
     m.add("slide", point_on_line(rod, Ground, rod.end(), vec2(0.0, 0.0), vec2(1.0, 0.0))).unwrap();
@@ -111,19 +127,28 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
     assert_eq!(kept + error.motion().map_or(0, Motion::len), whole.motion().unwrap().len());
     // The closure ends it, too; times are looked at as they come.
     let mut shown = 0;
-    let ended = system.run_in_parts((0..).map(f64::from).map(|k| 0.01 * k), 5, &Options::default(), |_| {
-        shown += 1;
-        if shown == 3 { Err(Error::EmptyName { what: "test" }) } else { Ok(()) }
-    });
+    let ended =
+        system.run_in_parts((0..).map(f64::from).map(|k| 0.01 * k), 5, &Options::default(), |_| {
+            shown += 1;
+            if shown == 3 { Err(Error::EmptyName { what: "test" }) } else { Ok(()) }
+        });
     assert!(matches!(ended, Err(Error::EmptyName { .. })) && shown == 3);
-    for times in [vec![], vec![0.0, 0.1, 0.1], vec![0.0, 0.1, 0.05], vec![0.0, f64::NAN], vec![f64::INFINITY]]
-    {
+    for times in [
+        vec![],
+        vec![0.0, 0.1, 0.1],
+        vec![0.0, 0.1, 0.05],
+        vec![0.0, f64::NAN],
+        vec![f64::INFINITY],
+    ] {
         let in_one = system.run_both(&times).expect_err("no times");
         let in_parts = system
             .run_in_parts(times.iter().copied(), 2, &Options::default(), |_| Ok(()))
             .expect_err("no times");
         assert!(
-            matches!((&in_one, &in_parts), (Error::InvalidTimes { .. }, Error::InvalidTimes { .. })),
+            matches!(
+                (&in_one, &in_parts),
+                (Error::InvalidTimes { .. }, Error::InvalidTimes { .. })
+            ),
             "{times:?}: {in_parts}"
         );
     }
@@ -132,7 +157,8 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
 #[test]
 fn redundant_mechanisms_run_in_parts_too() {
     let mut m = Mechanism::new("twice");
-    let (x, y) = (m.length("x", 0.0).unwrap(), m.length("y", 0.0).unwrap());
+    let x = m.length("x", 0.0).unwrap();
+    let y = m.length("y", 0.0).unwrap();
     m.add("x", drive(x, Law::sine(1.0, 1.0, 0.0))).unwrap();
     m.add("y", drive(y, Law::constant(0.5))).unwrap();
     m.add("y again", drive(y, Law::constant(0.5))).unwrap();
@@ -152,7 +178,8 @@ fn redundant_mechanisms_run_in_parts_too() {
 fn a_run_is_watched_and_stopped() {
     let system = four_bar(false).unwrap();
     let times = linspace(0.0, 3.0, 301);
-    let (mut seen, whole) = (Vec::new(), system.run_both(&times).unwrap());
+    let mut seen = Vec::new();
+    let whole = system.run_both(&times).unwrap();
     let watched = system.run_watched(&times, &Options::default(), |done| {
         seen.push(done);
         true
@@ -163,7 +190,9 @@ fn a_run_is_watched_and_stopped() {
     assert!(matches!(stopped, Error::Stopped { done: 100, all: 301, .. }), "{stopped}");
     let text = stopped.to_string();
     assert!(
-        text.starts_with("the run was stopped after 100 of 301 times\n  The motion up to t = 0.99 s"),
+        text.starts_with(
+            "the run was stopped after 100 of 301 times\n  The motion up to t = 0.99 s"
+        ),
         "{text}"
     );
     assert_eq!(stopped.motion().map(kin::Motion::len), Some(100));

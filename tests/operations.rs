@@ -1,11 +1,12 @@
-//! Every operation of the language, one list: symbolic = dual at ordinary and at nasty points, = central
-//! differences wherever the function is smooth nearby, and the documented one-sided value at kinks.
+//! Every operation of the language, one list: symbolic = dual at ordinary and at nasty points, =
+//! central differences wherever the function is smooth nearby, and the documented one-sided value
+//! at kinks.
 
 use kin::prelude::*;
 use kin::{any_coord, dual_terms, terms};
 
-/// A point and the slope that is documented there; `None` where no derivative exists (both routes must say
-/// so) or nothing special is promised.
+/// A point and the slope that is documented there; `None` where no derivative exists (both routes
+/// must say so) or nothing special is promised.
 type Nasty = &'static [(f64, Option<f64>)];
 
 /// Smooth everywhere that `check` looks: no nasty points but these.
@@ -43,31 +44,34 @@ macro_rules! operations {
               nasty(stringify!($name), &$name::operation(any_coord()), $nasty);)*
         }
 
-        /// The list and the vocabulary of the compiler are the same: a function without an entry here is
-        /// found by its name.
+        /// The list and the vocabulary of the compiler are the same: a function without an entry
+        /// here is found by its name.
         const LISTED: &[&str] = &[$(stringify!($name)),*];
     };
 }
 
 /// Both routes and central differences at states spread over ±2.
 fn compare<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E) {
-    let report =
-        kin::check::compare::<E, 1, 1>(operation).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
+    let report = kin::check::compare::<E, 1, 1>(operation)
+        .unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
     assert!(report.states >= 6, "{name} was compared at {} states only", report.states);
 }
 
 /// Value, slope and curvature on both routes at chosen points: equal, or not finite on both.
 fn nasty<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E, points: Nasty) {
     for &(at, slope) in points {
-        let (own, dual) =
-            (terms(operation, &[at], &[1.0], 0.0), dual_terms::<E, 1, 1>(operation, &[at], &[1.0], 0.0));
+        let own = terms(operation, &[at], &[1.0], 0.0);
+        let dual = dual_terms::<E, 1, 1>(operation, &[at], &[1.0], 0.0);
         // Outside of its domain the value itself is the error; derivatives are not asked for.
         if !own.c[0].is_finite() && !dual.c[0].is_finite() {
             continue;
         }
         let slopes = |all: &kin::Terms| [all.c[0], all.c_q[(0, 0)], all.q_d[0]];
-        for (what, (a, b)) in ["C", "C_q", "Q_d"].iter().zip(slopes(&own).into_iter().zip(slopes(&dual))) {
-            let same = (a - b).abs() <= 1e-13 * (1.0 + b.abs()) || (!a.is_finite() && !b.is_finite());
+        for (what, (a, b)) in
+            ["C", "C_q", "Q_d"].iter().zip(slopes(&own).into_iter().zip(slopes(&dual)))
+        {
+            let same =
+                (a - b).abs() <= 1e-13 * (1.0 + b.abs()) || (!a.is_finite() && !b.is_finite());
             assert!(same, "{name} at {at:e}: {what} is {a} symbolic and {b} dual");
         }
         if let Some(slope) = slope {
@@ -149,12 +153,13 @@ operations! {
 fn every_function_of_f64_that_the_readme_speaks_of_is_listed() {
     let words = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 exp_m1 ln ln_1p log2 log10 log sqrt cbrt abs signum floor ceil \
                  round trunc fract atan2 hypot powf max min clamp rem rem_euclid div_euclid recip copysign mul_add to_radians to_degrees sin_cos";
-    let missing: Vec<&str> = words.split_whitespace().filter(|word| !LISTED.contains(word)).collect();
+    let missing: Vec<&str> =
+        words.split_whitespace().filter(|word| !LISTED.contains(word)).collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
 
-/// `log` and `copysign` are no functions of their own but other ways to write what the list has: to the last
-/// bit the same as f64's.
+/// `log` and `copysign` are no functions of their own but other ways to write what the list has: to
+/// the last bit the same as f64's.
 #[constraint(symbolic)]
 fn written_otherwise(a: Coord, b: Coord) -> [f64; 2] {
     [a.log(b), a.copysign(b)]

@@ -10,7 +10,8 @@ fn read(x: Coord, k: f64) -> f64 {
 
 #[constraint]
 fn series(x: Coord, h: f64) -> f64 {
-    let (mut term, mut sum) = (x, x);
+    let mut term = x;
+    let mut sum = x;
     while term.abs() > 1e-12 {
         term = -term * x * x;
         sum += term;
@@ -32,8 +33,8 @@ fn asked(x: Coord, k: f64) -> f64 {
     x - k
 }
 
-/// The line, counted from 1, and the column of the first place behind `after` where `text` stands in this
-/// file.
+/// The line, counted from 1, and the column of the first place behind `after` where `text` stands
+/// in this file.
 fn place(after: &str, text: &str) -> (u32, u32) {
     let file = include_str!("routes.rs");
     let from = file.find(after).unwrap();
@@ -54,9 +55,15 @@ fn unread(constraint: &dyn Constraint) -> (&'static str, u32, u32) {
 #[test]
 fn a_dual_constraint_says_which_token_cannot_be_read() {
     let (line, column) = place("fn series", "while");
-    assert_eq!(unread(&series(any_coord(), 1.0)), ("a loop whose end is not known here", line, column));
+    assert_eq!(
+        unread(&series(any_coord(), 1.0)),
+        ("a loop whose end is not known here", line, column)
+    );
     let text = series(any_coord(), 1.0).explain_route().to_string();
-    assert!(text.ends_with(&format!("routes.rs:{line}:{column} cannot be read by the compiler")), "{text}");
+    assert!(
+        text.ends_with(&format!("routes.rs:{line}:{column} cannot be read by the compiler")),
+        "{text}"
+    );
     let (line, column) = place("fn sum_of_many", "0..n");
     let (what, found_line, found_column) = unread(&sum_of_many(any_coord(), 3));
     assert_eq!((found_line, found_column), (line, column), "{what}");
@@ -65,11 +72,15 @@ fn a_dual_constraint_says_which_token_cannot_be_read() {
 #[test]
 fn other_routes_are_explained_too() {
     assert_eq!(read(any_coord(), 1.0).explain_route(), RouteReason::Read);
-    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).explain_route() else {
+    let RouteReason::Asked { source: Some(source) } = asked(any_coord(), 1.0).explain_route()
+    else {
         panic!("asked")
     };
     assert_eq!((source.line, source.column), place("#[constraint(dual)]\nfn asked", "dual"));
-    assert_eq!(by_dual(read(any_coord(), 1.0)).explain_route(), RouteReason::Asked { source: None });
+    assert_eq!(
+        by_dual(read(any_coord(), 1.0)).explain_route(),
+        RouteReason::Asked { source: None }
+    );
     let joint: Box<dyn Constraint> =
         Box::new(revolute(any_planar(), any_planar(), vec2(0.0, 0.0), vec2(0.0, 0.0)));
     assert_eq!(joint.explain_route().to_string(), "symbolic: the compiler has read the whole body");
@@ -108,11 +119,12 @@ mod shapes {
 #[constraint]
 fn with_constants(x: Coord, k: f64) -> f64 {
     const OWN: f64 = 2.0;
-    x * shapes::HEIGHTS[1] - OWN * shapes::wide(k) * std::f64::consts::PI + f64::from_bits(k.to_bits())
+    x * shapes::HEIGHTS[1] - OWN * shapes::wide(k) * std::f64::consts::PI
+        + f64::from_bits(k.to_bits())
 }
 
-/// So do constants and functions of parameters; what the function holds itself and the standard library's are
-/// known.
+/// So do constants and functions of parameters; what the function holds itself and the standard
+/// library's are known.
 #[test]
 fn constants_outside_are_named() {
     let constraint = with_constants(any_coord(), 2.0);
@@ -123,26 +135,37 @@ fn constants_outside_are_named() {
         outside.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
     found.sort();
     let at = |word: &str| place("fn with_constants", word);
-    assert_eq!(found, [("shapes::HEIGHTS", at("shapes::HEIGHTS")), ("shapes::wide", at("shapes::wide"))]);
+    assert_eq!(
+        found,
+        [("shapes::HEIGHTS", at("shapes::HEIGHTS")), ("shapes::wide", at("shapes::wide"))]
+    );
     let text = constraint.explain_route().to_string();
     assert!(text.starts_with("symbolic, but for what only the program knows: `shapes::"), "{text}");
     assert_eq!(constraint.route(), Route::Symbolic);
     check::derivatives(constraint);
 }
 
-/// Functions outside of the constraint stay the program's own, and so do its macros: both are named.
+/// Functions outside of the constraint stay the program's own, and so do its macros: both are
+/// named.
 #[test]
 fn what_only_the_program_knows_is_named() {
     let constraint = with_a_helper(any_coord(), any_coord(), 2.0);
     let RouteReason::ReadBut { outside } = constraint.explain_route() else {
         panic!("{:?}", constraint.explain_route())
     };
-    let found: Vec<_> = outside.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
+    let found: Vec<_> =
+        outside.iter().map(|(name, source)| (*name, (source.line, source.column))).collect();
     let at = |word: &str| place("fn with_a_helper", word);
-    assert_eq!(found, [("horner", at("horner(x")), ("horner", at("horner(y")), ("GAIN", at("GAIN"))]);
+    assert_eq!(
+        found,
+        [("horner", at("horner(x")), ("horner", at("horner(y")), ("GAIN", at("GAIN"))]
+    );
     assert_eq!(constraint.route(), Route::Symbolic);
     let text = constraint.explain_route().to_string();
-    assert!(text.starts_with("symbolic, but for what only the program knows: `horner` at "), "{text}");
+    assert!(
+        text.starts_with("symbolic, but for what only the program knows: `horner` at "),
+        "{text}"
+    );
     check::derivatives(constraint);
 
     let constraint = with_a_macro(any_coord(), 2.0);
@@ -266,7 +289,10 @@ fn area_functions_of_large_numbers_by_both_routes() {
                     Ok(motion) => motion,
                     // The square of the rate is too large, which an error says.
                     Err(error) => {
-                        assert!(matches!(error, Error::NotFinite { .. }), "{s} {v} {dual}: {error}");
+                        assert!(
+                            matches!(error, Error::NotFinite { .. }),
+                            "{s} {v} {dual}: {error}"
+                        );
                         assert!((s * v).powi(2).is_infinite(), "{s} {v} {dual}: {error}");
                         continue;
                     }
@@ -277,7 +303,10 @@ fn area_functions_of_large_numbers_by_both_routes() {
                     let found = [motion.q(k), motion.qd(k), motion.qdd(k)];
                     for (found, exact) in found.iter().zip(exact) {
                         let off = (found[1] - exact).abs().max((found[2] - exact).abs());
-                        assert!(off <= 1e-9 * exact.abs() + 1e-15, "{s} {v} {dual} {k}: {found:?} {exact}");
+                        assert!(
+                            off <= 1e-9 * exact.abs() + 1e-15,
+                            "{s} {v} {dual} {k}: {found:?} {exact}"
+                        );
                     }
                 }
             }

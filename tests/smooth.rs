@@ -1,6 +1,6 @@
-//! Derivatives where C is smooth though something on the way is not, or overflows: on both routes, up to the
-//! jerk, against 80-digit values (`data/smooth.py`). And the other way round: a slope that does not exist is
-//! told.
+//! Derivatives where C is smooth though something on the way is not, or overflows: on both routes,
+//! up to the jerk, against 80-digit values (`data/smooth.py`). And the other way round: a slope
+//! that does not exist is told.
 
 #[path = "data/engines.rs"]
 mod engines;
@@ -34,14 +34,25 @@ fn rooted(x: f64, scale: f64) -> f64 {
 type Terms = [f64; 5];
 
 /// C, both slopes, Q_d and the jerk's right side on the symbolic route and on the dual one.
-fn by_both_routes<E: kin::dual_route::Equation<2, 1> + Clone>(equation: &E, q: &[f64]) -> [Terms; 2] {
-    let (qd, qdd) = ([0.7, -0.3], [0.2, 0.5]);
+fn by_both_routes<E: kin::dual_route::Equation<2, 1> + Clone>(
+    equation: &E,
+    q: &[f64],
+) -> [Terms; 2] {
+    let qd = [0.7, -0.3];
+    let qdd = [0.2, 0.5];
     assert_eq!(equation.route(), Route::Symbolic);
-    let (own, dual) = (terms(equation, q, &qd, 0.0), dual_terms::<E, 2, 1>(equation, q, &qd, 0.0));
+    let own = terms(equation, q, &qd, 0.0);
+    let dual = dual_terms::<E, 2, 1>(equation, q, &qd, 0.0);
     let jerks = [
         kin::extend::jerk_rhs(equation, q, &qd, &qdd, 0.0).expect("known")[0],
-        kin::extend::jerk_rhs(&kin::extend::by_dual::<E, 2, 1>(equation.clone()), q, &qd, &qdd, 0.0)
-            .expect("known")[0],
+        kin::extend::jerk_rhs(
+            &kin::extend::by_dual::<E, 2, 1>(equation.clone()),
+            q,
+            &qd,
+            &qdd,
+            0.0,
+        )
+        .expect("known")[0],
     ];
     // Q_d is that of q̇ alone; the reference goes along q̈ too, which adds −C_q q̈.
     let all = [(own, jerks[0]), (dual, jerks[1])];
@@ -114,8 +125,8 @@ equations! {
     mollifier |a, b, law| if a.abs() < 1.0 { (-1.0 / (1.0 - a * a)).exp() } else { 0.0 };
 }
 
-/// Where a divisor is finite but its tangents are not, the dual route gives no number: it carries tangents as
-/// they are. The symbolic route has one, the jerk too.
+/// Where a divisor is finite but its tangents are not, the dual route gives no number: it carries
+/// tangents as they are. The symbolic route has one, the jerk too.
 fn tangents_overflow(name: &str, a: f64, b: f64) -> bool {
     match name {
         "logistic" => (-0.8873..-0.85).contains(&a),
@@ -130,12 +141,15 @@ fn tangents_overflow(name: &str, a: f64, b: f64) -> bool {
 fn derivatives_are_right_where_the_equation_is_smooth() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/smooth.json");
     let points: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
-    let numbers =
-        |value: &Value| value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect::<Vec<f64>>();
-    let (mut wrong, mut seen) = (Vec::new(), Vec::new());
+    let numbers = |value: &Value| {
+        value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect::<Vec<f64>>()
+    };
+    let mut wrong = Vec::new();
+    let mut seen = Vec::new();
     for point in &points {
-        let (name, q, exact) =
-            (point["name"].as_str().unwrap(), numbers(&point["at"]), numbers(&point["exact"]));
+        let name = point["name"].as_str().unwrap();
+        let q = numbers(&point["at"]);
+        let exact = numbers(&point["exact"]);
         seen.push(name);
         let size = exact.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         for (route, found) in ["symbolic", "dual"].into_iter().zip(of_name(name, &q)) {
@@ -143,7 +157,8 @@ fn derivatives_are_right_where_the_equation_is_smooth() {
                 continue;
             }
             for (k, term) in ["C", "C_a", "C_b", "Q_d", "jerk"].into_iter().enumerate() {
-                let close = (found[k] - exact[k]).abs() <= 1e-9 * exact[k].abs() + 1e-10 * size + 1e-303;
+                let close =
+                    (found[k] - exact[k]).abs() <= 1e-9 * exact[k].abs() + 1e-10 * size + 1e-303;
                 if !close {
                     wrong.push(format!(
                         "{name} at {q:?}, {route}: {term} is {:e} instead of {:e}",
@@ -157,7 +172,8 @@ fn derivatives_are_right_where_the_equation_is_smooth() {
     assert!(NAMES.iter().all(|name| seen.contains(name)));
 }
 
-/// Where there is no slope, neither route gives one: a tangent that happens to be zero is no reason to.
+/// Where there is no slope, neither route gives one: a tangent that happens to be zero is no reason
+/// to.
 mod singular {
     use super::*;
 
@@ -247,7 +263,8 @@ fn cushion(x: Coord, y: Coord) -> f64 {
 #[test]
 fn a_run_goes_on_where_the_side_is_not_taken() {
     let mut m = Mechanism::new("cushion");
-    let (x, y) = (m.length("x", 0.5).unwrap(), m.length("y", 0.8).unwrap());
+    let x = m.length("x", 0.5).unwrap();
+    let y = m.length("y", 0.8).unwrap();
     m.add("cushion", cushion(x, y)).unwrap();
     m.add("motor", drive(x, Law::linear(0.5, 1.0))).unwrap();
     let system = m.build().unwrap();

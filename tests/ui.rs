@@ -1,10 +1,11 @@
-//! Mistakes, as rustc shows them: every program of `tests/ui` has one slip, named by its file, and must be
-//! refused with exactly the errors listed in `NAME.message`: where, at which token, and what is said (of
-//! rustc's own errors the number only, since their text moves). Programs of `tests/ui/warned` compile, with
-//! exactly the warnings listed: those that any function of theirs would have.
+//! Mistakes, as rustc shows them: every program of `tests/ui` has one slip, named by its file, and
+//! must be refused with exactly the errors listed in `NAME.message`: where, at which token, and
+//! what is said (of rustc's own errors the number only, since their text moves). Programs of
+//! `tests/ui/warned` compile, with exactly the warnings listed: those that any function of theirs
+//! would have.
 //!
-//! `NAME.stderr` is the whole picture on the pinned toolchain. `KIN_BLESS=1 cargo test --test ui` writes both
-//! anew, for review.
+//! `NAME.stderr` is the whole picture on the pinned toolchain. `KIN_BLESS=1 cargo test --test ui`
+//! writes both anew, for review.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -47,7 +48,8 @@ fn every_slip_is_one_error_at_its_token() {
         }
         let messages: String = errors.iter().map(|error| format!("{}\n", error.message)).collect();
         differences.extend(compared(&path.with_extension("message"), &messages));
-        if pinned && (errors.iter().any(|error| error.is_rustcs) || SHOWN.contains(&name.as_str())) {
+        if pinned && (errors.iter().any(|error| error.is_rustcs) || SHOWN.contains(&name.as_str()))
+        {
             let rendered: Vec<&str> = errors.iter().map(|error| error.rendered.as_str()).collect();
             differences.extend(compared(&path.with_extension("stderr"), &rendered.join("\n")));
         }
@@ -63,7 +65,8 @@ fn bodies_are_warned_of_like_any_function() {
     let mut warnings = check("warned", &programs, "warning");
     let differences = programs.iter().filter_map(|(name, path)| {
         let warnings = warnings.remove(name).unwrap_or_default();
-        let messages: String = warnings.iter().map(|warning| format!("{}\n", warning.message)).collect();
+        let messages: String =
+            warnings.iter().map(|warning| format!("{}\n", warning.message)).collect();
         compared(&path.with_extension("message"), &messages)
     });
     let differences: Vec<String> = differences.collect();
@@ -86,11 +89,17 @@ fn programs(folder: &str) -> BTreeMap<String, PathBuf> {
         .expect("the folder can be read")
         .map(|entry| entry.expect("the folder can be read").path());
     let programs = files.filter(|path| path.extension().is_some_and(|end| end == "rs"));
-    programs.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path)).collect()
+    programs
+        .map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path))
+        .collect()
 }
 
 /// The errors, or warnings, of each program.
-fn check(package: &str, programs: &BTreeMap<String, PathBuf>, level: &str) -> BTreeMap<String, Vec<Error>> {
+fn check(
+    package: &str,
+    programs: &BTreeMap<String, PathBuf>,
+    level: &str,
+) -> BTreeMap<String, Vec<Error>> {
     let said = Scratch::new(package, programs).check(level);
     let of_one = said.into_iter().map(|(name, messages)| {
         let rendered = messages[0]["rendered"].as_str().unwrap_or_default();
@@ -113,12 +122,15 @@ fn error(message: &Value) -> Error {
     let code = message["code"]["code"].as_str();
     let text = message["message"].as_str().unwrap_or_default();
     // Of what is deprecated the text is Kin's.
-    let said = code.filter(|code| *code != "deprecated").map_or(text.to_owned(), |code| format!("[{code}]"));
+    let said = code
+        .filter(|code| *code != "deprecated")
+        .map_or(text.to_owned(), |code| format!("[{code}]"));
     let root = format!("{}/", env!("CARGO_MANIFEST_DIR"));
     let rendered = message["rendered"].as_str().unwrap_or_default().replace(&root, "");
-    // Notes inside of a panic at compile time are the standard library's, with its text where the sources are
-    // installed and without it where they are not.
-    let rendered = rendered.split("\nnote: inside `kin").next().unwrap_or_default().trim_end().to_owned();
+    // Notes inside of a panic at compile time are the standard library's, with its text where the
+    // sources are installed and without it where they are not.
+    let rendered =
+        rendered.split("\nnote: inside `kin").next().unwrap_or_default().trim_end().to_owned();
     Error {
         message: format!("{}: {said}", places.join(", ")),
         rendered: without_foreign_notes(&rendered) + "\n",
@@ -126,8 +138,9 @@ fn error(message: &Value) -> Error {
     }
 }
 
-/// A picture without notes at places outside of the workspace. They show the text of the standard library
-/// where its sources are installed, in a gutter as wide as its line numbers, so that goes too.
+/// A picture without notes at places outside of the workspace. They show the text of the standard
+/// library where its sources are installed, in a gutter as wide as its line numbers, so that goes
+/// too.
 fn without_foreign_notes(rendered: &str) -> String {
     let lines: Vec<&str> = rendered.lines().collect();
     let begins = |k: usize| {
@@ -152,8 +165,7 @@ fn without_foreign_notes(rendered: &str) -> String {
 fn notes_of_the_standard_library_are_left_out_with_and_without_its_sources() {
     let head = "error: e\n    --> tests/ui/a.rs:5:1\n     |\n   5 | x\n     | ^\nnote: n\n";
     let with = format!("{head}    --> /std.rs:1224:18\n     |\n1224 | fn f\n     |    ^\nhelp: h");
-    let without =
-        "error: e\n --> tests/ui/a.rs:5:1\n  |\n5 | x\n  | ^\nnote: n\n --> /std.rs:1224:17\nhelp: h";
+    let without = "error: e\n --> tests/ui/a.rs:5:1\n  |\n5 | x\n  | ^\nnote: n\n --> /std.rs:1224:17\nhelp: h";
     assert_eq!(without_foreign_notes(&with), without_foreign_notes(without));
     assert!(without_foreign_notes(&with).ends_with("| ^\nhelp: h"));
     let own = "error: e\nnote: n\n --> tests/ui/a.rs:1:1";
@@ -165,10 +177,16 @@ fn place(span: &Value) -> String {
     let at = |key: &str| span[key].as_u64().unwrap_or_default() as usize;
     let lines = span["text"].as_array().into_iter().flatten();
     let parts = lines.map(|line| {
-        let (start, end) =
-            (line["highlight_start"].as_u64().unwrap_or(1), line["highlight_end"].as_u64().unwrap_or(1));
+        let (start, end) = (
+            line["highlight_start"].as_u64().unwrap_or(1),
+            line["highlight_end"].as_u64().unwrap_or(1),
+        );
         let text = line["text"].as_str().unwrap_or_default().chars();
-        text.skip(start as usize - 1).take((end - start) as usize).collect::<String>().trim().to_owned()
+        text.skip(start as usize - 1)
+            .take((end - start) as usize)
+            .collect::<String>()
+            .trim()
+            .to_owned()
     });
     format!("{}:{} `{}`", at("line_start"), at("column_start"), parts.collect::<Vec<_>>().join(" "))
 }

@@ -11,13 +11,14 @@ use kin_view::{Figure, Panel, Scene};
 
 use engines::Engines;
 
-/// A crank of 15 and a rod of 40 on a slider, in millimetres and milliseconds; `reach` is how far the slider
-/// is pushed.
+/// A crank of 15 and a rod of 40 on a slider, in millimetres and milliseconds; `reach` is how far
+/// the slider is pushed.
 fn slider(reach: f64) -> kin::Result<(Mechanism, Link)> {
     let mut m = Mechanism::new("slider");
     m.units("mm", "ms");
     let ground = m.ground();
-    let (crank, rod) = (m.link("crank", 15.0)?, m.link("rod", 40.0)?);
+    let crank = m.link("crank", 15.0)?;
+    let rod = m.link("rod", 40.0)?;
     let slider = m.planar("slider", pose(40.0, 0.0, 0.0))?;
     m.add("O", revolute(ground, crank, vec2(0.0, 10.0), crank.start()))?;
     m.add("A", revolute(crank, rod, crank.end(), rod.start()))?;
@@ -31,7 +32,9 @@ fn slider(reach: f64) -> kin::Result<(Mechanism, Link)> {
 
 /// No metre, and no second, as a unit of its own.
 fn no_metre(text: &str) {
-    for wrong in ["[m]", "[s]", "[m/", "/s]", "/s^", " m ", " m.", " m;", " s:", " s ", " s.", " s,", " s;"] {
+    for wrong in
+        ["[m]", "[s]", "[m/", "/s]", "/s^", " m ", " m.", " m;", " s:", " s ", " s.", " s,", " s;"]
+    {
         assert!(!text.contains(wrong), "`{wrong}` in: {text}");
     }
 }
@@ -40,8 +43,8 @@ fn no_metre(text: &str) {
 fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<()> {
     let (m, rod) = slider(5.0)?;
     let system = m.build()?;
-    let mut motion =
-        system.run_both_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
+    let mut motion = system
+        .run_both_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
     motion.add_point("P", rod, rod.end())?;
     let headers = motion.headers();
     headers.iter().for_each(|header| no_metre(header));
@@ -58,7 +61,10 @@ fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<
     }
     assert_eq!((system.coordinate_units()[0].as_str(), motion.units()[2].as_str()), ("mm", "rad"));
     let slide = system.measure(&motion, "guide.slide")?;
-    assert_eq!((slide.value.unit(), slide.rate.unit(), slide.third_rate.unit()), ("mm", "mm/ms", "mm/ms^3"));
+    assert_eq!(
+        (slide.value.unit(), slide.rate.unit(), slide.third_rate.unit()),
+        ("mm", "mm/ms", "mm/ms^3")
+    );
     let point = motion.point(rod, rod.end())?;
     assert_eq!(
         (point.speed().unit().to_string(), point.jerk_magnitude().unit().to_string()),
@@ -86,7 +92,8 @@ fn pages_and_charts_have_the_words_of_the_mechanism() -> kin::Result<()> {
     assert!(Scene::new(&system).pose(&motion, 0.5)?.svg().contains("t = 0.5 ms<"));
     let path = motion.point(rod, rod.end())?;
     let plane = Panel::plane("path").in_units(motion.unit_words()).path("B", path.r());
-    let svg = Figure::new([Panel::over_time("slider", "velocity").series("x", &x.rate), plane]).svg();
+    let svg =
+        Figure::new([Panel::over_time("slider", "velocity").series("x", &x.rate), plane]).svg();
     no_metre(&svg);
     for wanted in ["t [ms]", "velocity [mm/ms]", "x [mm]", "y [mm]"] {
         assert!(svg.contains(wanted), "{wanted}");
@@ -158,8 +165,11 @@ fn a_unit_without_a_word_is_refused() {
         let mut m = Mechanism::new("empty");
         m.units(length, time);
         let body = m.planar("body", pose(0.0, 0.0, 0.0)).unwrap();
-        m.add("rod", drive_distance(body, m.ground(), vec2(1.0, 0.0), vec2(0.0, 0.0), Law::constant(1.0)))
-            .unwrap();
+        m.add(
+            "rod",
+            drive_distance(body, m.ground(), vec2(1.0, 0.0), vec2(0.0, 0.0), Law::constant(1.0)),
+        )
+        .unwrap();
         assert_eq!(m.build().unwrap_err().to_string(), what);
     }
 }

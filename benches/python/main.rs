@@ -1,6 +1,7 @@
-//! The Rust side of `times.py`, which starts it: `beside_python JOB` reads the job, then for each line of
-//! standard input, a number of repeats, does the work so often and prints one line: CPU time of all threads
-//! in seconds, and a number that the results come to, which has to be Python's own.
+//! The Rust side of `times.py`, which starts it: `beside_python JOB` reads the job, then for each
+//! line of standard input, a number of repeats, does the work so often and prints one line: CPU
+//! time of all threads in seconds, and a number that the results come to, which has to be Python's
+//! own.
 
 use std::hint::black_box;
 use std::io::BufRead;
@@ -9,8 +10,8 @@ use kin::{Engine, Lanes, Options};
 use rustix::time::{ClockId, clock_gettime};
 use serde::Deserialize;
 
-/// The work of both sides: a run over the times, or where there are cases a sweep that keeps the largest
-/// value of one coordinate.
+/// The work of both sides: a run over the times, or where there are cases a sweep that keeps the
+/// largest value of one coordinate.
 #[derive(Deserialize)]
 struct Job {
     mechanism: kin::data::MechanismData,
@@ -33,9 +34,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let system = kin::Mechanism::from_data(&job.mechanism, &kin_text::registry())?.build()?;
     for line in std::io::stdin().lock().lines() {
         let repeats: usize = line?.trim().parse()?;
-        let (begun, mut number) = (cpu(), 0.0);
+        let begun = cpu();
+        let mut number = 0.0;
         for _ in 0..repeats {
-            number = black_box(if job.cases.is_empty() { run(&system, &job) } else { sweep(&system, &job) })?;
+            number = black_box(if job.cases.is_empty() {
+                run(&system, &job)
+            } else {
+                sweep(&system, &job)
+            })?;
         }
         println!("{:e} {number:e}", cpu() - begun);
     }
@@ -61,7 +67,10 @@ fn sweep(system: &kin::System, job: &Job) -> kin::Result<f64> {
 
 impl Job {
     fn options(&self) -> Options {
-        Options { engine: if self.plain { Engine::Plain } else { Engine::Auto }, ..Options::default() }
+        Options {
+            engine: if self.plain { Engine::Plain } else { Engine::Auto },
+            ..Options::default()
+        }
     }
 }
 

@@ -1,7 +1,7 @@
-//! Derivatives of a workload's motion by its parameters, and its forces, for counting instructions: `once W1
-//! forward-3 10`, `once W1 adjoint 10`, `once W1 forces 10`, beside `once W1 motion 10`, which is the run
-//! alone; `forces-walk`, with forces time by time; `motion-compiled` and `forces-compiled`, where the run is
-//! computed by its program too.
+//! Derivatives of a workload's motion by its parameters, and its forces, for counting instructions:
+//! `once W1 forward-3 10`, `once W1 adjoint 10`, `once W1 forces 10`, beside `once W1 motion 10`,
+//! which is the run alone; `forces-walk`, with forces time by time; `motion-compiled` and
+//! `forces-compiled`, where the run is computed by its program too.
 
 use std::hint::black_box;
 
@@ -15,10 +15,12 @@ pub fn once(system: &System, route: &str, times: &[f64], repeats: usize) -> Opti
     // Two times are enough to know which parameters have derivatives.
     let short = system.run_with(&times[..2], &plain).unwrap_or_else(|error| panic!("{error}"));
     let known = |name: &String| system.sensitivities(&short, [name]).is_ok();
-    let names: Vec<String> = system.parameters().into_iter().map(|(name, _)| name).filter(known).collect();
+    let names: Vec<String> =
+        system.parameters().into_iter().map(|(name, _)| name).filter(known).collect();
     let what = system.coordinate_names()[0].clone();
     let compiled = Options { engine: Engine::Compiled, ..Options::default() };
-    let run_compiled = || system.run_with(times, &compiled).unwrap_or_else(|error| panic!("{error}"));
+    let run_compiled =
+        || system.run_with(times, &compiled).unwrap_or_else(|error| panic!("{error}"));
     let forces = |motion: Motion, engine| {
         let found = system.forces_by(&motion, engine).unwrap_or_else(|error| panic!("{error}"));
         drop(black_box(found));
@@ -26,7 +28,9 @@ pub fn once(system: &System, route: &str, times: &[f64], repeats: usize) -> Opti
     match route.split_once('-') {
         None if route == "forces" => (0..repeats).for_each(|_| forces(run(), Engine::Auto)),
         Some(("forces", "walk")) => (0..repeats).for_each(|_| forces(run(), Engine::Plain)),
-        Some(("forces", "compiled")) => (0..repeats).for_each(|_| forces(run_compiled(), Engine::Auto)),
+        Some(("forces", "compiled")) => {
+            (0..repeats).for_each(|_| forces(run_compiled(), Engine::Auto))
+        }
         Some(("motion", "compiled")) => (0..repeats).for_each(|_| drop(black_box(run_compiled()))),
         None if route == "motion" => (0..repeats).for_each(|_| drop(black_box(run()))),
         None if route == "adjoint" => (0..repeats).for_each(|_| {

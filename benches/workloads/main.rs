@@ -1,5 +1,6 @@
-//! The workloads: `cargo bench --bench workloads -- W1 W4-N100 [more names]` prints one JSON line a figure;
-//! no name: all of them. Standard output holds nothing else; a summary for people goes to standard error.
+//! The workloads: `cargo bench --bench workloads -- W1 W4-N100 [more names]` prints one JSON line a
+//! figure; no name: all of them. Standard output holds nothing else; a summary for people goes to
+//! standard error.
 //!
 //! `once W6-planar_revolute kin 10` runs one route alone ten times, for counting instructions.
 
@@ -28,7 +29,8 @@ const NAMES: [&str; 8] = ["W1", "W2", "W3", "W4", "W5", "W6", "W7", "W8"];
 const BUDGET: Duration = Duration::from_millis(2500);
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let arguments: Vec<String> =
+        std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     if let Some(code) = with_kept_memory(&arguments) {
         return code;
@@ -51,12 +53,14 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs this program again with an allocator that keeps what is freed: else each sweep would give its
-/// results' pages back to the system and fault them in again, which costs a third of a step of W4 and says
-/// nothing about anyone's code. `None` where that is done.
+/// Runs this program again with an allocator that keeps what is freed: else each sweep would give
+/// its results' pages back to the system and fault them in again, which costs a third of a step of
+/// W4 and says nothing about anyone's code. `None` where that is done.
 fn with_kept_memory(arguments: &[String]) -> Option<ExitCode> {
     const SETTINGS: [&str; 2] = ["MALLOC_MMAP_THRESHOLD_", "MALLOC_TRIM_THRESHOLD_"];
-    if arguments.first().is_some_and(|word| word == "once") || std::env::var_os(SETTINGS[0]).is_some() {
+    if arguments.first().is_some_and(|word| word == "once")
+        || std::env::var_os(SETTINGS[0]).is_some()
+    {
         return None;
     }
     let program = std::env::current_exe().ok()?;
@@ -69,12 +73,20 @@ fn with_kept_memory(arguments: &[String]) -> Option<ExitCode> {
 }
 
 fn known(name: &str) -> Result<(), String> {
-    let parts: Vec<String> =
-        [w1::TEXT.to_string()].into_iter().chain(w4::names()).chain(w6::names()).chain(w8::names()).collect();
+    let parts: Vec<String> = [w1::TEXT.to_string()]
+        .into_iter()
+        .chain(w4::names())
+        .chain(w6::names())
+        .chain(w8::names())
+        .collect();
     if NAMES.contains(&name) || parts.iter().any(|part| part == name) {
         return Ok(());
     }
-    Err(format!("there is no workload `{name}`; there are {} and {}", NAMES.join(", "), parts.join(", ")))
+    Err(format!(
+        "there is no workload `{name}`; there are {} and {}",
+        NAMES.join(", "),
+        parts.join(", ")
+    ))
 }
 
 fn run(name: &str) -> Result<(), String> {

@@ -61,8 +61,8 @@ pub struct Result {
     pub ratio: f64,
 }
 
-/// Runs all contestants in turn, for about `budget` but at least five rounds, and takes medians. One called
-/// `hand` is the measure.
+/// Runs all contestants in turn, for about `budget` but at least five rounds, and takes medians.
+/// One called `hand` is the measure.
 pub fn race(contestants: &mut [Contestant<'_>], budget: Duration) -> Vec<Result> {
     // Runs of less than 200 µs are repeated, so that reading the clock does not count.
     let repeats: Vec<u32> =
@@ -70,7 +70,9 @@ pub fn race(contestants: &mut [Contestant<'_>], budget: Duration) -> Vec<Result>
     let mut rounds: Vec<Vec<f64>> = Vec::new();
     let start = cpu();
     while rounds.len() < 5 || (cpu() - start < budget && rounds.len() < 1001) {
-        rounds.push(contestants.iter_mut().zip(&repeats).map(|(c, repeats)| time(c, *repeats)).collect());
+        rounds.push(
+            contestants.iter_mut().zip(&repeats).map(|(c, repeats)| time(c, *repeats)).collect(),
+        );
     }
     let hand = contestants.iter().position(|c| c.peer == "hand").unwrap_or(0);
     let column = |k: usize, unit: &dyn Fn(&[f64]) -> f64| {

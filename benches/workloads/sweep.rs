@@ -1,5 +1,5 @@
-//! The common part of the workloads W1 to W5: a sweep over a grid of times, by several routes, with its
-//! error.
+//! The common part of the workloads W1 to W5: a sweep over a grid of times, by several routes, with
+//! its error.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -90,12 +90,13 @@ pub fn as_defined() -> Options {
     }
 }
 
-/// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step checked to stay
-/// on its branch, as it comes (`Options::default()`, compiled before), the same by plain steps, those
-/// unchecked, with the jerk by a program and by plain steps, single positions one after the other by the
-/// program and by plain steps, and on dual numbers as defined.
+/// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step
+/// checked to stay on its branch, as it comes (`Options::default()`, compiled before), the same by
+/// plain steps, those unchecked, with the jerk by a program and by plain steps, single positions
+/// one after the other by the program and by plain steps, and on dual numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
-    let kin = |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
+    let kin =
+        |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
         by_hand(hand),
         kin("kin", false, as_defined()),
@@ -108,10 +109,22 @@ pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System
             false,
             Options { follow: Follow::Unchecked, engine: Engine::Plain, ..Options::default() },
         ),
-        kin("kin-jerk", false, Options { jerk: true, engine: Engine::Compiled, ..Options::default() }),
-        kin("kin-jerk-plain", false, Options { jerk: true, engine: Engine::Plain, ..Options::default() }),
+        kin(
+            "kin-jerk",
+            false,
+            Options { jerk: true, engine: Engine::Compiled, ..Options::default() },
+        ),
+        kin(
+            "kin-jerk-plain",
+            false,
+            Options { jerk: true, engine: Engine::Plain, ..Options::default() },
+        ),
         singly("kin-singly", model(false), Options::default()),
-        singly("kin-singly-plain", model(false), Options { engine: Engine::Plain, ..Options::default() }),
+        singly(
+            "kin-singly-plain",
+            model(false),
+            Options { engine: Engine::Plain, ..Options::default() },
+        ),
         kin("kin-dual", true, as_defined()),
     ]
 }
@@ -124,7 +137,8 @@ fn singly(peer: &'static str, system: System, options: Options) -> Route {
 
 /// Each position alone, from the last one, the first from where the system starts.
 fn positions(system: &System, options: &Options, times: &[f64]) -> Table {
-    let (mut q, mut table) = (system.initial().to_vec(), Table::new(system.n_coordinates(), times.len()));
+    let mut q = system.initial().to_vec();
+    let mut table = Table::new(system.n_coordinates(), times.len());
     for t in times {
         let found = system.solve_at_with(*t, &q, options).unwrap_or_else(|error| panic!("{error}"));
         table.push(&found.q, &found.qd, &found.qdd);
@@ -168,7 +182,10 @@ pub fn weigh(m: &mut Mechanism, bodies: [PlanarBody; 3]) {
 
 /// A system that starts from the exact state.
 pub fn build(mut mechanism: Mechanism, initial: &[f64]) -> System {
-    mechanism.set_initial(initial).and_then(|()| mechanism.build()).unwrap_or_else(|error| panic!("{error}"))
+    mechanism
+        .set_initial(initial)
+        .and_then(|()| mechanism.build())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 impl Workload {
@@ -177,8 +194,10 @@ impl Workload {
         let times = self.times();
         let mut figures: Vec<Figure> =
             self.routes.iter().flat_map(|route| self.verify(route, &times)).collect();
-        let contestant =
-            |route| Contestant { peer: Route::peer(route), run: Box::new(|| self.solve(route, &times)) };
+        let contestant = |route| Contestant {
+            peer: Route::peer(route),
+            run: Box::new(|| self.solve(route, &times)),
+        };
         let mut contestants: Vec<Contestant<'_>> = self.routes.iter().map(contestant).collect();
         for result in race(&mut contestants, budget) {
             let step = result.nanoseconds / self.steps as f64;
@@ -191,7 +210,8 @@ impl Workload {
             figures.push(self.figure(result.peer, "ns_per_step", step));
             figures.extend(per_link.map(|x| self.figure(result.peer, "ns_per_step_per_link", x)));
             figures.extend(
-                (result.peer != "hand").then(|| self.figure(result.peer, "ratio_to_hand", result.ratio)),
+                (result.peer != "hand")
+                    .then(|| self.figure(result.peer, "ratio_to_hand", result.ratio)),
             );
         }
         figures.extend(self.set_up());
@@ -216,9 +236,10 @@ impl Workload {
     fn solve(&self, route: &Route, times: &[f64]) {
         match &route.solver {
             Solver::Hand(sweep) => drop(black_box(sweep())),
-            Solver::Kin(system, options) => {
-                drop(black_box(system.run_with(times, options)).unwrap_or_else(|error| panic!("{error}")))
-            }
+            Solver::Kin(system, options) => drop(
+                black_box(system.run_with(times, options))
+                    .unwrap_or_else(|error| panic!("{error}")),
+            ),
             Solver::Singly(system, options) => drop(black_box(positions(system, options, times))),
         }
     }
@@ -226,13 +247,14 @@ impl Workload {
     fn verify(&self, route: &Route, times: &[f64]) -> [Figure; 2] {
         let table = match &route.solver {
             Solver::Hand(sweep) => sweep(),
-            Solver::Kin(system, options) => {
-                Table::of(&system.run_with(times, options).unwrap_or_else(|error| panic!("{error}")))
-            }
+            Solver::Kin(system, options) => Table::of(
+                &system.run_with(times, options).unwrap_or_else(|error| panic!("{error}")),
+            ),
             Solver::Singly(system, options) => positions(system, options, times),
         };
         assert_eq!(table.len(), self.steps, "{} by {}: steps", self.name, route.peer);
-        let (error, iterations) = ((self.error)(&table), table.iterations as f64 / self.steps as f64);
+        let error = (self.error)(&table);
+        let iterations = table.iterations as f64 / self.steps as f64;
         assert!(
             error <= self.allowed,
             "{} by {}: error {error:e}, allowed {:e}",
@@ -255,7 +277,10 @@ impl Workload {
                 (cpu() - start).as_secs_f64() * 1e6
             };
             let microseconds = median((0..11).map(|_| sample()).collect());
-            eprintln!("{:>10} {:<14} {microseconds:>12.1} µs to declare and build", self.name, "kin");
+            eprintln!(
+                "{:>10} {:<14} {microseconds:>12.1} µs to declare and build",
+                self.name, "kin"
+            );
             self.figure("kin", "setup_us", microseconds)
         })
     }

@@ -32,14 +32,16 @@ pub fn workload() -> Workload {
 }
 
 fn model(dual: bool) -> System {
-    modelled(dual, |m, body2, body3, [u_i, u_j]| add(m, dual, "A", revolute(body2, body3, u_i, u_j)))
+    modelled(dual, |m, body2, body3, [u_i, u_j]| {
+        add(m, dual, "A", revolute(body2, body3, u_i, u_j))
+    })
 }
 
 /// Whatever route is asked for, the one joint is from text.
 fn model_with_text(dual: bool) -> System {
-    const REVOLUTE: &str =
-        "fn pin(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 { i.point(u_i) - j.point(u_j) }";
-    let equation = kin_text::Equation::read(REVOLUTE).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    const REVOLUTE: &str = "fn pin(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 { i.point(u_i) - j.point(u_j) }";
+    let equation =
+        kin_text::Equation::read(REVOLUTE).unwrap_or_else(|mistakes| panic!("{mistakes}"));
     modelled(dual, |m, body2, body3, [u_i, u_j]| {
         let pin = equation.on(body2).on(body3).with("u_i", u_i).with("u_j", u_j).constraint();
         pin.and_then(|pin| m.add("A", pin)).map_or_else(|error| panic!("{error}"), drop);
@@ -52,7 +54,9 @@ fn modelled(dual: bool, pin: impl Fn(&mut Mechanism, PlanarBody, PlanarBody, [Ve
     let body = |m: &mut Mechanism, name| {
         m.planar(name, pose(0.0, 0.0, 0.0)).unwrap_or_else(|error| panic!("{error}"))
     };
-    let (body1, body2, body3) = (body(&mut m, "body1"), body(&mut m, "body2"), body(&mut m, "body3"));
+    let body1 = body(&mut m, "body1");
+    let body2 = body(&mut m, "body2");
+    let body3 = body(&mut m, "body3");
     add(&mut m, dual, "ground", fixed(body1, vec2(0.0, 0.0), 0.0));
     add(&mut m, dual, "O", revolute(body1, body2, vec2(0.0, 0.0), vec2(-0.5 * l2, 0.0)));
     pin(&mut m, body2, body3, [vec2(0.5 * l2, 0.0), vec2(-0.5 * l3, 0.0)]);
@@ -73,8 +77,8 @@ fn error(table: &Table) -> f64 {
     let step = |k: usize| {
         let (q, qd, qdd) = table.at(k);
         let exact = TWO_LINK.position(k as f64 * DT);
-        let (a, b) =
-            ([2.0 * h * exact[5].cos(), 2.0 * h * exact[5].sin()], [g * exact[8].cos(), g * exact[8].sin()]);
+        let a = [2.0 * h * exact[5].cos(), 2.0 * h * exact[5].sin()];
+        let b = [g * exact[8].cos(), g * exact[8].sin()];
         let errors = [
             q[6] - exact[6],
             q[7] - exact[7],

@@ -10,7 +10,15 @@ const STEPS: usize = 100_000;
 
 /// The loop of crank, coupler and slider, offset by h.
 #[constraint(symbolic)]
-fn slider_crank(theta3: Coord, x: Coord, l2: f64, l3: f64, h: f64, omega: f64, t: Time) -> (f64, f64) {
+fn slider_crank(
+    theta3: Coord,
+    x: Coord,
+    l2: f64,
+    l3: f64,
+    h: f64,
+    omega: f64,
+    t: Time,
+) -> (f64, f64) {
     let theta2 = omega * t;
     (l2 * theta2.cos() + l3 * theta3.cos() - x, l2 * theta2.sin() + l3 * theta3.sin() - h)
 }

@@ -28,8 +28,9 @@ pub fn workload() -> Workload {
 pub fn model(lengths: &FourBar, dual: bool) -> System {
     let mut m = Mechanism::new("four-bar");
     let ground = m.ground();
-    let link =
-        |m: &mut Mechanism, name, length| m.link(name, length).unwrap_or_else(|error| panic!("{error}"));
+    let link = |m: &mut Mechanism, name, length| {
+        m.link(name, length).unwrap_or_else(|error| panic!("{error}"))
+    };
     let crank = link(&mut m, "crank", lengths.a);
     let coupler = link(&mut m, "coupler", lengths.b);
     let rocker = link(&mut m, "rocker", lengths.c);
@@ -43,7 +44,9 @@ pub fn model(lengths: &FourBar, dual: bool) -> System {
 }
 
 fn error(table: &Table) -> f64 {
-    (0..table.len()).map(|k| position_error(table.at(k).0, k).max(rate_error(table, k))).fold(0.0, f64::max)
+    (0..table.len())
+        .map(|k| position_error(table.at(k).0, k).max(rate_error(table, k)))
+        .fold(0.0, f64::max)
 }
 
 /// Against the closed form; angles of coupler and rocker up to whole turns.
@@ -62,15 +65,19 @@ fn position_error(q: &[f64], k: usize) -> f64 {
 /// C_q q̇ + C_t and C_q q̈ − Q_d, by pins: each is a point of one link less a point of the next.
 fn rate_error(table: &Table, k: usize) -> f64 {
     let (q, qd, qdd) = table.at(k);
-    // Velocity and acceleration of the end (side 1) or start (side −1) of link `i` of length `l`; link 3 is
-    // the ground.
+    // Velocity and acceleration of the end (side 1) or start (side −1) of link `i` of length `l`;
+    // link 3 is the ground.
     let point = |i: usize, l: f64, side: f64| {
         if i == 3 {
             return [0.0; 4];
         }
-        let (q, qd, qdd) = (&q[3 * i..], &qd[3 * i..], &qdd[3 * i..]);
-        let (x, y) = (0.5 * side * l * q[2].cos(), 0.5 * side * l * q[2].sin());
-        let (w, a) = (qd[2], qdd[2]);
+        let q = &q[3 * i..];
+        let qd = &qd[3 * i..];
+        let qdd = &qdd[3 * i..];
+        let x = 0.5 * side * l * q[2].cos();
+        let y = 0.5 * side * l * q[2].sin();
+        let w = qd[2];
+        let a = qdd[2];
         [qd[0] - y * w, qd[1] + x * w, qdd[0] - y * a - x * w * w, qdd[1] + x * a - y * w * w]
     };
     let FourBar { a, b, c, omega, .. } = MODEL;

@@ -52,7 +52,9 @@ fn model(links: usize, dual: bool) -> System {
     for i in 0..links {
         let link = m.link(&format!("link{i}"), 1.0).unwrap_or_else(|error| panic!("{error}"));
         let (body, end) = before
-            .map_or((PlanarBody::from(m.ground()), vec2(0.0, 0.0)), |link: Link| (link.body(), link.end()));
+            .map_or((PlanarBody::from(m.ground()), vec2(0.0, 0.0)), |link: Link| {
+                (link.body(), link.end())
+            });
         add(&mut m, dual, &format!("pin{i}"), revolute(body, link, end, link.start()));
         add(
             &mut m,

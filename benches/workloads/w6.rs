@@ -1,8 +1,8 @@
-//! W6, derivatives of one joint: C, the structural non-zeros of C_q, and Q_d, from q, q̇ and run-time
-//! parameters.
+//! W6, derivatives of one joint: C, the structural non-zeros of C_q, and Q_d, from q, q̇ and
+//! run-time parameters.
 //!
-//! The library's way: `#[constraint]` functions called through the `Constraint` trait. By hand: `hand/`, cut
-//! into the same functions.
+//! The library's way: `#[constraint]` functions called through the `Constraint` trait. By hand:
+//! `hand/`, cut into the same functions.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -14,15 +14,22 @@ use crate::hand::planar_joints::{self, Prismatic, Revolute};
 use crate::hand::spatial_joints::{self, Cylindrical, Spherical, Universal};
 use crate::measure::{Contestant, Figure, SplitMix64, race};
 
-// The planar two are in the library too; here, like the others, they are compiled with the loop that calls
-// them, as those by hand are.
+// The planar two are in the library too; here, like the others, they are compiled with the loop
+// that calls them, as those by hand are.
 #[constraint(symbolic)]
 fn planar_revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
     i.point(u_i) - j.point(u_j)
 }
 
 #[constraint(symbolic)]
-fn planar_prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: f64) -> (f64, f64) {
+fn planar_prismatic(
+    i: Planar,
+    j: Planar,
+    u_i: Vec2,
+    u_j: Vec2,
+    h_i: Vec2,
+    theta0: f64,
+) -> (f64, f64) {
     (i.theta - j.theta - theta0, h_i.dot(u_i) + i.direction(h_i).dot(i.r - j.point(u_j)))
 }
 
@@ -37,8 +44,18 @@ fn universal(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, x: Vec3, y: Vec3) -> 
 }
 
 #[constraint(symbolic)]
-fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, x1: Vec3, x2: Vec3, w: Vec3) -> [f64; 4] {
-    let (x1, x2, w) = (i.direction(x1), i.direction(x2), j.direction(w));
+fn cylindrical(
+    i: Spatial,
+    j: Spatial,
+    u_i: Vec3,
+    u_j: Vec3,
+    x1: Vec3,
+    x2: Vec3,
+    w: Vec3,
+) -> [f64; 4] {
+    let x1 = i.direction(x1);
+    let x2 = i.direction(x2);
+    let w = j.direction(w);
     let d = i.point(u_i) - j.point(u_j);
     [x1.dot(w), x2.dot(w), x1.dot(d), x2.dot(d)]
 }
@@ -72,8 +89,11 @@ struct Input {
 impl Input {
     fn new(joint: &Joint) -> Self {
         let mut random = SplitMix64(12345);
-        let mut draw = |count: usize| (0..count).map(|_| random.unit() * 2.0 - 1.0).collect::<Vec<f64>>();
-        let (q, qd, parameters) = (draw(BATCH * joint.n), draw(BATCH * joint.n), draw(joint.parameters));
+        let mut draw =
+            |count: usize| (0..count).map(|_| random.unit() * 2.0 - 1.0).collect::<Vec<f64>>();
+        let q = draw(BATCH * joint.n);
+        let qd = draw(BATCH * joint.n);
+        let parameters = draw(joint.parameters);
         let states = q
             .chunks(joint.n)
             .zip(qd.chunks(joint.n))
@@ -90,16 +110,21 @@ struct Library<C> {
 
 impl<C: Constraint + 'static> Library<C> {
     fn planar<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
-        for (state, out) in input.states.as_chunks::<12>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
+        for (state, out) in
+            input.states.as_chunks::<12>().0.iter().zip(output.chunks_exact_mut(2 * M + E))
+        {
             let Some((q, [qd])) = state.as_chunks::<6>().0.split_first() else { return };
-            let (i, j) = (PlanarState::new([q[0], q[1], q[2]]), PlanarState::new([q[3], q[4], q[5]]));
+            let i = PlanarState::new([q[0], q[1], q[2]]);
+            let j = PlanarState::new([q[3], q[4], q[5]]);
             let states = [i.r.x, i.r.y, i.theta, i.sin, i.cos, j.r.x, j.r.y, j.theta, j.sin, j.cos];
             evaluate::<M, E, 10, 6>(&self.constraint, &states, qd, out);
         }
     }
 
     fn spatial<const M: usize, const E: usize>(&self, input: &Input, output: &mut [f64]) {
-        for (state, out) in input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * M + E)) {
+        for (state, out) in
+            input.states.as_chunks::<28>().0.iter().zip(output.chunks_exact_mut(2 * M + E))
+        {
             // The state of a spatial body is its coordinates.
             let Some((q, [qd])) = state.as_chunks::<14>().0.split_first() else { return };
             evaluate::<M, E, 14, 14>(&self.constraint, q, qd, out);
@@ -129,7 +154,11 @@ fn linearize<const M: usize, const E: usize, const S: usize>(
     c: &mut [f64; M],
     c_q: &mut [f64; E],
 ) {
-    constraint.linearize(&At::new(0.0, states, &[Offsets::new(0, 0), Offsets::new(S as u32 / 2, 0)]), c, c_q);
+    constraint.linearize(
+        &At::new(0.0, states, &[Offsets::new(0, 0), Offsets::new(S as u32 / 2, 0)]),
+        c,
+        c_q,
+    );
 }
 
 #[inline(never)]
@@ -140,7 +169,12 @@ fn right_side<const M: usize, const S: usize, const N: usize>(
     q_d: &mut [f64; M],
 ) {
     let arguments = [Offsets::new(0, 0), Offsets::new(S as u32 / 2, N as u32 / 2)];
-    constraint.acceleration_rhs(&At::new(0.0, states, &arguments), &Rates::new(qd, &arguments), 1.0, q_d);
+    constraint.acceleration_rhs(
+        &At::new(0.0, states, &arguments),
+        &Rates::new(qd, &arguments),
+        1.0,
+        q_d,
+    );
 }
 
 fn vec2_at(p: &[f64], k: usize) -> Vec2 {
@@ -165,17 +199,24 @@ fn spatial<C: Constraint + 'static, const M: usize, const E: usize>(constraint: 
 }
 
 fn by_library(joint: &Joint, p: &[f64]) -> Route {
-    let (i, j) = (kin::any_planar(), kin::any_planar());
-    let (si, sj) = (kin::any_spatial(), kin::any_spatial());
+    let i = kin::any_planar();
+    let j = kin::any_planar();
+    let si = kin::any_spatial();
+    let sj = kin::any_spatial();
     match joint.name {
         "planar_revolute" => planar(planar_revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
         "planar_prismatic" => {
             planar(planar_prismatic(i, j, vec2_at(p, 0), vec2_at(p, 2), vec2_at(p, 4), p[6]))
         }
         "spherical" => spatial::<_, 3, 30>(spherical(si, sj, vec3_at(p, 0), vec3_at(p, 3))),
-        "universal" => {
-            spatial::<_, 4, 38>(universal(si, sj, vec3_at(p, 0), vec3_at(p, 3), vec3_at(p, 6), vec3_at(p, 9)))
-        }
+        "universal" => spatial::<_, 4, 38>(universal(
+            si,
+            sj,
+            vec3_at(p, 0),
+            vec3_at(p, 3),
+            vec3_at(p, 6),
+            vec3_at(p, 9),
+        )),
         _ => spatial::<_, 4, 44>(cylindrical(
             si,
             sj,
@@ -190,12 +231,12 @@ fn by_library(joint: &Joint, p: &[f64]) -> Route {
 
 fn by_hand(joint: &Joint) -> Route {
     match joint.name {
-        "planar_revolute" => {
-            Box::new(|input, out| planar_joints::batch::<Revolute>(&input.states, &input.parameters, out))
-        }
-        "planar_prismatic" => {
-            Box::new(|input, out| planar_joints::batch::<Prismatic>(&input.states, &input.parameters, out))
-        }
+        "planar_revolute" => Box::new(|input, out| {
+            planar_joints::batch::<Revolute>(&input.states, &input.parameters, out)
+        }),
+        "planar_prismatic" => Box::new(|input, out| {
+            planar_joints::batch::<Prismatic>(&input.states, &input.parameters, out)
+        }),
         "spherical" => Box::new(|input, out| {
             spatial_joints::batch::<Spherical, 3, 30>(&input.states, &input.parameters, out)
         }),
@@ -221,7 +262,8 @@ pub fn names() -> impl Iterator<Item = String> {
     JOINTS.iter().map(|joint| format!("W6-{}", joint.name))
 }
 
-/// Both routes on every joint, or on the one that is named: check sums, ns an evaluation, and their ratio.
+/// Both routes on every joint, or on the one that is named: check sums, ns an evaluation, and their
+/// ratio.
 pub fn run(name: &str, budget: Duration) -> Vec<Figure> {
     let wanted = |joint: &&Joint| name == "W6" || name.strip_prefix("W6-") == Some(joint.name);
     JOINTS.iter().filter(wanted).flat_map(|joint| run_joint(joint, budget)).collect()
@@ -230,8 +272,9 @@ pub fn run(name: &str, budget: Duration) -> Vec<Figure> {
 fn run_joint(joint: &'static Joint, budget: Duration) -> Vec<Figure> {
     let input = Input::new(joint);
     let mut routes = [("hand", by_hand(joint)), ("kin", by_library(joint, &input.parameters))];
-    let figure =
-        |peer: &str, metric: &str, value| Figure::new(format!("W6-{}", joint.name), peer, metric, value);
+    let figure = |peer: &str, metric: &str, value| {
+        Figure::new(format!("W6-{}", joint.name), peer, metric, value)
+    };
     let mut figures: Vec<Figure> = routes
         .iter_mut()
         .map(|(peer, route)| figure(peer, "max_error", verify(joint, peer, route, &input)))
@@ -245,7 +288,9 @@ fn run_joint(joint: &'static Joint, budget: Duration) -> Vec<Figure> {
             "W6", result.peer, result.ratio, joint.name
         );
         figures.push(figure(result.peer, "ns_per_eval", time));
-        figures.extend((result.peer != "hand").then(|| figure(result.peer, "ratio_to_hand", result.ratio)));
+        figures.extend(
+            (result.peer != "hand").then(|| figure(result.peer, "ratio_to_hand", result.ratio)),
+        );
     }
     figures
 }
@@ -261,7 +306,12 @@ fn verify(joint: &Joint, peer: &str, route: &mut Route, input: &Input) -> f64 {
     route(input, &mut output);
     let sum: f64 = output.iter().sum();
     let error = (sum - joint.check_sum).abs() / joint.check_sum.abs();
-    assert!(error < 1e-5, "W6 {} by {peer}: check sum {sum}, expected {}", joint.name, joint.check_sum);
+    assert!(
+        error < 1e-5,
+        "W6 {} by {peer}: check sum {sum}, expected {}",
+        joint.name,
+        joint.check_sum
+    );
     error
 }
 

@@ -25,8 +25,8 @@ type Sums = (f64, usize);
 /// One way through mechanisms on so many threads.
 type Route = (&'static str, fn(&[FourBar], usize) -> Sums);
 
-/// By hand; as defined; by `Options::default()`, by plain steps and by a program of all cases (`-4`: of a
-/// machine without AVX-512).
+/// By hand; as defined; by `Options::default()`, by plain steps and by a program of all cases
+/// (`-4`: of a machine without AVX-512).
 const ROUTES: [Route; 5] = [
     ("hand", by_hand),
     ("kin", by_kin),
@@ -78,7 +78,10 @@ fn models() -> Vec<FourBar> {
     let mut draw = |from: f64, range: f64| from + range * random.unit();
     let mut models = Vec::with_capacity(MECHANISMS);
     while models.len() < MECHANISMS {
-        let (a, b, c, d) = (draw(0.5, 0.5), draw(2.0, 2.0), draw(2.0, 2.0), draw(2.0, 2.0));
+        let a = draw(0.5, 0.5);
+        let b = draw(2.0, 2.0);
+        let c = draw(2.0, 2.0);
+        let d = draw(2.0, 2.0);
         let longest = b.max(c).max(d);
         if a + longest < 0.95 * (b + c + d - longest) {
             models.push(FourBar { a, b, c, d, omega: 1.0 });
@@ -89,10 +92,14 @@ fn models() -> Vec<FourBar> {
 
 /// Time on the wall and of all threads; the check sum is verified each time.
 fn timed((peer, route): &Route, models: &[FourBar]) -> Times {
-    let (wall, all) = (Instant::now(), cpu_of_all_threads());
+    let wall = Instant::now();
+    let all = cpu_of_all_threads();
     let (sum, iterations) = route(models, THREADS);
     let times = (wall.elapsed(), cpu_of_all_threads() - all);
-    assert!((sum / CHECK_SUM - 1.0).abs() < 1e-5, "W7 by {peer}: check sum {sum}, expected {CHECK_SUM}");
+    assert!(
+        (sum / CHECK_SUM - 1.0).abs() < 1e-5,
+        "W7 by {peer}: check sum {sum}, expected {CHECK_SUM}"
+    );
     let iterations = iterations as f64 / (models.len() * STEPS) as f64;
     let is_predicted = peer.starts_with("kin-");
     assert!(
@@ -141,7 +148,9 @@ const NAMES: [&str; 16] = [
 
 /// The numbers of one four-bar under those names.
 fn case(model: &FourBar) -> Vec<f64> {
-    let (a, b, c) = (0.5 * model.a, 0.5 * model.b, 0.5 * model.c);
+    let a = 0.5 * model.a;
+    let b = 0.5 * model.b;
+    let c = 0.5 * model.c;
     [-a, a, -b, b, c, -c, model.d].into_iter().chain(model.position(0.0)).collect()
 }
 
@@ -172,9 +181,9 @@ fn by_sweep(models: &[FourBar], threads: usize, lanes: Lanes, options: Options) 
         (own, motion.iterations().iter().sum())
     };
     let system = w3::model(first, false);
-    let sums = system
-        .sweep(NAMES)
-        .and_then(|sweep| sweep.options(options).threads(threads).lanes(lanes).run(&cases, &times, keep));
+    let sums = system.sweep(NAMES).and_then(|sweep| {
+        sweep.options(options).threads(threads).lanes(lanes).run(&cases, &times, keep)
+    });
     sums.unwrap_or_else(|error| panic!("{error}")).into_iter().fold((0.0, 0), add)
 }
 

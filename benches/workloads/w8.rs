@@ -1,8 +1,8 @@
-//! W8, constraints as users write them, with loops, tables, branches and inverse functions: C, the structural
-//! non-zeros of C_q, and Q_d of one constraint, from q, q̇ and run-time parameters.
+//! W8, constraints as users write them, with loops, tables, branches and inverse functions: C, the
+//! structural non-zeros of C_q, and Q_d of one constraint, from q, q̇ and run-time parameters.
 //!
-//! By `#[constraint]`, and by hand in the same two functions (`hand/kernels.rs`). Every number of both is
-//! compared before they are timed.
+//! By `#[constraint]`, and by hand in the same two functions (`hand/kernels.rs`). Every number of
+//! both is compared before they are timed.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -16,7 +16,8 @@ use crate::measure::{Contestant, Figure, SplitMix64, race};
 #[constraint(symbolic)]
 fn spline(x: Coord, y: Coord, knots: [f64; 21], pieces: [[f64; 4]; 20]) -> f64 {
     let piece = |k: usize| {
-        let ([a, b, c, d], s) = (pieces[k], x - knots[k]);
+        let [a, b, c, d] = pieces[k];
+        let s = x - knots[k];
         a + s * (b + s * (c + s * d))
     };
     for k in 0..19 {
@@ -34,10 +35,12 @@ macro_rules! table {
         fn $name(x: Coord, y: Coord) -> f64 {
             let knots: [f64; $n] = std::array::from_fn(|k| 2.0 * k as f64 / $n as f64 - 1.0);
             let pieces: [[f64; 4]; $n] = std::array::from_fn(|k| {
-                [37 * k % 101, 53 * k % 103, 29 * k % 97, 41 * k % 89].map(|c| c as f64 / 50.0 - 1.0)
+                [37 * k % 101, 53 * k % 103, 29 * k % 97, 41 * k % 89]
+                    .map(|c| c as f64 / 50.0 - 1.0)
             });
             let piece = |k: usize| {
-                let ([a, b, c, d], s) = (pieces[k], x - knots[k]);
+                let [a, b, c, d] = pieces[k];
+                let s = x - knots[k];
                 a + s * (b + s * (c + s * d))
             };
             for k in 0..$n - 1 {
@@ -57,13 +60,15 @@ table!(table200, 200);
 fn belt(x: Coord, r: f64, s: f64, length: f64) -> f64 {
     let c = x + 4.0;
     let beta = ((r - s) / c).asin();
-    let (pi, arcs) = (std::f64::consts::PI, 2.0 * beta);
+    let pi = std::f64::consts::PI;
+    let arcs = 2.0 * beta;
     2.0 * c * beta.cos() + r * (pi + arcs) + s * (pi - arcs) - length
 }
 
 #[constraint(symbolic)]
 fn arm(q: [Coord; 5], lengths: [f64; 5], target: Vec2) -> Vec2 {
-    let (mut angle, mut tip) = (0.0, -target);
+    let mut angle = 0.0;
+    let mut tip = -target;
     for k in 0..5 {
         angle += q[k];
         tip += lengths[k] * vec2(angle.cos(), angle.sin());
@@ -77,7 +82,8 @@ fn chain(q: [Coord; 6], links: [[f64; 3]; 6], target: Vec3) -> Vec3 {
     let mut tip = -target;
     for k in 0..6 {
         let [a, d, alpha] = links[k];
-        let ((s, c), (sa, ca)) = (q[k].sin_cos(), alpha.sin_cos());
+        let (s, c) = q[k].sin_cos();
+        let (sa, ca) = alpha.sin_cos();
         let step = [[c, -s * ca, s * sa], [s, c * ca, -c * sa], [0.0, sa, ca]];
         let arm = [a * c, a * s, d];
         let mut next = [[0.0; 3]; 3];
@@ -121,7 +127,8 @@ fn works() -> Vec<Work> {
 /// Tables of constants.
 fn tables() -> [Work; 2] {
     let of = |name, by_macro, by_hand| Work { name, arguments: vec![COORD; 2], by_macro, by_hand };
-    let (x, y) = (kin::any_coord, kin::any_coord);
+    let x = kin::any_coord;
+    let y = kin::any_coord;
     [
         of("table20", Box::new(table20(x(), y())), Box::new(Table::<20>::new())),
         of("table200", Box::new(table200(x(), y())), Box::new(Table::<200>::new())),
@@ -193,9 +200,11 @@ struct Input {
 impl Input {
     fn new(work: &Work) -> Self {
         let mut random = SplitMix64(12345);
-        let (mut states, mut rates) = (Vec::new(), Vec::new());
+        let mut states = Vec::new();
+        let mut rates = Vec::new();
         for _ in 0..BATCH {
-            let (mut state, mut rate) = (Vec::new(), Vec::new());
+            let mut state = Vec::new();
+            let mut rate = Vec::new();
             for argument in &work.arguments {
                 let q: Vec<f64> = (0..argument[1]).map(|_| random.unit() * 2.0 - 1.0).collect();
                 state.extend(&q);
@@ -235,7 +244,8 @@ impl Output {
 }
 
 fn evaluate(work: &Work, by_hand: bool, input: &Input, k: usize, out: &mut Output) {
-    let (states, rates) = (&input.states[k], &input.rates[k]);
+    let states = &input.states[k];
+    let rates = &input.rates[k];
     if by_hand {
         work.by_hand.linearize(states, &mut out.c, &mut out.c_q);
         work.by_hand.right_side(states, rates, &mut out.q_d);
@@ -252,7 +262,9 @@ pub fn names() -> impl Iterator<Item = String> {
 }
 
 fn wanted(name: &str) -> impl Iterator<Item = Work> {
-    works().into_iter().filter(move |work| name == "W8" || name.strip_prefix("W8-") == Some(work.name))
+    works()
+        .into_iter()
+        .filter(move |work| name == "W8" || name.strip_prefix("W8-") == Some(work.name))
 }
 
 /// Both routes on every constraint, or on the one that is named: ns an evaluation, and their ratio.
@@ -262,11 +274,13 @@ pub fn run(name: &str, budget: Duration) -> Vec<Figure> {
 
 fn race_of(work: &Work, budget: Duration) -> Vec<Figure> {
     let input = Input::new(work);
-    let figure =
-        |peer: &str, metric: &str, value| Figure::new(format!("W8-{}", work.name), peer, metric, value);
+    let figure = |peer: &str, metric: &str, value| {
+        Figure::new(format!("W8-{}", work.name), peer, metric, value)
+    };
     let mut figures = vec![figure("kin", "max_error", difference(work, &input))];
     let contestant = |(peer, by_hand)| Contestant { peer, run: batch(work, by_hand, &input) };
-    let mut contestants: Vec<Contestant<'_>> = [("hand", true), ("kin", false)].map(contestant).into();
+    let mut contestants: Vec<Contestant<'_>> =
+        [("hand", true), ("kin", false)].map(contestant).into();
     for result in race(&mut contestants, budget) {
         let time = result.nanoseconds / BATCH as f64;
         eprintln!(
@@ -274,7 +288,9 @@ fn race_of(work: &Work, budget: Duration) -> Vec<Figure> {
             "W8", result.peer, result.ratio, work.name
         );
         figures.push(figure(result.peer, "ns_per_eval", time));
-        figures.extend((result.peer != "hand").then(|| figure(result.peer, "ratio_to_hand", result.ratio)));
+        figures.extend(
+            (result.peer != "hand").then(|| figure(result.peer, "ratio_to_hand", result.ratio)),
+        );
     }
     figures
 }
@@ -282,14 +298,17 @@ fn race_of(work: &Work, budget: Duration) -> Vec<Figure> {
 fn batch<'a>(work: &'a Work, by_hand: bool, input: &'a Input) -> Box<dyn FnMut() + 'a> {
     let mut output = Output::new(work);
     Box::new(move || {
-        (0..BATCH)
-            .for_each(|k| evaluate(black_box(work), by_hand, black_box(input), k, black_box(&mut output)));
+        (0..BATCH).for_each(|k| {
+            evaluate(black_box(work), by_hand, black_box(input), k, black_box(&mut output))
+        });
     })
 }
 
 /// The largest difference of a number by both routes, relative to 1 and its size.
 fn difference(work: &Work, input: &Input) -> f64 {
-    let (mut a, mut b, mut largest) = (Output::new(work), Output::new(work), 0.0_f64);
+    let mut a = Output::new(work);
+    let mut b = Output::new(work);
+    let mut largest = 0.0_f64;
     for k in 0..BATCH {
         evaluate(work, true, input, k, &mut a);
         evaluate(work, false, input, k, &mut b);

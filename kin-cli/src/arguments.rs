@@ -9,8 +9,8 @@ use crate::times::Times;
 
 /// Mechanism files run, checked, diagnosed, proved, swept and drawn.
 ///
-/// Data go to the standard output or to files, words to the standard error. `-` is the standard input or
-/// output.
+/// Data go to the standard output or to files, words to the standard error. `-` is the standard
+/// input or output.
 #[derive(Debug, Parser)]
 #[command(name = "kin", version, after_help = EXIT_CODES)]
 pub struct Arguments {
@@ -80,8 +80,8 @@ pub struct Motion {
     /// At the change points of these numbers, counted from 0, turns into the other branch
     #[arg(long, value_delimiter = ',', value_name = "NUMBERS", value_parser = change_point)]
     pub turning: Vec<usize>,
-    /// How much work the run may spend on smaller steps of time than those asked for, as a multiple of the
-    /// usual
+    /// How much work the run may spend on smaller steps of time than those asked for, as a multiple
+    /// of the usual
     #[arg(long, value_name = "MULTIPLE", default_value_t = 1.0)]
     pub effort: f64,
     #[command(flatten)]
@@ -91,8 +91,8 @@ pub struct Motion {
 /// How far redundant equations may contradict one another.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct Closure {
-    /// How far redundant equations may contradict one another, as a share of the mechanism's size, from 0
-    /// to 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
+    /// How far redundant equations may contradict one another, as a share of the mechanism's size,
+    /// from 0 to 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
     #[arg(long = "closure", value_name = "SHARE", default_value_t = 0.0)]
     pub share: f64,
 }
@@ -155,8 +155,8 @@ pub struct Check {
     /// The time at which it is assembled   [s]
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     pub at: f64,
-    /// Names and values of all dimensions, parameters and coordinates, names of measures, as CSV on the
-    /// standard output
+    /// Names and values of all dimensions, parameters and coordinates, names of measures, as CSV on
+    /// the standard output
     #[arg(long)]
     pub names: bool,
     #[command(flatten)]
@@ -199,7 +199,8 @@ pub struct Measure {
     pub names: Vec<String>,
     #[command(flatten)]
     pub motion: Motion,
-    /// Adds the mechanical advantage of each measure over this drive: its force for one of the drive's
+    /// Adds the mechanical advantage of each measure over this drive: its force for one of the
+    /// drive's
     #[arg(long = "over", value_name = "DRIVE")]
     pub over: Vec<String>,
     /// Where the table goes
@@ -247,7 +248,8 @@ pub struct Tolerance {
     /// Of this extreme of the measure, or of its stroke, instead of the time at which it is worst
     #[arg(long, value_enum)]
     pub of: Option<Asked>,
-    /// Proves bounds by interval arithmetic too, which hold for every mechanism within the tolerances
+    /// Proves bounds by interval arithmetic too, which hold for every mechanism within the
+    /// tolerances
     #[arg(long, requires = "of")]
     pub proved: bool,
     /// Makes so many mechanisms at random too, and tells mean, σ, quantiles and how many cannot be
@@ -295,8 +297,8 @@ pub struct Forces {
     pub model: Model,
     #[command(flatten)]
     pub motion: Motion,
-    /// Where redundant constraints share a force, the shares whose squares have the least sum; without it
-    /// no number is given for them
+    /// Where redundant constraints share a force, the shares whose squares have the least sum;
+    /// without it no number is given for them
     #[arg(long)]
     pub least_norm: bool,
     /// Where the table goes
@@ -324,7 +326,8 @@ pub struct Sweep {
     pub cases: String,
     #[command(flatten)]
     pub motion: Motion,
-    /// A measure, coordinate or column of forces, whose least and greatest value are kept, with their times
+    /// A measure, coordinate or column of forces, whose least and greatest value are kept, with
+    /// their times
     #[arg(long = "keep", value_name = "NAME")]
     pub keep: Vec<String>,
     /// Only the I-th of N parts of the cases; all parts make the rows of the whole, bit for bit

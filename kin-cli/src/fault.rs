@@ -54,7 +54,8 @@ impl Fault {
         }
     }
 
-    /// Why a run has ended early, for a page that shows the motion up to there; empty of other faults.
+    /// Why a run has ended early, for a page that shows the motion up to there; empty of other
+    /// faults.
     pub fn why_early(&self) -> String {
         match self {
             Fault::Early(error) => error.reason(),
@@ -68,8 +69,11 @@ impl Fault {
             Fault::Mechanism(error) | Fault::Early(error) => error.diagnosis(),
             _ => None,
         };
-        let mut told = json!({ "code": self.code(), "kind": self.name(), "message": self.message() });
-        if let Some(diagnosis) = diagnosis.and_then(|diagnosis| serde_json::to_value(diagnosis).ok()) {
+        let mut told =
+            json!({ "code": self.code(), "kind": self.name(), "message": self.message() });
+        if let Some(diagnosis) =
+            diagnosis.and_then(|diagnosis| serde_json::to_value(diagnosis).ok())
+        {
             told["diagnosis"] = diagnosis;
         }
         json!({ "error": told })
@@ -97,10 +101,12 @@ impl Fault {
 impl From<Error> for Fault {
     fn from(error: Error) -> Fault {
         match error {
-            Error::InvalidTimes { .. } | Error::InvalidOptions { .. } | Error::NeedsMemory { .. } => {
-                Fault::Usage(error.to_string())
+            Error::InvalidTimes { .. }
+            | Error::InvalidOptions { .. }
+            | Error::NeedsMemory { .. } => Fault::Usage(error.to_string()),
+            Error::Data { .. } | Error::Table { .. } | Error::File { .. } => {
+                Fault::File(error.to_string())
             }
-            Error::Data { .. } | Error::Table { .. } | Error::File { .. } => Fault::File(error.to_string()),
             Error::CannotBeProved { .. } => Fault::NotProved(error.to_string()),
             other => Fault::Mechanism(Box::new(other)),
         }
@@ -113,9 +119,9 @@ mod tests {
 
     use super::*;
 
-    /// Every sentence of an error that the command can meet is in its own words: the texts of Kin's sources,
-    /// by the names of Rust in them. `Surface` chooses words for each reader, and is left out. Listed is what
-    /// rustc alone tells, or Kin tells to programs in Rust alone.
+    /// Every sentence of an error that the command can meet is in its own words: the texts of Kin's
+    /// sources, by the names of Rust in them. `Surface` chooses words for each reader, and is left
+    /// out. Listed is what rustc alone tells, or Kin tells to programs in Rust alone.
     #[test]
     fn no_error_of_the_command_speaks_of_rust() {
         const TO_PROGRAMS: [&str; 8] = [
@@ -135,7 +141,9 @@ mod tests {
         while let Some(path) = open.pop() {
             if path.is_dir() {
                 open.extend(
-                    std::fs::read_dir(&path).expect("a folder").map(|entry| entry.expect("an entry").path()),
+                    std::fs::read_dir(&path)
+                        .expect("a folder")
+                        .map(|entry| entry.expect("an entry").path()),
                 );
                 continue;
             }
@@ -146,14 +154,18 @@ mod tests {
                 continue;
             }
             let source = std::fs::read_to_string(&path).expect("a source");
-            let source = source.split("#[cfg(test)]").next().unwrap_or_default().replace("\\\n", "");
+            let source =
+                source.split("#[cfg(test)]").next().unwrap_or_default().replace("\\\n", "");
             for line in source.lines().map(str::trim_start).filter(|line| !line.starts_with("//")) {
                 for text in line.split('"').skip(1).step_by(2).filter(|text| text.contains('`')) {
                     let words: Vec<&str> = text.split_whitespace().collect();
                     looked_at += 1;
                     let told = words.join(" ");
-                    for name in told.split('`').skip(1).step_by(2).filter(|name| name.contains("::")) {
-                        let known = TO_PROGRAMS.iter().chain(&OTHERS).any(|known| name.contains(known));
+                    for name in
+                        told.split('`').skip(1).step_by(2).filter(|name| name.contains("::"))
+                    {
+                        let known =
+                            TO_PROGRAMS.iter().chain(&OTHERS).any(|known| name.contains(known));
                         assert!(known, "{}: `{name}` in \"{told}\"", path.display());
                     }
                 }
@@ -166,18 +178,26 @@ mod tests {
     #[test]
     fn classes_of_programs_have_codes() {
         let [place, name] = ["place", "name"].map(str::to_string);
-        let foreign =
-            Error::ForeignBody { mechanism: name.clone(), place: place.clone(), argument: name.clone() };
+        let foreign = Error::ForeignBody {
+            mechanism: name.clone(),
+            place: place.clone(),
+            argument: name.clone(),
+        };
         let table = Error::Table { path: name.clone().into(), reason: place.clone() };
         let file = Error::File { path: name.clone().into(), source: ErrorKind::NotFound.into() };
         let length = Error::WrongLength { what: name.clone(), expected: 2, found: 3 };
         let stopped = Error::Stopped { done: 1, all: 2, motion: None };
-        let value = Error::ParameterNotFinite { constraint: place, parameter: name.clone(), value: f64::NAN };
+        let value = Error::ParameterNotFinite {
+            constraint: place,
+            parameter: name.clone(),
+            value: f64::NAN,
+        };
         let all = [(foreign, 1), (table, 5), (file, 5), (length, 1), (stopped, 1), (value, 1)];
         for (error, code) in all {
             assert_eq!(Fault::from(error).code(), code);
         }
-        let value = Error::InitialNotFinite { name: name.clone(), coordinate: name, value: f64::NAN };
+        let value =
+            Error::InitialNotFinite { name: name.clone(), coordinate: name, value: f64::NAN };
         assert_eq!(Fault::from(value).code(), 1);
     }
 }

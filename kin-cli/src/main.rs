@@ -1,8 +1,8 @@
 //! The command `kin`: mechanism files run, checked, diagnosed, proved, swept and drawn.
 //!
-//! Data go to the standard output or to files, words to the standard error. A file imports from files further
-//! to the right only: `main` → `commands/` → `model` → `arguments` → `points` → `times`, `say`, `output` →
-//! `fault`.
+//! Data go to the standard output or to files, words to the standard error. A file imports from
+//! files further to the right only: `main` → `commands/` → `model` → `arguments` → `points` →
+//! `times`, `say`, `output` → `fault`.
 #![forbid(unsafe_code)]
 
 mod arguments;

@@ -15,7 +15,8 @@ const LONGEST: u64 = 1 << 28;
 
 /// The text of a file, or of the standard input for `-`.
 pub fn text(file: &str) -> Result<String, Fault> {
-    let fail = |why: &dyn std::fmt::Display| Fault::File(format!("cannot read {}: {why}", named(file)));
+    let fail =
+        |why: &dyn std::fmt::Display| Fault::File(format!("cannot read {}: {why}", named(file)));
     let from: Box<dyn Read> = match file {
         "-" => Box::new(std::io::stdin()),
         _ => Box::new(std::fs::File::open(file).map_err(|error| fail(&error))?),
@@ -53,7 +54,9 @@ pub fn system(model: &Model) -> Result<System, Fault> {
     let again = |k: &usize| all[..*k].iter().any(|before| before.name == all[*k].name);
     if let Some(k) = (0..all.len()).find(again) {
         let name = &all[k].name;
-        return Err(Fault::Usage(format!("`--set` names `{name}` twice: leave one of the two out")));
+        return Err(Fault::Usage(format!(
+            "`--set` names `{name}` twice: leave one of the two out"
+        )));
     }
     let mut system = mechanism(&model.file)?.build()?;
     model.settings.iter().try_for_each(|setting| set(&mut system, setting)).map_err(not_set)?;

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use crate::fault::Fault;
 
-/// Has `write` write to the file of that name, making folders that are missing, or to the standard output.
+/// Has `write` write to the file of that name, making folders that are missing, or to the standard
+/// output.
 ///
 /// Errors: a file that cannot be written, by its path; a pipe that nobody reads any more.
 pub fn put(to: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Fault> {
@@ -60,8 +61,8 @@ pub fn reason(error: csv::Error) -> io::Error {
     }
 }
 
-/// A header or a text of a table as spreadsheets may read it: one that begins as a formula does (`=`, `+`,
-/// `-`, `@`, a tab, a carriage return) is written with `'` before it.
+/// A header or a text of a table as spreadsheets may read it: one that begins as a formula does
+/// (`=`, `+`, `-`, `@`, a tab, a carriage return) is written with `'` before it.
 pub fn as_text(text: &str) -> String {
     let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
     if is_formula { format!("'{text}") } else { text.to_string() }
@@ -73,7 +74,11 @@ pub fn of_text(header: &str) -> &str {
 }
 
 /// Writes a table of names and numbers as CSV.
-pub fn table(to: &str, header: &[String], rows: impl Iterator<Item = Vec<String>>) -> Result<(), Fault> {
+pub fn table(
+    to: &str,
+    header: &[String],
+    rows: impl Iterator<Item = Vec<String>>,
+) -> Result<(), Fault> {
     put(to, |to| {
         let mut table = csv::Writer::from_writer(to);
         table.write_record(header.iter().map(|name| as_text(name))).map_err(reason)?;

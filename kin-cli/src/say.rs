@@ -12,7 +12,8 @@ use crate::fault::Fault;
 pub enum Format {
     /// Sentences.
     Text,
-    /// One object of JSON a line: `{"note": …}`, and at the end `{"error": {"code": …, "kind": …, …}}`.
+    /// One object of JSON a line: `{"note": …}`, and at the end
+    /// `{"error": {"code": …, "kind": …, …}}`.
     Json,
 }
 
@@ -21,7 +22,11 @@ impl Format {
     pub fn of_arguments(all: impl Iterator<Item = String>) -> Format {
         let all: Vec<String> = all.collect();
         let apart = all.windows(2).any(|pair| pair[0] == "--error-format" && pair[1] == "json");
-        if apart || all.iter().any(|one| one == "--error-format=json") { Format::Json } else { Format::Text }
+        if apart || all.iter().any(|one| one == "--error-format=json") {
+            Format::Json
+        } else {
+            Format::Text
+        }
     }
 }
 
@@ -65,7 +70,8 @@ impl Say {
     /// So many of so many are done; on terminals only.
     pub fn progress(&self, done: usize, all: usize, what: &str) {
         if self.terminal && self.format == Format::Text {
-            let _ = write!(stderr(), "\r{done} of {all} {what}{}", if done == all { "\n" } else { "" });
+            let _ =
+                write!(stderr(), "\r{done} of {all} {what}{}", if done == all { "\n" } else { "" });
         }
     }
 
@@ -79,8 +85,8 @@ fn line(text: &str) {
     let _ = writeln!(stderr(), "{text}");
 }
 
-/// The text without characters that move a terminal's cursor, colour its text or turn its direction: files
-/// have names in them that may come from anywhere.
+/// The text without characters that move a terminal's cursor, colour its text or turn its
+/// direction: files have names in them that may come from anywhere.
 pub fn visible(text: &str) -> String {
     let shown = |c: char| match c {
         '\n' | '\t' => c.to_string(),

@@ -14,18 +14,21 @@ const MOST: usize = 100_000_000;
 impl FromStr for Times {
     type Err = String;
 
-    /// `0:1:361` is 361 times from 0 to 1, bit for bit those of `linspace(0.0, 1.0, 361)`; `0,0.5,1` are
-    /// three times. Errors: what is no time, and a span that is no number.
+    /// `0:1:361` is 361 times from 0 to 1, bit for bit those of `linspace(0.0, 1.0, 361)`;
+    /// `0,0.5,1` are three times. Errors: what is no time, and a span that is no number.
     fn from_str(text: &str) -> Result<Times, String> {
         let parts: Vec<&str> = text.split(':').collect();
         match parts[..] {
             [from, to, count] => {
-                let n =
-                    count.trim().parse::<usize>().map_err(|_| format!("`{count}` is no number of times"))?;
+                let n = count
+                    .trim()
+                    .parse::<usize>()
+                    .map_err(|_| format!("`{count}` is no number of times"))?;
                 if n == 0 || n > MOST {
                     return Err(format!("{n} times: give 1 to {MOST}"));
                 }
-                let (from, to) = (number(from)?, number(to)?);
+                let from = number(from)?;
+                let to = number(to)?;
                 if !(to - from).is_finite() {
                     return Err(format!(
                         "from {from:e} to {to:e} is further than the largest number, {:e}; give times that are closer together",
@@ -35,7 +38,9 @@ impl FromStr for Times {
                 Ok(Times(linspace(from, to, n)))
             }
             [list] => list.split(',').map(number).collect::<Result<_, _>>().map(Times),
-            _ => Err("write FROM:TO:COUNT, such as 0:1:361, or a list, such as 0,0.5,1".to_string()),
+            _ => {
+                Err("write FROM:TO:COUNT, such as 0:1:361, or a list, such as 0,0.5,1".to_string())
+            }
         }
     }
 }

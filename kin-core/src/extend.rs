@@ -1,8 +1,9 @@
-//! Items that ordinary programs do not call: for constraints and laws written by hand, for comparing
-//! derivatives term by term, and for the code that `#[constraint]` emits.
+//! Items that ordinary programs do not call: for constraints and laws written by hand, for
+//! comparing derivatives term by term, and for the code that `#[constraint]` emits.
 //!
-//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in [`state`], the
-//! bodies that it acts on in [`coordinates`]. A law by hand is an `impl` of [`LawFunction`].
+//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in
+//! [`state`], the bodies that it acts on in [`coordinates`]. A law by hand is an `impl` of
+//! [`LawFunction`].
 
 #[doc(inline)]
 pub use crate::model::constraint::{
@@ -27,7 +28,8 @@ pub mod blame {
     pub use crate::model::blame::*;
 }
 
-/// Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of them.
+/// Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of
+/// them.
 pub mod coordinates {
     #[doc(inline)]
     pub use crate::model::coordinates::*;

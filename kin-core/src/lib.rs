@@ -1,11 +1,11 @@
-//! The core of Kin: numbers and vectors, bodies and coordinates, constraints and joints, the solver and its
-//! results.
+//! The core of Kin: numbers and vectors, bodies and coordinates, constraints and joints, the solver
+//! and its results.
 //!
 //! Use it through the facade crate `kin`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// Where `lanes` knows no SIMD registers (WebAssembly, among others), everything runs by plain steps, and
-// programs are idle.
+// Where `lanes` knows no SIMD registers (WebAssembly, among others), everything runs by plain
+// steps, and programs are idle.
 #![cfg_attr(not(any(target_arch = "x86_64", target_arch = "aarch64")), allow(dead_code))]
 
 extern crate self as kin;
@@ -42,13 +42,14 @@ pub use solve::{motion, newton, sweep};
 pub use argmin;
 pub use constraint::{Constraint, Route, RouteReason, Routed};
 pub use coordinates::{
-    Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link, Planar,
-    PlanarBody, Rate, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar, any_spatial,
+    Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link,
+    Planar, PlanarBody, Rate, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar,
+    any_spatial,
 };
 pub use data::Registry;
 pub use design::{
-    Contribution, ExtremeSensitivity, Feature, LookedAt, MeasureSensitivity, Objective, Off, Proved, Samples,
-    Sampling, SecondOrder, Sensitivities, Sensitivity, Tolerance,
+    Contribution, ExtremeSensitivity, Feature, LookedAt, MeasureSensitivity, Objective, Off,
+    Proved, Samples, Sampling, SecondOrder, Sensitivities, Sensitivity, Tolerance,
 };
 pub use dimension::{
     Dimension, DimensionError, Distribution, IntoGravity, IntoNumber, IntoParameter, IntoVector,
@@ -61,8 +62,8 @@ pub use kin_macros::{constraint, force, helper, law, potential};
 pub use law::{Beyond, Break, Ends, Law, LawRange};
 pub use measure::{Crossing, Extreme, Extremes, Measure};
 pub use mechanism::{
-    ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Mechanism, Pose, Preferred,
-    SpatialPose, deg, linspace, pose,
+    ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Mechanism, Pose,
+    Preferred, SpatialPose, deg, linspace, pose,
 };
 pub use model::error::surface::Surface;
 pub use model::growth::{Growth, Unbounded};

@@ -1,13 +1,13 @@
-//! The linear solver: a square matrix of fixed pattern comes in as values, solutions go out. Nothing else of
-//! Kin eliminates.
+//! The linear solver: a square matrix of fixed pattern comes in as values, solutions go out.
+//! Nothing else of Kin eliminates.
 //!
-//! The elimination is recorded once, at real numbers, and then replayed as flat code ([`code`]) on one
-//! memory: values, right side and solution stand in it, so constraints write straight into it. Each pivot is
-//! measured by the largest entries that its row and its column have had so far, lengths in units of the
-//! model's own length: so the verdict "singular" does not depend on units (mm, m or km), and a row that fades
-//! on the way to a toggle is seen to fade. A replay is watched: where pivots fade or multipliers grow, the
-//! elimination is recorded anew at the numbers of that moment. The measures only choose and judge pivots,
-//! they never touch the numbers.
+//! The elimination is recorded once, at real numbers, and then replayed as flat code ([`code`]) on
+//! one memory: values, right side and solution stand in it, so constraints write straight into it.
+//! Each pivot is measured by the largest entries that its row and its column have had so far,
+//! lengths in units of the model's own length: so the verdict "singular" does not depend on units
+//! (mm, m or km), and a row that fades on the way to a toggle is seen to fade. A replay is watched:
+//! where pivots fade or multipliers grow, the elimination is recorded anew at the numbers of that
+//! moment. The measures only choose and judge pivots, they never touch the numbers.
 
 mod condition;
 mod dense;
@@ -29,17 +29,19 @@ use crate::numbers::padded::{self, Padded, Quad};
 pub(crate) use least_squares::LeastSquares;
 use recorded::record::{Factored, Input, Places, Recording};
 
-/// A pivot below this measure is zero; the rounding of an elimination of moderate size stays below.   \[-\]
+/// A pivot below this measure is zero; the rounding of an elimination of moderate size stays
+/// below.   \[-\]
 const SINGULAR: f64 = 1e-13;
 
-/// A condition number, by the measures of rows and columns, above which a matrix counts as singular.   \[-\]
+/// A condition number, by the measures of rows and columns, above which a matrix counts as
+/// singular.   \[-\]
 const CONDITION: f64 = 3e12;
 
 /// Multipliers of a replay may grow to this; a new recording keeps them below 10.   \[-\]
 const GROWTH: f64 = 30.0;
 
-/// Where cells of the elimination have grown beyond this, solutions are refined; of mechanisms none has been
-/// seen to need it.   \[-\]
+/// Where cells of the elimination have grown beyond this, solutions are refined; of mechanisms none
+/// has been seen to need it.   \[-\]
 const REFINED: f64 = 100.0;
 
 /// The smallest pivot may fade to this share of what it has been since the recording.   \[-\]
@@ -77,19 +79,19 @@ pub(crate) struct Linear {
     /// 1 / norm_i, and s_j / top_j.
     row_units: Padded,
     column_units: Vec<f64>,
-    /// A value above its limit is not finite, or its row and column are to be measured anew; infinite on the
-    /// ground.
+    /// A value above its limit is not finite, or its row and column are to be measured anew;
+    /// infinite on the ground.
     limits: Padded,
     recording: Option<Arc<Recording>>,
-    /// The factors that make each factored number one of order 1, by the measures, in the order of the
-    /// memory.
+    /// The factors that make each factored number one of order 1, by the measures, in the order of
+    /// the memory.
     weights: Padded,
     /// Bounds of multipliers and other factored numbers.
     bounds: Padded,
     /// True if the recording's weights agree with the present measures.
     weighted: bool,
-    /// True if there is nothing to compute and nothing to judge until the measures change: all pivots are
-    /// constants.
+    /// True if there is nothing to compute and nothing to judge until the measures change: all
+    /// pivots are constants.
     settled: bool,
     /// The smallest constant pivot, and the smallest of all at the last factoring.
     smallest_constant: f64,
@@ -106,16 +108,17 @@ pub(crate) struct Linear {
 }
 
 impl Linear {
-    /// An n × n matrix with one value for each (row, column) of the pattern, in its order; repeated places
-    /// add up, `None` stands nowhere. Values that are the same for good may be given in `constants`, in the
-    /// same order.
+    /// An n × n matrix with one value for each (row, column) of the pattern, in its order; repeated
+    /// places add up, `None` stands nowhere. Values that are the same for good may be given in
+    /// `constants`, in the same order.
     pub(crate) fn new(
         n: usize,
         pattern: impl IntoIterator<Item = Option<(usize, usize)>>,
         constants: &[Option<f64>],
     ) -> Self {
-        let inside =
-            |(row, column): (usize, usize)| (row < n && column < n).then_some((row as u32, column as u32));
+        let inside = |(row, column): (usize, usize)| {
+            (row < n && column < n).then_some((row as u32, column as u32))
+        };
         let entries: Arc<[_]> = pattern.into_iter().map(|entry| entry.and_then(inside)).collect();
         let mut sorted: Vec<((u32, u32), u32)> =
             entries.iter().zip(0..).filter_map(|(entry, k)| Some(((*entry)?, k))).collect();
@@ -128,8 +131,10 @@ impl Linear {
             .filter(|(_, entry)| entry.is_none())
             .for_each(|(limit, _)| *limit = f64::INFINITY);
         // Values, right side and solution begin at whole fours.
-        let (rhs, length) = (entries.len().next_multiple_of(4), n.next_multiple_of(4));
-        let (solution, zero) = (rhs + length, rhs + 2 * length);
+        let rhs = entries.len().next_multiple_of(4);
+        let length = n.next_multiple_of(4);
+        let solution = rhs + length;
+        let zero = rhs + 2 * length;
         Linear {
             n,
             sorted: sorted.into(),
@@ -218,7 +223,8 @@ impl Linear {
         if let Some(recording) = &self.recording {
             let settled = recording.factor.len() == 0;
             self.replay();
-            // Small pivots are judged as those of a new recording are: by the condition of the whole.
+            // Small pivots are judged as those of a new recording are: by the condition of the
+            // whole.
             if self.fits() && (self.smallest >= SUSPICIOUS || self.condition() < CONDITION) {
                 self.settled = settled;
                 return true;
@@ -272,8 +278,8 @@ impl Linear {
         let inside = padded::inside(self.memory[cells..pivots].as_chunks().0, self.bounds.whole());
         self.refined = !inside && largest(cells, multipliers) > REFINED;
         self.grown = !inside && largest(multipliers, pivots) > GROWTH;
-        // Pivots stand there inverted: the largest is the smallest pivot, and a number that is not finite
-        // none at all.
+        // Pivots stand there inverted: the largest is the smallest pivot, and a number that is not
+        // finite none at all.
         self.smallest = self.smallest_constant.min(largest(pivots, end).recip());
         self.best = self.best.max(self.smallest);
     }
@@ -288,7 +294,9 @@ impl Linear {
     fn weight_pivots(&mut self) {
         self.weighted = true;
         let Some(recording) = &self.recording else { return };
-        let unit = |row: u32, column: u32| self.row_units[row as usize] * self.column_units[column as usize];
+        let unit = |row: u32, column: u32| {
+            self.row_units[row as usize] * self.column_units[column as usize]
+        };
         let mut weights = recording.weights.clone();
         recording
             .watched
@@ -305,7 +313,8 @@ impl Linear {
         for (k, (bound, weight)) in self.bounds.iter_mut().zip(self.weights.iter()).enumerate() {
             *bound = if cells + k < multipliers { REFINED } else { GROWTH } / weight;
         }
-        let constant = recording.constant.iter().map(|&(row, column, value)| value.abs() * unit(row, column));
+        let constant =
+            recording.constant.iter().map(|&(row, column, value)| value.abs() * unit(row, column));
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
     }
 
@@ -327,8 +336,8 @@ impl Linear {
         }
     }
 
-    /// Records the elimination at the values as written, and runs it; false where there are not enough
-    /// pivots.
+    /// Records the elimination at the values as written, and runs it; false where there are not
+    /// enough pivots.
     fn record(&mut self) -> bool {
         self.recordings += 1;
         (self.weighted, self.settled, self.best, self.recording) = (false, false, 0.0, None);
@@ -342,11 +351,12 @@ impl Linear {
         true
     }
 
-    /// Records the elimination at the values as written; false, and nothing recorded, if they are singular.
+    /// Records the elimination at the values as written; false, and nothing recorded, if they are
+    /// singular.
     pub(crate) fn prepare(&mut self) -> bool {
         self.measure();
-        let regular =
-            self.record() && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
+        let regular = self.record()
+            && (self.n == 0 || self.smallest > SINGULAR && self.condition() < CONDITION);
         if !regular {
             self.recording = None;
         }

@@ -1,4 +1,5 @@
-//! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of C_q.
+//! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of
+//! C_q.
 
 mod axes;
 mod cache;
@@ -31,11 +32,12 @@ use dimensions::Dimensions;
 use evaluate::{Block, Equations};
 pub use solution::{Report, Solution};
 
-/// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by [`crate::Mechanism::build`].
+/// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by
+/// [`crate::Mechanism::build`].
 ///
-/// Coordinates come in the order in which bodies and bare coordinates were declared, equations in the order
-/// in which constraints were added, the norm constraints |p|² = 1 of spatial bodies (named `BODY.p`) after
-/// them.
+/// Coordinates come in the order in which bodies and bare coordinates were declared, equations in
+/// the order in which constraints were added, the norm constraints |p|² = 1 of spatial bodies
+/// (named `BODY.p`) after them.
 #[derive(Clone)]
 pub struct System {
     name: String,
@@ -52,7 +54,8 @@ pub struct System {
     /// Those of planar links.
     links: Vec<f64>,
     dimensions: Option<Dimensions>,
-    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular there.
+    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular
+    /// there.
     linear: Linear,
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
@@ -90,7 +93,8 @@ impl System {
         let all = equations.blocks.iter().enumerate();
         let switching =
             all.filter(|(_, block)| switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
-        let (asked, limits) = (Vec::new(), Vec::new());
+        let asked = Vec::new();
+        let limits = Vec::new();
         System {
             name,
             layout: Arc::new(layout),
@@ -131,13 +135,14 @@ impl System {
         self.equations.rows
     }
 
-    /// Names of the coordinates in their order, such as `crank.R_x`, `crank.theta`, `platform.e0`, `theta3`.
+    /// Names of the coordinates in their order, such as `crank.R_x`, `crank.theta`, `platform.e0`,
+    /// `theta3`.
     pub fn coordinate_names(&self) -> &[String] {
         &self.layout.names
     }
 
-    /// Units of the coordinates in their order: `m` (or as [`crate::Mechanism::units`] calls it), `rad` or
-    /// `-`.
+    /// Units of the coordinates in their order: `m` (or as [`crate::Mechanism::units`] calls it),
+    /// `rad` or `-`.
     pub fn coordinate_units(&self) -> Vec<String> {
         self.layout.unit_words()
     }
@@ -158,7 +163,8 @@ impl System {
         self.layout.bodies()
     }
 
-    /// The constraints with their names, in their order; the norm constraints of spatial bodies come last.
+    /// The constraints with their names, in their order; the norm constraints of spatial bodies
+    /// come last.
     pub fn constraints(&self) -> impl Iterator<Item = (&str, &dyn Constraint)> {
         self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
     }
@@ -168,7 +174,8 @@ impl System {
         self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
     }
 
-    /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own name.
+    /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own
+    /// name.
     pub fn equation_names(&self) -> Vec<String> {
         self.rows.to_vec()
     }
@@ -200,7 +207,8 @@ impl System {
     pub(crate) fn beyond_a_turn(&self, t: f64) -> Vec<(String, f64)> {
         let mut found = Vec::new();
         let turns = |block: &&Block| {
-            ["drive_turn", "drive_rotation", "drive_orientation"].contains(&block.constraint.facts().kind)
+            ["drive_turn", "drive_rotation", "drive_orientation"]
+                .contains(&block.constraint.facts().kind)
         };
         let mut all = self.equations.blocks.iter().filter(turns).peekable();
         if all.peek().is_none() {
@@ -220,11 +228,12 @@ impl System {
 
     /// True if no law of its constraints has a break; a run has to look for those time by time.
     pub(crate) fn is_smooth(&self) -> bool {
-        let (mut smooth, instant) = (true, self.equations.instant_at(0.0, &self.initial));
+        let mut smooth = true;
+        let instant = self.equations.instant_at(0.0, &self.initial);
         for block in &self.equations.blocks {
-            block
-                .constraint
-                .laws(&self.equations.at(block, &instant), &mut |_, law, _| smooth &= law.is_smooth());
+            block.constraint.laws(&self.equations.at(block, &instant), &mut |_, law, _| {
+                smooth &= law.is_smooth()
+            });
         }
         smooth
     }
@@ -247,8 +256,8 @@ impl System {
         &self.equations
     }
 
-    /// A linear solver for C_q, with all that never changes in its place, and measured at the initial guess
-    /// where that has been done.
+    /// A linear solver for C_q, with all that never changes in its place, and measured at the
+    /// initial guess where that has been done.
     pub(crate) fn linear(&self) -> Linear {
         self.linear.clone()
     }
@@ -288,7 +297,9 @@ impl System {
     /// Name of the constraint and of its row for a global row.
     pub(crate) fn row_name(&self, row: usize) -> (String, String) {
         let found = self.equations.block_of(row);
-        found.map(|(block, local)| (block.name.clone(), block.row(local).to_string())).unwrap_or_default()
+        found
+            .map(|(block, local)| (block.name.clone(), block.row(local).to_string()))
+            .unwrap_or_default()
     }
 
     /// The error for a singular matrix at a pose and time.
@@ -315,7 +326,8 @@ impl System {
     }
 
     pub(crate) fn check(&self, q: &[f64], what: &str) -> Result<()> {
-        let (expected, found) = (self.n_coordinates(), q.len());
+        let expected = self.n_coordinates();
+        let found = q.len();
         if expected != found {
             return Err(Error::WrongLength { what: what.to_string(), expected, found });
         }
@@ -338,7 +350,8 @@ impl std::fmt::Debug for System {
 
 /// The linear solver, its elimination recorded at the initial guess and t = 0.
 fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
-    let mut linear = Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
+    let mut linear =
+        Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);
     if equations.rows != layout.len() {
         return linear;
     }
@@ -360,8 +373,8 @@ pub(crate) fn time(t: f64) -> Result<f64> {
     }
 }
 
-/// True if an equation may have anything that switches; on the dual route that is not known, and it counts as
-/// not switching.
+/// True if an equation may have anything that switches; on the dual route that is not known, and it
+/// counts as not switching.
 fn switches(constraint: &dyn Constraint) -> bool {
     constraint.formula(|table, _, _| table.may_switch()).unwrap_or(false)
 }

@@ -64,24 +64,35 @@ pub struct Revolute {
     pub u_j: Vec2,
 }
 
-pub fn revolute(i: impl Into<PlanarBody>, j: impl Into<PlanarBody>, u_i: Vec2, u_j: Vec2) -> Revolute {
+pub fn revolute(
+    i: impl Into<PlanarBody>,
+    j: impl Into<PlanarBody>,
+    u_i: Vec2,
+    u_j: Vec2,
+) -> Revolute {
     Revolute { i: i.into(), j: j.into(), u_i, u_j }
 }
 
 impl Constraint for Revolute {
-    facts!("revolute", ["x", "y"], [(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]);
+    facts!(
+        "revolute",
+        ["x", "y"],
+        [(0, 0), (0, 2), (0, 3), (0, 5), (1, 1), (1, 2), (1, 4), (1, 5)]
+    );
 
     fn arguments(&self) -> Vec<Argument> {
         vec![planar("i", self.i), planar("j", self.j)]
     }
 
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
-        let (a, b) = (at.planar(0).point(self.u_i), at.planar(1).point(self.u_j));
+        let a = at.planar(0).point(self.u_i);
+        let b = at.planar(1).point(self.u_j);
         c.copy_from_slice(&[a.x - b.x, a.y - b.y]);
     }
 
     fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
-        let (a, b) = (at.planar(0).direction(self.u_i), at.planar(1).direction(self.u_j));
+        let a = at.planar(0).direction(self.u_i);
+        let b = at.planar(1).direction(self.u_j);
         c_q.copy_from_slice(&[1.0, -a.y, -1.0, b.y, 1.0, a.x, -1.0, -b.x]);
     }
 
@@ -90,8 +101,10 @@ impl Constraint for Revolute {
     }
 
     fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, _: f64, q_d: &mut [f64]) {
-        let (a, b) = (at.planar(0).direction(self.u_i), at.planar(1).direction(self.u_j));
-        let (wi, wj) = (qd.planar(0).theta.powi(2), qd.planar(1).theta.powi(2));
+        let a = at.planar(0).direction(self.u_i);
+        let b = at.planar(1).direction(self.u_j);
+        let wi = qd.planar(0).theta.powi(2);
+        let wj = qd.planar(1).theta.powi(2);
         q_d.copy_from_slice(&[wi * a.x - wj * b.x, wi * a.y - wj * b.y]);
     }
 
@@ -215,7 +228,8 @@ impl Constraint for SliderCrank {
 
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         let [l2, l3, h] = self.l;
-        let ((s, co), b) = ((self.omega * at.t).sin_cos(), at.coord(0));
+        let (s, co) = (self.omega * at.t).sin_cos();
+        let b = at.coord(0);
         c.copy_from_slice(&[l2 * co + l3 * b.cos - at.coord(1).value, l2 * s + l3 * b.sin - h]);
     }
 
@@ -232,7 +246,8 @@ impl Constraint for SliderCrank {
 
     fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
         let (s, c) = (self.omega * at.t).sin_cos();
-        let (v, w) = (self.l[0] * (self.omega * t_dot).powi(2), self.l[1] * qd.coord(0).powi(2));
+        let v = self.l[0] * (self.omega * t_dot).powi(2);
+        let w = self.l[1] * qd.coord(0).powi(2);
         q_d.copy_from_slice(&[v * c + w * at.coord(0).cos, v * s + w * at.coord(0).sin]);
     }
 }

@@ -3,8 +3,8 @@
 use crate::number::{Condition, Number};
 use crate::{Graph, Input, LeafUse, Node, Op};
 
-/// The values that a graph does not hold itself: its inputs, and those that only the user's program can
-/// compute.
+/// The values that a graph does not hold itself: its inputs, and those that only the user's program
+/// can compute.
 pub trait Source<N: Number> {
     /// The number of an input.
     fn input(&self, input: Input) -> N;
@@ -37,7 +37,8 @@ impl<N: Number> Default for Results<N> {
 }
 
 impl<N: Number> Results<N> {
-    /// The number of a node, that of a condition being 1 or 0; `None` of a node that was not needed.
+    /// The number of a node, that of a condition being 1 or 0; `None` of a node that was not
+    /// needed.
     pub fn number(&self, node: Node) -> Option<N> {
         Some(match self.0.get(node.index())?.as_ref()? {
             Result::Number(number) => number.clone(),
@@ -45,7 +46,8 @@ impl<N: Number> Results<N> {
         })
     }
 
-    /// The truth of a node, that of a number being whether it is not 0; `None` of a node that was not needed.
+    /// The truth of a node, that of a number being whether it is not 0; `None` of a node that was
+    /// not needed.
     pub fn condition(&self, node: Node) -> Option<N::Condition> {
         Some(match self.0.get(node.index())?.as_ref()? {
             Result::Number(number) => number.holds(),
@@ -54,8 +56,8 @@ impl<N: Number> Results<N> {
     }
 }
 
-/// The results of `outputs`. A node is computed after its operands and once; one that has no number in the
-/// graph is not a number.
+/// The results of `outputs`. A node is computed after its operands and once; one that has no number
+/// in the graph is not a number.
 pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source<N>) -> Results<N> {
     let mut results = Results((0..graph.len()).map(|_| None).collect());
     for node in graph.reachable(outputs) {
@@ -65,7 +67,8 @@ pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source
     results
 }
 
-/// The results of all nodes, in the memory of an earlier call: for graphs that have no node too many.
+/// The results of all nodes, in the memory of an earlier call: for graphs that have no node too
+/// many.
 pub fn evaluate_all<N: Number>(graph: &Graph, source: &impl Source<N>, results: &mut Results<N>) {
     results.0.clear();
     results.0.reserve(graph.len());
@@ -75,8 +78,8 @@ pub fn evaluate_all<N: Number>(graph: &Graph, source: &impl Source<N>, results: 
     }
 }
 
-/// The results of `outputs` where only the number of one input is another than in `known`: what does not read
-/// it stays as it is.
+/// The results of `outputs` where only the number of one input is another than in `known`: what
+/// does not read it stays as it is.
 pub fn evaluate_along<N: Number>(
     graph: &Graph,
     outputs: &[Node],
@@ -109,19 +112,27 @@ pub fn evaluate_beyond<N: Number>(
         graph.each_operand(node, |operand| moving |= moves[operand.index()]);
         if moving {
             moves[node.index()] = true;
-            let result = given.map_or_else(|| result(graph, node, &results, source), Result::Number);
+            let result =
+                given.map_or_else(|| result(graph, node, &results, source), Result::Number);
             results.0[node.index()] = Some(result);
         }
     }
     results
 }
 
-fn result<N: Number>(graph: &Graph, node: Node, known: &Results<N>, source: &impl Source<N>) -> Result<N> {
+fn result<N: Number>(
+    graph: &Graph,
+    node: Node,
+    known: &Results<N>,
+    source: &impl Source<N>,
+) -> Result<N> {
     let of = |node: Node| known.number(node).unwrap_or_else(|| N::constant(f64::NAN));
     let holds = |node: Node| known.condition(node).unwrap_or_else(|| N::Condition::known(false));
     let operands = || graph.operands(node).into_iter().map(of).collect();
     Result::Number(match graph.op(node) {
-        Op::Compare(comparison, a, b) => return Result::Condition(N::compare(comparison, &of(a), &of(b))),
+        Op::Compare(comparison, a, b) => {
+            return Result::Condition(N::compare(comparison, &of(a), &of(b)));
+        }
         Op::And(a, b) => return Result::Condition(holds(a).and(holds(b))),
         Op::Or(a, b) => return Result::Condition(holds(a).or(holds(b))),
         Op::Not(a) => return Result::Condition(holds(a).negated()),
@@ -158,7 +169,8 @@ mod tests {
     #[test]
     fn every_operation_has_the_value_that_it_has_in_rust() {
         let mut g = Graph::default();
-        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let x = g.input(Input::Column(0));
+        let t = g.input(Input::Time);
         let all = [
             (Op::Add(x, t), 0.75 + 2.0),
             (Op::Sub(x, t), 0.75 - 2.0),
@@ -174,7 +186,8 @@ mod tests {
         let nodes: Vec<Node> = all.iter().map(|(op, _)| g.raw(*op)).collect();
         let less = g.raw(Op::Compare(Comparison::Less, x, t));
         let not = g.raw(Op::Not(less));
-        let (either, both) = (g.raw(Op::Or(less, not)), g.raw(Op::And(less, not)));
+        let either = g.raw(Op::Or(less, not));
+        let both = g.raw(Op::And(less, not));
         let chosen = [g.raw(Op::Select(either, x, t)), g.raw(Op::Select(both, x, t))];
         let outputs: Vec<Node> = nodes.iter().chain(&chosen).copied().collect();
         let given = Given([(Input::Column(0), 0.75), (Input::Time, 2.0)].into());
@@ -191,7 +204,8 @@ mod tests {
         let mut results = Results::default();
         for (x, t) in [(3.0, 4.0), (-1.0, 9.0)] {
             let mut g = Graph::default();
-            let (a, b) = (g.input(Input::Column(0)), g.input(Input::Time));
+            let a = g.input(Input::Column(0));
+            let b = g.input(Input::Time);
             let root = g.raw(Op::Call(Function::Sqrt, b));
             let all = [a, b, root, g.raw(Op::Mul(a, root))];
             let source = Given([(Input::Column(0), x), (Input::Time, t)].into());
@@ -204,10 +218,15 @@ mod tests {
     #[test]
     fn along_one_input_the_others_stay_as_they_are() {
         let mut g = Graph::default();
-        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
-        let (product, root) = (g.raw(Op::Mul(x, t)), g.raw(Op::Call(Function::Sqrt, t)));
-        let still =
-            evaluate(&g, &[product, root], &Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into()));
+        let x = g.input(Input::Column(0));
+        let t = g.input(Input::Time);
+        let product = g.raw(Op::Mul(x, t));
+        let root = g.raw(Op::Call(Function::Sqrt, t));
+        let still = evaluate(
+            &g,
+            &[product, root],
+            &Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into()),
+        );
         let moved = evaluate_along(
             &g,
             &[product, root],
@@ -224,19 +243,25 @@ mod tests {
     #[test]
     fn beyond_a_node_with_another_number_the_others_follow() {
         let mut g = Graph::default();
-        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let x = g.input(Input::Column(0));
+        let t = g.input(Input::Time);
         let root = g.raw(Op::Call(Function::Sqrt, t));
         let product = g.raw(Op::Mul(x, root));
         let source = Given([(Input::Column(0), 3.0), (Input::Time, 4.0)].into());
         let still = evaluate(&g, &[product], &source);
-        let moved = evaluate_beyond(&g, &[product], |node| (node == root).then_some(7.0), &still, &source);
-        assert_eq!([product, root, t].map(|node| moved.number(node)), [Some(21.0), Some(7.0), Some(4.0)]);
+        let moved =
+            evaluate_beyond(&g, &[product], |node| (node == root).then_some(7.0), &still, &source);
+        assert_eq!(
+            [product, root, t].map(|node| moved.number(node)),
+            [Some(21.0), Some(7.0), Some(4.0)]
+        );
     }
 
     #[test]
     fn only_the_nodes_that_are_needed_are_looked_at() {
         let mut g = Graph::default();
-        let (x, t) = (g.input(Input::Column(0)), g.input(Input::Time));
+        let x = g.input(Input::Column(0));
+        let t = g.input(Input::Time);
         let results = evaluate(&g, &[x], &Given([(Input::Column(0), 1.0)].into()));
         assert_eq!((results.number(x), results.number(t)), (Some(1.0), None));
     }

@@ -1,5 +1,5 @@
-//! The rows of an equation, or a law, as data: the graph as it was written, with no derivative in it, and the
-//! expressions that its nodes are of.
+//! The rows of an equation, or a law, as data: the graph as it was written, with no derivative in
+//! it, and the expressions that its nodes are of.
 
 use crate::{Graph, Node, Op};
 
@@ -14,8 +14,9 @@ pub struct Expression {
     pub column: u32,
 }
 
-/// The rows of an equation. Coordinates are [`crate::Input::Column`], the variable of a law is column 0; what
-/// only the user's program can compute stands as [`Op::Law`] and [`Op::Opaque`], numbered together.
+/// The rows of an equation. Coordinates are [`crate::Input::Column`], the variable of a law is
+/// column 0; what only the user's program can compute stands as [`Op::Law`] and [`Op::Opaque`],
+/// numbered together.
 #[derive(Default)]
 pub struct Formula {
     pub graph: Graph,
@@ -52,8 +53,8 @@ impl Formula {
         node
     }
 
-    /// The same for component `component` of value number `number`, which only the user's program can compute
-    /// of `operands`.
+    /// The same for component `component` of value number `number`, which only the user's program
+    /// can compute of `operands`.
     pub fn push_opaque(
         &mut self,
         number: usize,

@@ -2,8 +2,9 @@
 
 use crate::{Function2, Graph, Node, Op};
 
-/// A node as text, inputs by the names that `named` gives them and others too where it names them; `None`
-/// where that takes more than `longest` bytes. (An expression that shares parts may be of any length.)
+/// A node as text, inputs by the names that `named` gives them and others too where it names them;
+/// `None` where that takes more than `longest` bytes. (An expression that shares parts may be of
+/// any length.)
 pub fn infix(
     graph: &Graph,
     node: Node,

@@ -1,8 +1,10 @@
-//! The equation as data: a hash-consed scalar graph over one list of functions, with exact simplification,
-//! derivatives by its own constructors, and the schedule that turns it into code for few operations.
+//! The equation as data: a hash-consed scalar graph over one list of functions, with exact
+//! simplification, derivatives by its own constructors, and the schedule that turns it into code
+//! for few operations.
 //!
-//! The rooms, in the order in which they stand on one another: `functions` → `graph` → `differentiate` →
-//! `schedule`. Nothing here knows the language that an equation was written in, or the solver that it is for.
+//! The rooms, in the order in which they stand on one another: `functions` → `graph` →
+//! `differentiate` → `schedule`. Nothing here knows the language that an equation was written in,
+//! or the solver that it is for.
 #![forbid(unsafe_code)]
 
 pub mod differentiate;
@@ -22,8 +24,8 @@ pub use evaluate::{Results, Source, evaluate, evaluate_all, evaluate_along, eval
 pub use formula::{Expression, Formula};
 pub use functions::{Function, Function2};
 pub use graph::{
-    Column, Comparison, Decimal, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node, Op, Part,
-    is_power_of_two,
+    Column, Comparison, Decimal, Depends, Direction, Graph, Input, Leaf, LeafNumber, LeafUse, Node,
+    Op, Part, is_power_of_two,
 };
 pub use infix::infix;
 pub use number::{Condition, Number, Possibly};

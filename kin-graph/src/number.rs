@@ -5,10 +5,15 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Comparison, Function, Function2};
 
-/// A number that an equation can be evaluated with: f64, a number with derivatives, an interval, a series, a
-/// vector of numbers.
+/// A number that an equation can be evaluated with: f64, a number with derivatives, an interval, a
+/// series, a vector of numbers.
 pub trait Number:
-    Clone + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+    Clone
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
 {
     /// The result of comparing two such numbers.
     type Condition: Condition;
@@ -112,7 +117,8 @@ impl Condition for Possibly {
     }
 }
 
-/// The operations on conditions of a [`Number`] that has one value, `$value`, by which it is compared.
+/// The operations on conditions of a [`Number`] that has one value, `$value`, by which it is
+/// compared.
 #[macro_export]
 macro_rules! compared_by_value {
     ($value:expr) => {

@@ -1,4 +1,5 @@
-//! The formulas of the list of functions, in any numbers: f64, dual numbers, series, the nodes of a graph.
+//! The formulas of the list of functions, in any numbers: f64, dual numbers, series, the nodes of a
+//! graph.
 
 use crate::{Comparison, Condition, Function, Function2, Number};
 
@@ -10,8 +11,8 @@ macro_rules! of_one {
     )*) => {
         /// dy/du of y = f(u).
         ///
-        /// At kinks the documented side: `abs` at 0 takes +1; the steps (`floor`, `signum`, …) have the
-        /// derivative 0 everywhere.
+        /// At kinks the documented side: `abs` at 0 takes +1; the steps (`floor`, `signum`, …) have
+        /// the derivative 0 everywhere.
         pub fn slope<N: Number>(f: Function, u: N, y: N) -> N {
             match f { $(Function::$variant => { let ($u, $y) = (u, y); $slope })* }
         }
@@ -90,8 +91,8 @@ fn logarithm_times<N: Number>(u: N, z: N) -> N {
     N::select(&is_some, z * logarithm, number(0.0))
 }
 
-/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or that is
-/// not a number.
+/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or
+/// that is not a number.
 fn first_of<N: Number>(wins: Comparison, u: N, v: N) -> N::Condition {
     N::compare(wins, &u, &v).or(N::compare(Comparison::NotEqual, &v, &v))
 }

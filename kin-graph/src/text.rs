@@ -1,9 +1,10 @@
-//! A formula as text and back: what emitted code holds of an equation, one literal that costs nothing to
-//! compile.
+//! A formula as text and back: what emitted code holds of an equation, one literal that costs
+//! nothing to compile.
 //!
-//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, `rounded` where constants
-//! are not as they were written, the steps of the rows, then a line for each step: the number of its
-//! expression (`-` for none), its name, and the numbers of its operands, which are those of steps before it.
+//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, `rounded` where
+//! constants are not as they were written, the steps of the rows, then a line for each step: the
+//! number of its expression (`-` for none), its name, and the numbers of its operands, which are
+//! those of steps before it.
 
 use std::fmt;
 use std::str::{FromStr, SplitWhitespace};
@@ -76,12 +77,18 @@ fn step(graph: &Graph, node: Node, operands: &str) -> String {
         Op::Call(f, _) => format!("{}{operands}", f.name()),
         Op::Call2(f, ..) => format!("{}{operands}", f.name()),
         Op::Compare(comparison, ..) => format!("{comparison:?}{operands}"),
-        Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::And(a, b) | Op::Or(a, b) => {
+        Op::Add(a, b)
+        | Op::Sub(a, b)
+        | Op::Mul(a, b)
+        | Op::Div(a, b)
+        | Op::And(a, b)
+        | Op::Or(a, b) => {
             let is = |made: OfTwo| made(a, b) == graph.op(node);
             let name = ARITHMETIC.iter().find(|(_, made)| is(*made)).map_or("", |(name, _)| name);
             format!("{name}{operands}")
         }
-        // A formula is what the user wrote: rates, fused operations and calls of one direction come later.
+        // A formula is what the user wrote: rates, fused operations and calls of one direction come
+        // later.
         Op::Input(_) | Op::Fma(..) | Op::Leaf(_) => "Constant NaN".to_owned(),
     }
 }
@@ -101,7 +108,8 @@ impl FromStr for Formula {
         for line in text.lines().filter(|line| !line.is_empty()) {
             reader.line(line).ok_or_else(|| Unreadable { line: line.to_owned() })?;
         }
-        let rows: Option<Vec<Node>> = reader.rows.iter().map(|row| reader.steps.get(*row).copied()).collect();
+        let rows: Option<Vec<Node>> =
+            reader.rows.iter().map(|row| reader.steps.get(*row).copied()).collect();
         reader.formula.rows =
             rows.ok_or_else(|| Unreadable { line: format!("rows{}", list(&reader.rows)) })?;
         Ok(reader.formula)
@@ -121,10 +129,13 @@ impl Reader {
         let (first, rest) = line.split_once(' ').unwrap_or((line, ""));
         match first {
             "at" => self.formula.expressions.push(expression(rest)?),
-            "parameters" => self.formula.parameters.extend(rest.split_whitespace().map(str::to_owned)),
+            "parameters" => {
+                self.formula.parameters.extend(rest.split_whitespace().map(str::to_owned))
+            }
             "rounded" => self.formula.is_rounded = true,
             "rows" => {
-                self.rows = rest.split_whitespace().map(|row| row.parse().ok()).collect::<Option<_>>()?
+                self.rows =
+                    rest.split_whitespace().map(|row| row.parse().ok()).collect::<Option<_>>()?
             }
             number => {
                 let written = if number == "-" { None } else { Some(number.parse().ok()?) };
@@ -176,7 +187,8 @@ impl Reader {
         if let Some((_, made)) = ARITHMETIC.iter().find(|(known, _)| *known == name) {
             return Some(made(first, second));
         }
-        let comparison = || Comparison::ALL.into_iter().find(|comparison| format!("{comparison:?}") == name);
+        let comparison =
+            || Comparison::ALL.into_iter().find(|comparison| format!("{comparison:?}") == name);
         Function2::named(name)
             .map(|f| Op::Call2(f, first, second))
             .or_else(|| Some(Op::Compare(comparison()?, first, second)))
@@ -196,7 +208,11 @@ impl Reader {
 fn expression(text: &str) -> Option<Expression> {
     let (line, rest) = text.split_once(' ')?;
     let (column, text) = rest.split_once(' ')?;
-    Some(Expression { text: text.to_owned(), line: line.parse().ok()?, column: column.parse().ok()? })
+    Some(Expression {
+        text: text.to_owned(),
+        line: line.parse().ok()?,
+        column: column.parse().ok()?,
+    })
 }
 
 fn number<T: FromStr>(words: &mut SplitWhitespace<'_>) -> Option<T> {
@@ -221,7 +237,10 @@ mod tests {
             formula.expression(product).map(|e| (e.text.as_str(), e.line, e.column)),
             Some(("k * x", 3, 5))
         );
-        assert_eq!((formula.parameters.join(","), formula.to_string()), ("k".to_owned(), SLOT.to_owned()));
+        assert_eq!(
+            (formula.parameters.join(","), formula.to_string()),
+            ("k".to_owned(), SLOT.to_owned())
+        );
     }
 
     #[test]
@@ -263,7 +282,8 @@ mod tests {
             "\nparameters\nrows{rows}{}",
             all.iter().map(|step| format!("\n- {step}")).collect::<String>()
         );
-        let (once, canonical) = (read(&text).to_string(), text.replace("-2.5e-3", "-0.0025"));
+        let once = read(&text).to_string();
+        let canonical = text.replace("-2.5e-3", "-0.0025");
         assert_eq!(once, canonical);
         assert_eq!(read(&once).to_string(), once);
     }

@@ -1,4 +1,5 @@
-//! Laws as text: `0.5d + 0.3d*sin(2.0d*pi*time - pi/2.0d)`, read and written anew in Kin's language.
+//! Laws as text: `0.5d + 0.3d*sin(2.0d*pi*time - pi/2.0d)`, read and written anew in Kin's
+//! language.
 
 use std::f64::consts::PI;
 
@@ -43,7 +44,8 @@ const FUNCTIONS: [(&str, &str); 18] = [
 ];
 
 impl Formula {
-    /// Reads a formula; remarks in quotes are passed over. Errors: what is not understood, by its words.
+    /// Reads a formula; remarks in quotes are passed over. Errors: what is not understood, by its
+    /// words.
     pub fn read(text: &str) -> Result<Formula, String> {
         let mut reader = Reader { tokens: tokens(text)?, at: 0, depth: 0 };
         let formula = reader.sum()?;
@@ -79,7 +81,8 @@ impl Formula {
             Formula::Time => (4, "time".to_string()),
             Formula::Negative(inner) => (2, format!("-{}", inner.written(3))),
             Formula::Two('^', base, power) => {
-                let (base, power) = (base.written(4), power.as_ref());
+                let base = base.written(4);
+                let power = power.as_ref();
                 match power.constant().filter(|n| n.fract() == 0.0 && n.abs() < 1e3) {
                     Some(n) => (4, format!("{base}.powi({n})")),
                     None => (4, format!("{base}.powf({})", power.written(0))),
@@ -150,7 +153,8 @@ impl Token {
 /// Numbers, names and signs. A number may end in `d`, which begins an exponent where digits follow
 /// (`1.0d-3`); `<n>` is a new line.
 fn tokens(text: &str) -> Result<Vec<Token>, String> {
-    let text: String = text.split('"').step_by(2).collect::<Vec<&str>>().join(" ").replace("<n>", " ");
+    let text: String =
+        text.split('"').step_by(2).collect::<Vec<&str>>().join(" ").replace("<n>", " ");
     let mut rest = text.trim_start();
     let mut all = Vec::new();
     while let Some(first) = rest.chars().next() {
@@ -179,7 +183,8 @@ fn tokens(text: &str) -> Result<Vec<Token>, String> {
 fn number_length(text: &str) -> usize {
     let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
     let whole = digits(0);
-    let mantissa = if text[whole..].starts_with('.') { whole + 1 + digits(whole + 1) } else { whole };
+    let mantissa =
+        if text[whole..].starts_with('.') { whole + 1 + digits(whole + 1) } else { whole };
     let rest = &text[mantissa..];
     if !rest.starts_with(['d', 'e', 'E']) {
         return mantissa;
@@ -249,8 +254,11 @@ impl Reader {
             Some(_) => {
                 let sign = self.takes(&['-']);
                 let power = self.atom()?;
-                let power =
-                    if sign.is_some() { Formula::two('*', Formula::Number(-1.0), power) } else { power };
+                let power = if sign.is_some() {
+                    Formula::two('*', Formula::Number(-1.0), power)
+                } else {
+                    power
+                };
                 Ok(Formula::two('^', base, power))
             }
             None => Ok(base),
@@ -258,7 +266,8 @@ impl Reader {
     }
 
     fn atom(&mut self) -> Result<Formula, String> {
-        let token = self.tokens.get(self.at).cloned().ok_or("it ends where something is missing")?;
+        let token =
+            self.tokens.get(self.at).cloned().ok_or("it ends where something is missing")?;
         self.at += 1;
         match token {
             Token::Number(value) => Ok(Formula::Number(value)),
@@ -269,7 +278,8 @@ impl Reader {
                 "pi" => Ok(Formula::Number(PI)),
                 lower => {
                     let known = FUNCTIONS.iter().find(|(known, _)| *known == lower);
-                    let (_, function) = known.ok_or_else(|| format!("`{name}` is not known in a formula"))?;
+                    let (_, function) =
+                        known.ok_or_else(|| format!("`{name}` is not known in a formula"))?;
                     if self.takes(&['(']).is_none() {
                         return Err(format!("`{name}` needs its argument in brackets"));
                     }
@@ -294,7 +304,9 @@ mod tests {
         let at = |text: &str, t: f64| Formula::read(text).unwrap().law().unwrap().at(t);
         assert_eq!(at("2*pi*time", 0.25), PI / 2.0);
         let swing = at("(45.0d + 45.0d*sin((360.0d*time - 90.0d)*pi/180.0d))*pi/180.0d", 0.1);
-        assert!((swing - (45.0 + 45.0 * (-54.0_f64).to_radians().sin()).to_radians()).abs() < 1e-15);
+        assert!(
+            (swing - (45.0 + 45.0 * (-54.0_f64).to_radians().sin()).to_radians()).abs() < 1e-15
+        );
         assert_eq!(at("-time^2 - (1 - -2)", 3.0), -12.0);
         assert_eq!(at("2^-1*time^0.5", 4.0), 1.0);
         assert_eq!(at("\"a remark (of T1\"<n>1.5e-1d*arctan(1000*(time - 2))<n>", 2.0), 0.0);

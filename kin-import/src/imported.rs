@@ -26,7 +26,8 @@ pub struct LeftOut {
     pub name: String,
     /// Why it is left out.
     pub reason: String,
-    /// True if the mechanism may move otherwise, or other forces act in it: a joint, a motion, a load.
+    /// True if the mechanism may move otherwise, or other forces act in it: a joint, a motion, a
+    /// load.
     pub matters: bool,
 }
 

@@ -23,9 +23,13 @@ impl<'a> Tree<'a> {
             if inside.trim().is_empty() {
                 continue;
             }
-            let (depth, line) = (line.len() - inside.len(), k + 1);
+            let depth = line.len() - inside.len();
+            let line = k + 1;
             if depth > DEEPEST || depth >= open.len() {
-                return Err(Mistake::at(line, "this line is indented further than anything that holds it"));
+                return Err(Mistake::at(
+                    line,
+                    "this line is indented further than anything that holds it",
+                ));
             }
             close(&mut open, depth + 1);
             open.push(Tree { line, text: inside.trim(), inside: Vec::new() });
@@ -41,7 +45,8 @@ impl<'a> Tree<'a> {
 
     /// The same; an error where there is none.
     pub fn need(&self, text: &str) -> Result<&Tree<'a>, Mistake> {
-        self.get(text).ok_or_else(|| Mistake::at(self.line, format!("`{}` has no `{text}`", self.text)))
+        self.get(text)
+            .ok_or_else(|| Mistake::at(self.line, format!("`{}` has no `{text}`", self.text)))
     }
 
     /// The lines in the one of that text; nothing where there is none.
@@ -68,7 +73,10 @@ impl<'a> Tree<'a> {
     pub fn matrix(&self, text: &str) -> Result<[[f64; 3]; 3], Mistake> {
         let held = self.need(text)?;
         let [x, y, z] = held.inside.as_slice() else {
-            return Err(Mistake::at(held.line, format!("`{text}` has {} rows, not 3", held.inside.len())));
+            return Err(Mistake::at(
+                held.line,
+                format!("`{text}` has {} rows, not 3", held.inside.len()),
+            ));
         };
         Ok([numbers(x.text, x.line)?, numbers(y.text, y.line)?, numbers(z.text, z.line)?])
     }
@@ -92,7 +100,8 @@ fn numbers<const N: usize>(text: &str, line: usize) -> Result<[f64; N], Mistake>
     };
     let all = text.split_whitespace().map(number).collect::<Result<Vec<f64>, Mistake>>()?;
     let count = all.len();
-    all.try_into().map_err(|_| Mistake::at(line, format!("{N} numbers are needed here, there are {count}")))
+    all.try_into()
+        .map_err(|_| Mistake::at(line, format!("{N} numbers are needed here, there are {count}")))
 }
 
 #[cfg(test)]

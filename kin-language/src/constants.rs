@@ -1,4 +1,5 @@
-//! The constants of the standard library, which only rustc knows by their names: numbers stand for them.
+//! The constants of the standard library, which only rustc knows by their names: numbers stand for
+//! them.
 
 use std::f64::consts;
 
@@ -37,8 +38,8 @@ const KNOWN: [(&str, f64); 26] = [
     ("NAN", f64::NAN),
 ];
 
-/// Puts their numbers into a function and its attributes; `own` are the items around it, whose names come
-/// first.
+/// Puts their numbers into a function and its attributes; `own` are the items around it, whose
+/// names come first.
 pub fn put(function: &mut ItemFn, own: &[Item]) {
     let declared = own.iter().filter_map(|item| match item {
         Item::Const(constant) => Some(constant.ident.to_string()),
@@ -77,7 +78,8 @@ fn value(expression: &Expr, own: &[String]) -> Option<f64> {
     let Expr::Path(path) = expression else { return None };
     let text = path.to_token_stream().to_string().replace(' ', "");
     let (around, name) = text.rsplit_once("::").unwrap_or(("", &text));
-    let around = around.trim_start_matches("::").trim_start_matches("std::").trim_start_matches("core::");
+    let around =
+        around.trim_start_matches("::").trim_start_matches("std::").trim_start_matches("core::");
     let known = match around {
         "" => !own.iter().any(|own| own == name) && !matches!(name, "E" | "MAX" | "MIN" | "NAN"),
         "consts" | "f64::consts" | "f64" => true,

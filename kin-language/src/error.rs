@@ -48,10 +48,12 @@ impl Mistakes {
         self.push(mistake(tokens, message));
     }
 
-    /// Adds an error, but for one that has been said already of the same tokens, in another turn of a loop.
+    /// Adds an error, but for one that has been said already of the same tokens, in another turn of
+    /// a loop.
     pub fn push(&mut self, error: syn::Error) {
         let said = |known: &syn::Error| {
-            let (a, b) = (known.span().start(), error.span().start());
+            let a = known.span().start();
+            let b = error.span().start();
             (a.line, a.column) == (b.line, b.column) && known.to_string() == error.to_string()
         };
         match &mut self.0 {

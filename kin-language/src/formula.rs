@@ -1,5 +1,5 @@
-//! The formula of a function that was read: its rows as data, with what only the user's program can compute
-//! numbered.
+//! The formula of a function that was read: its rows as data, with what only the user's program can
+//! compute numbered.
 
 use std::collections::HashMap;
 
@@ -52,7 +52,8 @@ impl<'a> Written<'a> {
             written.nodes.insert(node, same);
         }
         written.formula.rows = rows.iter().map(|&row| written.of_node(row)).collect();
-        let names = written.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments));
+        let names =
+            written.parameters.iter().map(|&k| parameter_name(&lowered.parameters[k], arguments));
         written.formula.parameters = names.collect();
         written
     }
@@ -70,8 +71,12 @@ impl<'a> Written<'a> {
             Op::Law(law, x, order) => {
                 Op::Law(place(&mut self.outside, Outside::Law(law)), self.of_node(x), order)
             }
-            Op::Opaque(number, component) => return self.foreign(node, Outside::Opaque(number), component),
-            Op::Leaf(LeafUse { leaf, output, .. }) => return self.foreign(node, Outside::Leaf(leaf), output),
+            Op::Opaque(number, component) => {
+                return self.foreign(node, Outside::Opaque(number), component);
+            }
+            Op::Leaf(LeafUse { leaf, output, .. }) => {
+                return self.foreign(node, Outside::Leaf(leaf), output);
+            }
             Op::Decimal(k) => {
                 let decimal = &graph.decimals[k];
                 let expression = self.expression(node);
@@ -85,8 +90,13 @@ impl<'a> Written<'a> {
 
     fn foreign(&mut self, node: Node, what: Outside, component: usize) -> Node {
         let number = place(&mut self.outside, what);
-        let operands =
-            self.lowered.graph.operands(node).into_iter().map(|operand| self.of_node(operand)).collect();
+        let operands = self
+            .lowered
+            .graph
+            .operands(node)
+            .into_iter()
+            .map(|operand| self.of_node(operand))
+            .collect();
         let expression = self.expression(node);
         self.formula.push_opaque(number, component, operands, expression)
     }
@@ -119,8 +129,11 @@ impl<'a> Written<'a> {
     fn expression(&mut self, node: Node) -> Option<usize> {
         let Expression { text, line, column } =
             &self.lowered.expressions.all[self.lowered.expressions.of(node)?];
-        let expression =
-            kin_graph::Expression { text: text.clone(), line: *line as u32, column: *column as u32 };
+        let expression = kin_graph::Expression {
+            text: text.clone(),
+            line: *line as u32,
+            column: *column as u32,
+        };
         Some(place(&mut self.formula.expressions, expression))
     }
 }
@@ -145,7 +158,8 @@ fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
 
 /// Number of a column among those of all arguments.
 pub fn local_column(arguments: &[Argument], column: Column) -> usize {
-    let (mut slot, mut first) = (0, 0);
+    let mut slot = 0;
+    let mut first = 0;
     for argument in arguments {
         let slots = argument.kind.slots();
         if column.argument < slot + slots {

@@ -1,5 +1,5 @@
-//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a few
-//! megabytes. And how many numbers it may speak of: code is written out for each of them.
+//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a
+//! few megabytes. And how many numbers it may speak of: code is written out for each of them.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
@@ -10,16 +10,17 @@ use crate::parse::{Argument, Kind, Shape};
 const LONGEST_WAY: usize = 640;
 const GROUP: usize = 10;
 
-/// Coordinates of all arguments of a constraint: each has a column of C_q, and code of its own in every
-/// kernel.
+/// Coordinates of all arguments of a constraint: each has a column of C_q, and code of its own in
+/// every kernel.
 const MOST_COORDINATES: usize = 256;
 /// Numbers of all parameters, and rows.
 const MOST_NUMBERS: usize = 4_096;
 
-/// Refuses arguments of more coordinates or numbers than code can be written out for, at the one that is too
-/// many.
+/// Refuses arguments of more coordinates or numbers than code can be written out for, at the one
+/// that is too many.
 pub fn arguments(all: &[Argument]) -> syn::Result<()> {
-    let (mut coordinates, mut numbers) = (0_usize, 0_usize);
+    let mut coordinates = 0_usize;
+    let mut numbers = 0_usize;
     for Argument { kind, ty, .. } in all {
         coordinates = coordinates.saturating_add(kind.columns());
         if let Kind::Numbers(shape) = kind {
@@ -54,7 +55,8 @@ pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
     Err(syn::Error::new_spanned(ty, text))
 }
 
-/// How many numbers a type has; a list without numbers counts as one, for lists of it are gone through too.
+/// How many numbers a type has; a list without numbers counts as one, for lists of it are gone
+/// through too.
 fn count(shape: &Shape) -> usize {
     match shape {
         Shape::Scalar | Shape::Any => 1,
@@ -90,8 +92,7 @@ fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
     Ok(())
 }
 
-const TOO_LONG: &str =
-    "this is nested too deeply, or goes on for too long in one expression: name parts of it with `let`";
+const TOO_LONG: &str = "this is nested too deeply, or goes on for too long in one expression: name parts of it with `let`";
 
 /// The tokens cut at commas and semicolons, and behind blocks that end a statement.
 fn expressions(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {

@@ -1,5 +1,5 @@
-//! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s items end
-//! here, its expressions in `lower`.
+//! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s
+//! items end here, its expressions in `lower`.
 
 mod alias;
 mod attribute;
@@ -97,7 +97,8 @@ pub struct Argument {
 
 /// The functions that `#[helper(with = other)]` names.
 pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
-    const WORDS: &str = "`#[helper]` takes nothing, or functions that this one calls: `with = other`";
+    const WORDS: &str =
+        "`#[helper]` takes nothing, or functions that this one calls: `with = other`";
     let asked = attribute::asked(attribute.clone());
     asked
         .ok()
@@ -206,16 +207,18 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
             );
         }
     }
-    if !matches!(&function.sig.output, ReturnType::Type(_, ty) if shape(ty) == Some(Shape::Scalar)) {
+    if !matches!(&function.sig.output, ReturnType::Type(_, ty) if shape(ty) == Some(Shape::Scalar))
+    {
         mistakes.add(&function.sig.ident, "a law returns its value, an `f64`");
     }
     match arguments.first() {
         Some(first) if first.kind == Kind::Numbers(Shape::Scalar) => {}
         Some(first) if first.kind.slots() > 0 || first.kind == Kind::Time => {}
-        Some(first) => mistakes.add(&first.ty, "the first argument of a law is its variable, an `f64`"),
-        None if mistakes.is_empty() => {
-            mistakes.add(&function.sig.ident, "a law needs its variable as first argument, an `f64`")
+        Some(first) => {
+            mistakes.add(&first.ty, "the first argument of a law is its variable, an `f64`")
         }
+        None if mistakes.is_empty() => mistakes
+            .add(&function.sig.ident, "a law needs its variable as first argument, an `f64`"),
         None => {}
     }
     mistakes.catch(limits::arguments(&arguments));
@@ -323,7 +326,8 @@ fn argument(input: &FnArg) -> syn::Result<Argument> {
 }
 
 fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
-    const WHAT: &str = "the value of the equation: `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these";
+    const WHAT: &str =
+        "the value of the equation: `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these";
     let ty = match &function.sig.output {
         ReturnType::Default => {
             return Err(syn::Error::new(
@@ -334,7 +338,9 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
         ReturnType::Type(_, ty) => ty,
     };
     match shape(ty) {
-        Some(shape) if has_rows(&shape) => limits::rows(&shape, ty).map(|()| (shape, (**ty).clone())),
+        Some(shape) if has_rows(&shape) => {
+            limits::rows(&shape, ty).map(|()| (shape, (**ty).clone()))
+        }
         Some(Shape::Array(..)) => Err(syn::Error::new(ty.span(), "this has no rows")),
         _ => Err(syn::Error::new_spanned(
             ty,

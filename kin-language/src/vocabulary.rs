@@ -1,5 +1,5 @@
-//! Names that both readers of the body understand, the interpreter and the rewriter: what a path or a method
-//! is, before any type is known.
+//! Names that both readers of the body understand, the interpreter and the rewriter: what a path or
+//! a method is, before any type is known.
 
 use kin_graph::{Function, Function2};
 use syn::ExprPath;
@@ -10,8 +10,8 @@ pub fn is_number_function(path: &ExprPath) -> bool {
     matches!(&names[..], [ty, function] if ty == "f64" && function.starts_with(char::is_lowercase) && !is_underived(function))
 }
 
-/// Functions of f64 that make a number of something else, or have no derivative: for numbers that do not
-/// change they are called as they are.
+/// Functions of f64 that make a number of something else, or have no derivative: for numbers that
+/// do not change they are called as they are.
 pub fn is_underived(name: &str) -> bool {
     UNDERIVED.contains(&name)
 }
@@ -37,9 +37,11 @@ pub fn is_kin_function(path: &ExprPath) -> bool {
     let names = names(path);
     match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [.., "vec2" | "vec3"] => true,
-        [.., "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Vector2" | "Vector3", function] => {
-            function.starts_with(char::is_lowercase)
-        }
+        [
+            ..,
+            "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Vector2" | "Vector3",
+            function,
+        ] => function.starts_with(char::is_lowercase),
         _ => false,
     }
 }
@@ -70,7 +72,8 @@ pub fn is_std_function(path: &ExprPath) -> bool {
     )
 }
 
-/// A path that names a struct or a variant, by convention: its last name begins with a capital letter.
+/// A path that names a struct or a variant, by convention: its last name begins with a capital
+/// letter.
 pub fn is_type_name(path: &ExprPath) -> bool {
     names(path).last().is_some_and(|name| name.starts_with(char::is_uppercase))
 }
@@ -80,14 +83,32 @@ pub fn is_kin_type(path: &syn::Path) -> bool {
     let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
     matches!(
         name.as_str(),
-        "Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState" | "SpatialState"
+        "Vec2"
+            | "Vec3"
+            | "Mat2"
+            | "Mat3"
+            | "EulerParameters"
+            | "Axis"
+            | "PlanarState"
+            | "SpatialState"
     )
 }
 
 pub fn is_integer(name: &str) -> bool {
     matches!(
         name,
-        "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128"
+        "usize"
+            | "isize"
+            | "u8"
+            | "i8"
+            | "u16"
+            | "i16"
+            | "u32"
+            | "i32"
+            | "u64"
+            | "i64"
+            | "u128"
+            | "i128"
     )
 }
 
@@ -98,7 +119,9 @@ pub fn names(path: &ExprPath) -> Vec<String> {
 
 /// Methods of numbers.
 pub fn is_scalar_method(name: &str) -> bool {
-    Function::from_method(name).is_some() || Function2::from_method(name).is_some() || SCALAR.contains(&name)
+    Function::from_method(name).is_some()
+        || Function2::from_method(name).is_some()
+        || SCALAR.contains(&name)
 }
 
 /// Functions of the list that f64 has no method for.
@@ -161,7 +184,8 @@ const COMPONENTS: &[&str] = &[
     "slope",
 ];
 
-/// Methods that only look at a container or go over it, so that a copy of it in other numbers serves as well.
+/// Methods that only look at a container or go over it, so that a copy of it in other numbers
+/// serves as well.
 pub fn is_reading_method(name: &str) -> bool {
     READING.contains(&name)
 }

@@ -1,6 +1,7 @@
 /// The constraint that [`fn@cylindrical`] makes.
 ///
-/// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]
+/// A cylindrical joint: the axes are parallel and the line between two of their points is along
+/// them. [–, –, m, m]
 #[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 pub struct cylindrical {
@@ -13,7 +14,8 @@ pub struct cylindrical {
     h_j: Vec3,
     __bindings: ::kin::emitted::Bindings,
 }
-/// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]
+/// A cylindrical joint: the axes are parallel and the line between two of their points is along
+/// them. [–, –, m, m]
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 pub fn cylindrical(
@@ -57,7 +59,9 @@ const _: () = {
         Vec3,
         Vec3,
     ) -> (f64, f64, f64, f64) = |i, j, u_i, u_j, f_i, g_i, h_j| {
-        let (f, g, h) = (i.direction(f_i), i.direction(g_i), j.direction(h_j));
+        let f = i.direction(f_i);
+        let g = i.direction(g_i);
+        let h = j.direction(h_j);
         let d = i.point(u_i) - j.point(u_j);
         (f.dot(h), g.dot(h), f.dot(d), g.dot(d))
     };
@@ -1186,7 +1190,9 @@ rows 218 223 228 233
                 self.h_j,
             );
             let value = (move || -> (__Real<__D>, __Real<__D>, __Real<__D>, __Real<__D>) {
-                let (f, g, h) = (i.direction(f_i), i.direction(g_i), j.direction(h_j));
+                let f = i.direction(f_i);
+                let g = i.direction(g_i);
+                let h = j.direction(h_j);
                 let d = i.point(u_i) - j.point(u_j);
                 (f.dot(h), g.dot(h), f.dot(d), g.dot(d))
             })();

@@ -1,6 +1,7 @@
 /// The constraint that [`fn@on_cam`] makes.
 ///
-/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
+/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured
+/// from the cam's x-axis. [m]
 #[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 struct on_cam {
@@ -10,7 +11,8 @@ struct on_cam {
     profile: Law,
     __bindings: ::kin::emitted::Bindings,
 }
-/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
+/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured
+/// from the cam's x-axis. [m]
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 fn on_cam(

@@ -16,7 +16,8 @@ fn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omeg
      l2 * theta2.sin() + l3 * theta3.sin() - h]
 }
 
-/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]
+/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured
+/// from the cam's x-axis. [m]
 #[constraint]
 fn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let p = cam.local(follower.point(tip));
@@ -24,10 +25,13 @@ fn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     p.norm() - profile.at(phi) + wear(phi, MOST_WEAR)
 }
 
-/// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]
+/// A cylindrical joint: the axes are parallel and the line between two of their points is along
+/// them. [–, –, m, m]
 #[constraint]
 pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) -> (f64, f64, f64, f64) {
-    let (f, g, h) = (i.direction(f_i), i.direction(g_i), j.direction(h_j));
+    let f = i.direction(f_i);
+    let g = i.direction(g_i);
+    let h = j.direction(h_j);
     let d = i.point(u_i) - j.point(u_j);
     (f.dot(h), g.dot(h), f.dot(d), g.dot(d))
 }

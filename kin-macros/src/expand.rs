@@ -63,7 +63,8 @@ pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
     quote!(#emitted #marked)
 }
 
-/// `#[force]`: a function of a length or an angle, its rate and time, compiled like a constraint on them.
+/// `#[force]`: a function of a length or an angle, its rate and time, compiled like a constraint on
+/// them.
 pub fn force(attribute: TokenStream, item: TokenStream) -> TokenStream {
     compiled(attribute, item, Role::Force)
 }
@@ -82,9 +83,9 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-/// Something that type-checks, so that no further message follows from the first, and the messages: behind
-/// it, for an editor that completes a word looks for the place of the word before in the expansion with the
-/// word.
+/// Something that type-checks, so that no further message follows from the first, and the messages:
+/// behind it, for an editor that completes a word looks for the place of the word before in the
+/// expansion with the word.
 fn with_stand_in(mistakes: &syn::Error, stand_in: &TokenStream) -> TokenStream {
     let messages = mistakes.to_compile_error();
     quote!(#stand_in #messages)
@@ -92,7 +93,8 @@ fn with_stand_in(mistakes: &syn::Error, stand_in: &TokenStream) -> TokenStream {
 
 /// `#[constraint(symbolic)]` on a body that cannot be read.
 fn refusal(why: &Unreadable, source: &ConstraintFn) -> syn::Error {
-    let (name, what) = (&source.name, &why.what);
+    let name = &source.name;
+    let what = &why.what;
     let text = format!(
         "{what} cannot be read by the compiler, so `{name}` would be differentiated by dual numbers; `#[constraint(symbolic)]` asks otherwise"
     );

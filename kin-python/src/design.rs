@@ -24,9 +24,15 @@ pub struct Derivatives(HeldSensitivities);
 #[pymethods]
 impl Derivatives {
     #[new]
-    fn new(py: Python<'_>, system: &System, motion: &Motion, names: Vec<String>) -> PyResult<Derivatives> {
+    fn new(
+        py: Python<'_>,
+        system: &System,
+        motion: &Motion,
+        names: Vec<String>,
+    ) -> PyResult<Derivatives> {
         let run = (system.now(), motion.0.clone());
-        let found = py.detach(|| HeldSensitivities::try_new(run, |run| run.0.sensitivities(&run.1, &names)));
+        let found = py
+            .detach(|| HeldSensitivities::try_new(run, |run| run.0.sensitivities(&run.1, &names)));
         or_raise(py, found).map(Derivatives)
     }
 
@@ -36,7 +42,8 @@ impl Derivatives {
         let times = 0..self.0.borrow_owner().1.len();
         let lists = found.iter().map(|one| {
             let orders = [Sensitivity::q, Sensitivity::qd, Sensitivity::qdd];
-            let rows = orders.map(|of| times.clone().flat_map(|k| of(one, k)).copied().collect::<Vec<f64>>());
+            let rows = orders
+                .map(|of| times.clone().flat_map(|k| of(one, k)).copied().collect::<Vec<f64>>());
             let lists = rows.iter().map(|rows| numbers::list(py, rows)).collect::<PyResult<_>>()?;
             Ok((one.name().to_owned(), lists))
         });
@@ -46,7 +53,8 @@ impl Derivatives {
     /// Those of a measure and its rates.
     fn of<'py>(&self, py: Python<'py>, what: What) -> PyResult<Derived<'py>> {
         let lists = self.with(py, what, |all, what| all.of(what))?.into_iter().map(|one| {
-            let lists = [&one.value, &one.rate, &one.second_rate].map(|list| numbers::list(py, list));
+            let lists =
+                [&one.value, &one.rate, &one.second_rate].map(|list| numbers::list(py, list));
             Ok((one.name, lists.into_iter().collect::<PyResult<_>>()?))
         });
         lists.collect()
@@ -80,7 +88,8 @@ impl Derivatives {
     }
 }
 
-/// The derivatives of one number by parameters; `weights` are its derivatives by a measure and its rates.
+/// The derivatives of one number by parameters; `weights` are its derivatives by a measure and its
+/// rates.
 #[pyfunction]
 pub fn gradient(
     py: Python<'_>,
@@ -90,15 +99,24 @@ pub fn gradient(
     what: What,
     weights: &[u8],
 ) -> PyResult<Vec<f64>> {
-    let (system, motion, weights) = (system.now(), &motion.0, numbers::read(weights)?);
-    let at = |k: usize| std::array::from_fn(|order| weights.get(3 * k + order).copied().unwrap_or(0.0));
+    let system = system.now();
+    let motion = &motion.0;
+    let weights = numbers::read(weights)?;
+    let at =
+        |k: usize| std::array::from_fn(|order| weights.get(3 * k + order).copied().unwrap_or(0.0));
     what.ask(py, |measured| system.gradient(motion, names.iter(), measured, at))
 }
 
 /// The derivatives of the time of a toggle, told as JSON, by parameters.
 #[pyfunction]
-pub fn toggle_by(py: Python<'_>, system: &System, toggle: &str, names: Vec<String>) -> PyResult<Vec<f64>> {
-    let toggle: SingularPosition = serde_json::from_str(toggle).map_err(|error| unreadable(&error))?;
+pub fn toggle_by(
+    py: Python<'_>,
+    system: &System,
+    toggle: &str,
+    names: Vec<String>,
+) -> PyResult<Vec<f64>> {
+    let toggle: SingularPosition =
+        serde_json::from_str(toggle).map_err(|error| unreadable(&error))?;
     let system = system.now();
     or_raise(py, py.detach(|| system.toggle_by(&toggle, &names)))
 }
@@ -120,7 +138,12 @@ pub enum Of {
 }
 
 impl Of {
-    fn feature(&self, system: &kin::System, motion: &kin::Motion, what: &Measured) -> kin::Result<Feature> {
+    fn feature(
+        &self,
+        system: &kin::System,
+        motion: &kin::Motion,
+        what: &Measured,
+    ) -> kin::Result<Feature> {
         let extremes = || system.extremes(motion, what);
         Ok(match self {
             Of::At(t) => (*t).into(),
@@ -134,8 +157,8 @@ impl Of {
     }
 }
 
-/// How far a number of a measure may be off by the tolerances of dimensions; of `None` its value at the time
-/// at which that is worst.
+/// How far a number of a measure may be off by the tolerances of dimensions; of `None` its value at
+/// the time at which that is worst.
 #[pyfunction]
 #[pyo3(signature = (system, motion, what, of, proved))]
 pub fn tolerance<'py>(
@@ -146,7 +169,8 @@ pub fn tolerance<'py>(
     of: Option<Of>,
     proved: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (system, motion) = (system.now(), &motion.0);
+    let system = system.now();
+    let motion = &motion.0;
     let found = what.ask(py, |what| match of {
         None => system.tolerance(motion, what),
         Some(of) => {
@@ -178,13 +202,20 @@ fn fields<'py>(py: Python<'py>, found: &Tolerance) -> PyResult<Bound<'py, PyDict
     all.set_item("attained", found.attained())?;
     all.set_item("corners", (found.corners[0], found.corners[1]))?;
     let looked = &found.looked_at;
-    let place =
-        |all: &[Off]| -> BTreeMap<String, f64> { all.iter().map(|off| (off.name.clone(), off.by)).collect() };
+    let place = |all: &[Off]| -> BTreeMap<String, f64> {
+        all.iter().map(|off| (off.name.clone(), off.by)).collect()
+    };
     let counts = (looked.corners, looked.all_corners, looked.inside);
     let unassembled = looked.unassembled.as_deref().map(place);
-    all.set_item("looked_at", (counts, place(&looked.lowest), place(&looked.highest), unassembled))?;
+    all.set_item(
+        "looked_at",
+        (counts, place(&looked.lowest), place(&looked.highest), unassembled),
+    )?;
     let second = found.second_order.as_ref();
-    all.set_item("second_order", second.map(|one| (&one.names, &one.hessian, one.mean_shift, one.sigma)))?;
+    all.set_item(
+        "second_order",
+        second.map(|one| (&one.names, &one.hessian, one.mean_shift, one.sigma)),
+    )?;
     all.set_item("proved", found.proved.as_ref().map(|one| (one.low, one.high, &one.trusted)))?;
     let shares = found.contributions.iter().map(|one| {
         let text = (&one.name, &one.unit, distribution_name(one.distribution));
@@ -212,7 +243,8 @@ pub fn samples<'py>(
     distribution: &str,
 ) -> PyResult<Sampled<'py>> {
     let sampling = Sampling { count, seed, distribution: distribution_of(distribution)? };
-    let (system, motion) = (system.now(), &motion.0);
+    let system = system.now();
+    let motion = &motion.0;
     let found = what.ask(py, |what| {
         let feature = of.feature(&system, motion, what)?;
         system.samples(motion, what, feature, &sampling)
@@ -232,7 +264,9 @@ const DISTRIBUTIONS: [(&str, Distribution); 4] = [
 pub fn distribution_of(name: &str) -> PyResult<Distribution> {
     let found = DISTRIBUTIONS.iter().find(|(known, _)| *known == name);
     let known = DISTRIBUTIONS.map(|(known, _)| known).join("\", \"");
-    found.map(|(_, one)| *one).ok_or_else(|| value(format!("distribution: \"{known}\", not {name:?}")))
+    found
+        .map(|(_, one)| *one)
+        .ok_or_else(|| value(format!("distribution: \"{known}\", not {name:?}")))
 }
 
 fn distribution_name(one: Distribution) -> &'static str {

@@ -22,7 +22,10 @@ impl Equation {
         match py.detach(|| kin::text::Equation::read(text)) {
             Ok(equation) => (Some(Equation(equation)), vec![]),
             Err(mistakes) => {
-                let told = mistakes.0.into_iter().map(|one| (one.message, one.line, one.column, one.excerpt));
+                let told = mistakes
+                    .0
+                    .into_iter()
+                    .map(|one| (one.message, one.line, one.column, one.excerpt));
                 (None, told.collect())
             }
         }
@@ -65,7 +68,12 @@ pub enum Number {
 pub type Terms<'py> = (Vec<f64>, Vec<Vec<f64>>, Vec<f64>, Vec<f64>);
 
 /// The terms of a constraint where its own coordinates, their rates and the time are these.
-pub fn terms<'py>(constraint: &dyn Constraint, q: &[u8], qd: &[u8], t: f64) -> PyResult<Terms<'py>> {
+pub fn terms<'py>(
+    constraint: &dyn Constraint,
+    q: &[u8],
+    qd: &[u8],
+    t: f64,
+) -> PyResult<Terms<'py>> {
     let terms = kin::terms(constraint, &numbers::read(q)?, &numbers::read(qd)?, t);
     let rows = terms.c_q.row_iter().map(|row| row.iter().copied().collect()).collect();
     let list = |v: &[f64]| v.to_vec();

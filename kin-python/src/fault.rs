@@ -9,7 +9,8 @@ use crate::motion::Motion;
 
 /// The exception that an error becomes: a class of `kin` with the name of the variant.
 pub fn raised(py: Python<'_>, error: Error) -> PyErr {
-    let (text, (kind, fields)) = (error.to_string(), facts(&error));
+    let text = error.to_string();
+    let (kind, fields) = facts(&error);
     let motion = error.motion().cloned().map(Motion::from);
     let diagnosis = error.diagnosis().and_then(|diagnosis| serde_json::to_string(diagnosis).ok());
     let made = py.import("kin._errors").and_then(|module| {
@@ -75,7 +76,9 @@ fn facts(error: &Error) -> (&'static str, Value) {
             "InvalidConstraint",
             json!({ "constraint": constraint, "constraint_kind": kind, "reason": reason }),
         ),
-        Error::DuplicateName { what, name } => ("DuplicateName", json!({ "what": what, "name": name })),
+        Error::DuplicateName { what, name } => {
+            ("DuplicateName", json!({ "what": what, "name": name }))
+        }
         Error::EmptyName { what } => ("EmptyName", json!({ "what": what })),
         Error::UnknownName { what, name, known } => {
             ("UnknownName", json!({ "what": what, "name": name, "known": known }))
@@ -85,14 +88,20 @@ fn facts(error: &Error) -> (&'static str, Value) {
         Error::NeedsMemory { needed, allowed, .. } => {
             ("NeedsMemory", json!({ "needed": needed, "allowed": allowed }))
         }
-        Error::CaseNotFinite { case, name, .. } => ("CaseNotFinite", json!({ "case": case, "name": name })),
+        Error::CaseNotFinite { case, name, .. } => {
+            ("CaseNotFinite", json!({ "case": case, "name": name }))
+        }
         Error::WrongLength { what, expected, found } => {
             ("WrongLength", json!({ "what": what, "expected": expected, "found": found }))
         }
         Error::Dimension(found) => ("DimensionError", of_dimension(found)),
         Error::NotUnique(_) => ("NotUnique", json!({})),
-        Error::OtherMotion(found) => ("OtherMotion", json!({ "equation": found.equation, "t": found.t })),
-        Error::OutputNotFinite { output, t, .. } => ("OutputNotFinite", json!({ "output": output, "t": t })),
+        Error::OtherMotion(found) => {
+            ("OtherMotion", json!({ "equation": found.equation, "t": found.t }))
+        }
+        Error::OutputNotFinite { output, t, .. } => {
+            ("OutputNotFinite", json!({ "output": output, "t": t }))
+        }
         Error::Mismatch(_) => ("Mismatch", json!({})),
         Error::NoDerivative(_) => ("NoDerivative", json!({})),
         Error::Data { place, reason } => ("DataError", json!({ "place": place, "reason": reason })),
@@ -107,7 +116,9 @@ fn of_dimension(error: &DimensionError) -> Value {
     match error {
         DimensionError::Unused { name } => json!({ "name": name }),
         DimensionError::Invalid { name, reason } => json!({ "name": name, "reason": reason }),
-        DimensionError::Foreign { mechanism, place } => json!({ "mechanism": mechanism, "place": place }),
+        DimensionError::Foreign { mechanism, place } => {
+            json!({ "mechanism": mechanism, "place": place })
+        }
         _ => json!({}),
     }
 }
@@ -124,27 +135,36 @@ fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
             "SingularAt",
             json!({ "t": t, "n": n, "rank": rank, "pivot": pivot, "movable": movable, "dependent": dependent, "drawn": drawn }),
         ),
-        Error::Toggle { t, asked, movable, dependent, .. } => {
-            ("Toggle", json!({ "t": t, "asked": asked, "movable": movable, "dependent": dependent }))
+        Error::Toggle { t, asked, movable, dependent, .. } => (
+            "Toggle",
+            json!({ "t": t, "asked": asked, "movable": movable, "dependent": dependent }),
+        ),
+        Error::CannotFollow { t, reason, .. } => {
+            ("CannotFollow", json!({ "t": t, "reason": reason }))
         }
-        Error::CannotFollow { t, reason, .. } => ("CannotFollow", json!({ "t": t, "reason": reason })),
         Error::WrongBranch { t, constraint, kind, reason, .. } => (
             "WrongBranch",
             json!({ "t": t, "constraint": constraint, "constraint_kind": kind, "reason": reason }),
         ),
-        Error::LawJumps { t, constraint, law, at, order, .. } => {
-            ("LawJumps", json!({ "t": t, "constraint": constraint, "law": law, "at": at, "order": order }))
-        }
-        Error::NotFinite { t, constraint, row, quantity, .. } => {
-            ("NotFinite", json!({ "t": t, "constraint": constraint, "row": row, "quantity": quantity }))
-        }
+        Error::LawJumps { t, constraint, law, at, order, .. } => (
+            "LawJumps",
+            json!({ "t": t, "constraint": constraint, "law": law, "at": at, "order": order }),
+        ),
+        Error::NotFinite { t, constraint, row, quantity, .. } => (
+            "NotFinite",
+            json!({ "t": t, "constraint": constraint, "row": row, "quantity": quantity }),
+        ),
         Error::Jammed(found) => {
             let Jammed { constraint, t, share, drives, .. } = found.as_ref();
-            ("Jammed", json!({ "constraint": constraint, "t": t, "share": share, "drives": drives }))
+            (
+                "Jammed",
+                json!({ "constraint": constraint, "t": t, "share": share, "drives": drives }),
+            )
         }
         Error::Unbounded(found) => {
             let growth = found.growth.iter();
-            let told = growth.map(|one| json!({ "constraint": one.constraint, "power": one.power }));
+            let told =
+                growth.map(|one| json!({ "constraint": one.constraint, "power": one.power }));
             ("Unbounded", json!({ "t": found.t, "growth": told.collect::<Vec<_>>() }))
         }
         Error::Stopped { done, .. } => ("Stopped", json!({ "done": done })),

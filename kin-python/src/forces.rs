@@ -1,7 +1,8 @@
 //! Forces of a motion.
 
 use kin::{
-    Acted, EulerParameters, Ground, Massive, Mat3, PlanarBody, Series, Sharing, Solid, SpatialBody, Turning,
+    Acted, EulerParameters, Ground, Massive, Mat3, PlanarBody, Series, Sharing, Solid, SpatialBody,
+    Turning,
 };
 use kin::{Vec2, Vec3};
 use pyo3::prelude::*;
@@ -18,21 +19,23 @@ use crate::system::System;
 #[pyclass(frozen, module = "kin._native")]
 pub struct Forces(HeldForces);
 
-/// A way to another point or other axes: `at`, `about` or `in_body`, with a point for the first two.
+/// A way to another point or other axes: `at`, `about` or `in_body`, with a point for the first
+/// two.
 type Way = (String, Vec<f64>);
 
-/// Sources of forces on bodies: `constraints` by their names, of which none are all that act on the ground,
-/// a `load`, or the `friction` of a joint.
+/// Sources of forces on bodies: `constraints` by their names, of which none are all that act on the
+/// ground, a `load`, or the `friction` of a joint.
 type Sources = (String, Vec<String>);
 
 /// A body: true in the plane; its name, none of the ground.
 type OnBody = (bool, Option<String>);
 
-/// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in words.
+/// A drive: its name, its efforts row by row, its power, its peak (value, time, unit), that in
+/// words.
 type Driven<'py> = (String, Vec<Orders<'py>>, Orders<'py>, (f64, f64, String), String);
 
-/// Energies T and V; powers of drives and loads, rate of T, what is left; the largest power, the share that
-/// is left, that in words.
+/// Energies T and V; powers of drives and loads, rate of T, what is left; the largest power, the
+/// share that is left, that in words.
 type Balanced<'py> = (Vec<Orders<'py>>, Vec<Orders<'py>>, f64, f64, String);
 
 impl Forces {
@@ -89,10 +92,13 @@ impl Forces {
     fn balance<'py>(&self, py: Python<'py>) -> PyResult<Balanced<'py>> {
         let (energy, balance) =
             self.with(py, |forces| Ok((forces.energy().clone(), forces.balance().clone())))?;
-        let all = |list: [&Series; 2]| list.into_iter().map(|one| series(py, one)).collect::<PyResult<_>>();
+        let all = |list: [&Series; 2]| {
+            list.into_iter().map(|one| series(py, one)).collect::<PyResult<_>>()
+        };
         let mut powers: Vec<Orders<'py>> = all([&balance.drives, &balance.loads])?;
         powers.extend(all([&balance.kinetic, &balance.left])?);
-        let (share, words) = (balance.worst(), balance.to_string());
+        let share = balance.worst();
+        let words = balance.to_string();
         Ok((all([&energy.kinetic, &energy.potential])?, powers, balance.largest, share, words))
     }
 
@@ -105,16 +111,24 @@ impl Forces {
         let efforts = drive.efforts().iter().map(|one| series(py, one)).collect::<PyResult<_>>()?;
         let peak = drive.peak();
         let words = peak.to_string();
-        Ok((name.to_owned(), efforts, series(py, drive.power())?, (peak.value, peak.t, peak.unit), words))
+        Ok((
+            name.to_owned(),
+            efforts,
+            series(py, drive.power())?,
+            (peak.value, peak.t, peak.unit),
+            words,
+        ))
     }
 
     /// Power of a constraint, of several together, of a load.
     fn power<'py>(&self, py: Python<'py>, sources: Sources) -> PyResult<Orders<'py>> {
-        let power = self.with(py, |forces| reaction(forces, &sources).map(|found| found.power()))?;
+        let power =
+            self.with(py, |forces| reaction(forces, &sources).map(|found| found.power()))?;
         series(py, &power)
     }
 
-    /// Something that is asked of the force and torque of constraints or a load on a body, over time.
+    /// Something that is asked of the force and torque of constraints or a load on a body, over
+    /// time.
     fn acted<'py>(
         &self,
         py: Python<'py>,
@@ -157,10 +171,13 @@ impl Forces {
         Ok((numbers::list(py, &points)?, components))
     }
 
-    /// The constraints whose forces grow without bound: name, t*, the power of |t − t*|, that in words.
+    /// The constraints whose forces grow without bound: name, t*, the power of |t − t*|, that in
+    /// words.
     fn growth(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, f64, String)>> {
         let found = self.with(py, |forces| forces.growth())?;
-        let told = found.into_iter().map(|one| (one.constraint.clone(), one.t, one.power, one.to_string()));
+        let told = found
+            .into_iter()
+            .map(|one| (one.constraint.clone(), one.t, one.power, one.to_string()));
         Ok(told.collect())
     }
 
@@ -187,10 +204,12 @@ enum Moved {
 }
 
 impl Forces {
-    /// The body of this name, the ground where there is none. Errors: another one, points of another size.
+    /// The body of this name, the ground where there is none. Errors: another one, points of
+    /// another size.
     fn body(&self, (in_plane, name): OnBody, ways: Vec<Way>) -> PyResult<Moved> {
-        let find =
-            |name: &str| wrong_type(format!("there is no body `{name}` of that kind in this mechanism"));
+        let find = |name: &str| {
+            wrong_type(format!("there is no body `{name}` of that kind in this mechanism"))
+        };
         let motion = &self.0.borrow_owner().1;
         if in_plane {
             let body = name.map_or(Ok(PlanarBody::from(Ground)), |name| {
@@ -207,7 +226,10 @@ impl Forces {
     }
 }
 
-fn reaction<'f>(forces: &'f kin::Forces<'f>, (kind, names): &Sources) -> kin::Result<kin::Reaction<'f>> {
+fn reaction<'f>(
+    forces: &'f kin::Forces<'f>,
+    (kind, names): &Sources,
+) -> kin::Result<kin::Reaction<'f>> {
     match (kind.as_str(), &names[..]) {
         ("load", [name]) => forces.load(name),
         ("friction", [name]) => forces.friction(name),
@@ -283,7 +305,8 @@ pub fn solid_of(shape: &str, sizes: Vec<f64>, density: f64) -> PyResult<Mass> {
         ("disc", &[radius, thickness]) => Solid::disc(radius, thickness, density),
         ("sphere", &[radius]) => Solid::sphere(radius, density),
         ("plate", [thickness, corners @ ..]) if corners.len() >= 6 && corners.len() % 2 == 0 => {
-            let corners: Vec<Vec2> = corners.chunks_exact(2).map(|c| Vec2::new(c[0], c[1])).collect();
+            let corners: Vec<Vec2> =
+                corners.chunks_exact(2).map(|c| Vec2::new(c[0], c[1])).collect();
             Solid::plate(&corners, *thickness, density)
         }
         _ => return Err(value(format!("`{shape}` does not have these sizes: {sizes:?}"))),
@@ -300,6 +323,7 @@ pub fn solid_turned(of: Mass, p: [f64; 4]) -> Mass {
 /// Two solids as one, or the first without the second.
 #[pyfunction]
 pub fn solid_joined(first: Mass, second: Mass, cut: bool) -> Mass {
-    let (first, second) = (solid(first), solid(second));
+    let first = solid(first);
+    let second = solid(second);
     mass(if cut { first.without(second) } else { first.and(second) })
 }

@@ -54,11 +54,12 @@ impl Mechanism {
     ) -> PyResult<Making> {
         let on = on.iter().map(|place| self.on(place)).collect::<PyResult<Vec<On>>>()?;
         let mut on = on.into_iter();
-        let first = on.next().ok_or_else(|| wrong_type("an equation needs a body or coordinate"))?;
+        let first =
+            on.next().ok_or_else(|| wrong_type("an equation needs a body or coordinate"))?;
         let making = on.fold(equation.get().0.on(first), Making::on);
-        parameters
-            .into_iter()
-            .try_fold(making, |making, (name, value)| Ok(making.with(&name, self.parameter(py, value)?)))
+        parameters.into_iter().try_fold(making, |making, (name, value)| {
+            Ok(making.with(&name, self.parameter(py, value)?))
+        })
     }
 }
 

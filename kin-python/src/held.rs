@@ -1,5 +1,5 @@
-//! Answers that borrow the system and the motion that they are of: each is kept together with these, so that
-//! it is found once and Python may keep it as long as it likes.
+//! Answers that borrow the system and the motion that they are of: each is kept together with
+//! these, so that it is found once and Python may keep it as long as it likes.
 
 use std::sync::Arc;
 

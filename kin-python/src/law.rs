@@ -27,7 +27,8 @@ impl Law {
         self.0.jet(x)
     }
 
-    /// The first and the last argument that the law is made for, and the kind of its course beyond them.
+    /// The first and the last argument that the law is made for, and the kind of its course beyond
+    /// them.
     fn range(&self) -> Option<(f64, f64, &'static str)> {
         let range = self.0.range()?;
         let beyond = if range.beyond == kin::Beyond::Line { "line" } else { "held" };

@@ -1,8 +1,8 @@
-//! The native part of the Python package `kin`: thin classes over Kin's public API. Users meet the Python
-//! around it in `python/kin`, with its words and types.
+//! The native part of the Python package `kin`: thin classes over Kin's public API. Users meet the
+//! Python around it in `python/kin`, with its words and types.
 //!
-//! Numbers pass as bytes, descriptions as the JSON of Kin's files, bodies by their names; all that takes long
-//! gives up Python's lock.
+//! Numbers pass as bytes, descriptions as the JSON of Kin's files, bodies by their names; all that
+//! takes long gives up Python's lock.
 
 mod design;
 mod equation;

@@ -22,7 +22,8 @@ pub struct Measured {
 }
 
 impl What {
-    /// Asks for something of this measure without Python's lock. Errors: Kin's, and the function's own.
+    /// Asks for something of this measure without Python's lock. Errors: Kin's, and the function's
+    /// own.
     pub fn ask<T: Send>(
         self,
         py: Python<'_>,
@@ -54,14 +55,22 @@ impl Measure for &Measured {
 }
 
 impl Measured {
-    fn called(&self, py: Python<'_>, function: &Py<PyAny>, motion: &kin::Motion) -> kin::Result<Quantity> {
+    fn called(
+        &self,
+        py: Python<'_>,
+        function: &Py<PyAny>,
+        motion: &kin::Motion,
+    ) -> kin::Result<Quantity> {
         let given = Motion::from(motion.clone());
-        let made =
-            function.call1(py, (given,)).and_then(|made| made.extract::<(String, String, [Vec<f64>; 4])>(py));
+        let made = function
+            .call1(py, (given,))
+            .and_then(|made| made.extract::<(String, String, [Vec<f64>; 4])>(py));
         match made {
-            Ok((name, unit, [value, rate, second_rate, third_rate])) => {
-                motion.quantity(&name, &unit, QuantityValues { value, rate, second_rate, third_rate })
-            }
+            Ok((name, unit, [value, rate, second_rate, third_rate])) => motion.quantity(
+                &name,
+                &unit,
+                QuantityValues { value, rate, second_rate, third_rate },
+            ),
             Err(exception) => {
                 *self.failed.lock().unwrap_or_else(PoisonError::into_inner) = Some(exception);
                 Err(Error::Stopped { done: 0, all: 0, motion: None })

@@ -1,5 +1,5 @@
-//! A mechanism as it is described. Bodies and coordinates are told by their names; `kin.Mechanism` sees that
-//! they are its own.
+//! A mechanism as it is described. Bodies and coordinates are told by their names; `kin.Mechanism`
+//! sees that they are its own.
 
 use kin::data::{ConstraintData, LoadData, MechanismData};
 use kin::text::On;
@@ -67,8 +67,11 @@ impl Mechanism {
     /// The same by numbers that may hang on dimensions: the mass, the centre, the inertia by rows.
     fn mass(&mut self, py: Python<'_>, place: Place, given: Vec<Number>) -> PyResult<()> {
         let given = self.numbers(py, given)?;
-        let [mass, x, y, z, j @ ..] = &given[..] else { return Err(wrong_type("a mass has 13 numbers")) };
-        let (Some((rows, _)), (m, x, y, z)) = (j.split_first_chunk::<9>(), (*mass, *x, *y, *z)) else {
+        let [mass, x, y, z, j @ ..] = &given[..] else {
+            return Err(wrong_type("a mass has 13 numbers"));
+        };
+        let (Some((rows, _)), (m, x, y, z)) = (j.split_first_chunk::<9>(), (*mass, *x, *y, *z))
+        else {
             return Err(wrong_type("an inertia has nine numbers"));
         };
         let [a, b, c, d, e, f, g, h, i] = *rows;
@@ -95,8 +98,8 @@ impl Mechanism {
         or_raise(py, self.0.point_mass(name, point, mass))
     }
 
-    /// Gives a joint friction: of a pin with its radius and the length of its bearing, or of a slide with
-    /// length and width of its guide.
+    /// Gives a joint friction: of a pin with its radius and the length of its bearing, or of a
+    /// slide with length and width of its guide.
     fn friction(
         &mut self,
         py: Python<'_>,
@@ -175,12 +178,25 @@ impl Mechanism {
         or_raise(py, self.0.link(name, length)).map(|link| link.length().value())
     }
 
-    fn link_between(&mut self, py: Python<'_>, name: &str, a: [f64; 2], b: [f64; 2]) -> PyResult<f64> {
+    fn link_between(
+        &mut self,
+        py: Python<'_>,
+        name: &str,
+        a: [f64; 2],
+        b: [f64; 2],
+    ) -> PyResult<f64> {
         or_raise(py, self.0.link_between(name, vec2(a), vec2(b))).map(|link| link.length())
     }
 
-    fn planar(&mut self, py: Python<'_>, name: &str, pose: (Number, Number, Number)) -> PyResult<()> {
-        let (x, y, theta) = (self.number(py, pose.0)?, self.number(py, pose.1)?, self.number(py, pose.2)?);
+    fn planar(
+        &mut self,
+        py: Python<'_>,
+        name: &str,
+        pose: (Number, Number, Number),
+    ) -> PyResult<()> {
+        let x = self.number(py, pose.0)?;
+        let y = self.number(py, pose.1)?;
+        let theta = self.number(py, pose.2)?;
         or_raise(py, self.0.planar(name, Pose { x, y, theta })).map(|_| ())
     }
 
@@ -210,7 +226,8 @@ impl Mechanism {
 
     /// Adds a constraint of the library, described as in a file.
     fn add(&mut self, py: Python<'_>, json: &str) -> PyResult<()> {
-        let data: ConstraintData = serde_json::from_str(json).map_err(|error| unreadable(&error))?;
+        let data: ConstraintData =
+            serde_json::from_str(json).map_err(|error| unreadable(&error))?;
         or_raise(py, self.0.add_data(&data, &kin::text::registry())).map(|_| ())
     }
 
@@ -228,7 +245,8 @@ impl Mechanism {
         or_raise(py, self.0.add(name, constraint)).map(|_| ())
     }
 
-    /// Every term of such a constraint where its own coordinates, their rates and the time are these.
+    /// Every term of such a constraint where its own coordinates, their rates and the time are
+    /// these.
     #[expect(clippy::too_many_arguments, reason = "one argument for each that the equation has")]
     fn terms<'py>(
         &self,
@@ -276,7 +294,9 @@ impl Mechanism {
     fn prefer_turn(&mut self, py: Python<'_>, body: &str, p: Vec<Number>) -> PyResult<()> {
         let p = self.numbers(py, p)?;
         let body = self.0.spatial_named(body).ok_or_else(|| unknown(body))?;
-        let [e0, e1, e2, e3] = p[..] else { return Err(wrong_type("there are four Euler parameters")) };
+        let [e0, e1, e2, e3] = p[..] else {
+            return Err(wrong_type("there are four Euler parameters"));
+        };
         self.0.prefer(body, kin::EulerParameters { e0, e1, e2, e3 });
         Ok(())
     }
@@ -292,7 +312,13 @@ impl Mechanism {
     }
 
     /// A global point, or direction, as a body sees it where it is drawn.
-    fn local(&self, py: Python<'_>, place: Place, vector: Vec<f64>, point: bool) -> PyResult<Vec<f64>> {
+    fn local(
+        &self,
+        py: Python<'_>,
+        place: Place,
+        vector: Vec<f64>,
+        point: bool,
+    ) -> PyResult<Vec<f64>> {
         let planar = |body: kin::PlanarBody, v| match point {
             true => self.0.local(body, vec2(v)),
             false => self.0.local_direction(body, vec2(v)),
@@ -302,12 +328,16 @@ impl Mechanism {
             false => self.0.local_direction(body, vec3(v)),
         };
         match (self.on(&place)?, &vector[..]) {
-            (On::Planar(body), &[x, y]) => or_raise(py, planar(body, [x, y])).map(|v| v.to_array().to_vec()),
+            (On::Planar(body), &[x, y]) => {
+                or_raise(py, planar(body, [x, y])).map(|v| v.to_array().to_vec())
+            }
             (On::Spatial(body), &[x, y, z]) => {
                 or_raise(py, spatial(body, [x, y, z])).map(|v| v.to_array().to_vec())
             }
             (On::Ground, _) => Ok(vector),
-            _ => Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
+            _ => {
+                Err(wrong_type("a point of a planar body has two numbers, of a spatial one three"))
+            }
         }
     }
 

@@ -23,8 +23,8 @@ impl From<kin::Motion> for Motion {
     }
 }
 
-/// A list of a motion's numbers that NumPy reads where it lies: nothing is copied, and the array keeps the
-/// motion.
+/// A list of a motion's numbers that NumPy reads where it lies: nothing is copied, and the array
+/// keeps the motion.
 #[pyclass(frozen, module = "kin._native")]
 pub struct Rows {
     motion: Arc<kin::Motion>,
@@ -36,9 +36,9 @@ const BIG: bool = cfg!(target_endian = "big");
 
 #[pymethods]
 impl Rows {
-    /// NumPy's array interface, version 3: where the numbers begin, how many there are, that nobody may
-    /// write there. The motion behind the `Arc` never changes, and NumPy keeps this object as long as the
-    /// array.
+    /// NumPy's array interface, version 3: where the numbers begin, how many there are, that nobody
+    /// may write there. The motion behind the `Arc` never changes, and NumPy keeps this object as
+    /// long as the array.
     #[getter]
     fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let motion = &self.motion;
@@ -51,8 +51,10 @@ impl Rows {
         };
         let interface = PyDict::new(py);
         interface.set_item(intern!(py, "version"), 3)?;
-        interface
-            .set_item(intern!(py, "typestr"), if BIG { intern!(py, ">f8") } else { intern!(py, "<f8") })?;
+        interface.set_item(
+            intern!(py, "typestr"),
+            if BIG { intern!(py, ">f8") } else { intern!(py, "<f8") },
+        )?;
         interface.set_item(intern!(py, "shape"), (numbers.len() / columns.max(1), columns))?;
         interface.set_item(intern!(py, "data"), (numbers.as_ptr().addr(), true))?;
         Ok(interface)
@@ -80,19 +82,28 @@ pub fn series<'py>(py: Python<'py>, series: &Series) -> PyResult<Orders<'py>> {
 impl Motion {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Motion> {
-        or_raise(py, MotionData::read(text).and_then(|data| kin::Motion::from_data(&data))).map(Motion::from)
+        or_raise(py, MotionData::read(text).and_then(|data| kin::Motion::from_data(&data)))
+            .map(Motion::from)
     }
 
     /// A motion that was measured, or comes from elsewhere: q, q̇ and q̈ row by row.
     #[staticmethod]
-    fn from_states(py: Python<'_>, system: &System, times: &[u8], states: [Vec<u8>; 3]) -> PyResult<Motion> {
-        let (system, times) = (system.now(), numbers::read(times)?);
+    fn from_states(
+        py: Python<'_>,
+        system: &System,
+        times: &[u8],
+        states: [Vec<u8>; 3],
+    ) -> PyResult<Motion> {
+        let system = system.now();
+        let times = numbers::read(times)?;
         let n = system.n_coordinates().max(1);
         let rows = |bytes: &Vec<u8>| {
             Ok::<_, PyErr>(numbers::read(bytes)?.chunks(n).map(<[f64]>::to_vec).collect::<Vec<_>>())
         };
         let [q, qd, qdd] = &states;
-        let (q, qd, qdd) = (rows(q)?, rows(qd)?, rows(qdd)?);
+        let q = rows(q)?;
+        let qd = rows(qd)?;
+        let qdd = rows(qdd)?;
         or_raise(py, kin::Motion::from_states(&system, &times, &q, &qd, &qdd)).map(Motion::from)
     }
 
@@ -129,7 +140,8 @@ impl Motion {
         self.0.len()
     }
 
-    /// The times (4), and q (0), q̇ (1), q̈ (2) or q⃛ (3) of all of them row by row, where they lie.
+    /// The times (4), and q (0), q̇ (1), q̈ (2) or q⃛ (3) of all of them row by row, where they
+    /// lie.
     fn rows(&self, which: usize) -> Rows {
         Rows { motion: self.0.clone(), which }
     }
@@ -155,8 +167,8 @@ impl Motion {
         (self.0.engine().compiled, self.0.engine().handed_back)
     }
 
-    /// Why there was no program; name of the equation with the largest residual; the misfit of redundant
-    /// equations.
+    /// Why there was no program; name of the equation with the largest residual; the misfit of
+    /// redundant equations.
     fn facts(&self) -> (Option<String>, Option<String>, f64) {
         let own = |text: Option<&str>| text.map(str::to_owned);
         (own(self.0.why_plain()), own(self.0.worst()), self.0.misfit())
@@ -164,12 +176,15 @@ impl Motion {
 
     /// How far each body is at the first time from its guess: name, way, turn, hint.
     fn displaced(&self) -> Vec<Displaced> {
-        self.0.displaced().into_iter().map(|one| (one.name, one.moved, one.turned, one.hint)).collect()
+        self.0
+            .displaced()
+            .into_iter()
+            .map(|one| (one.name, one.moved, one.turned, one.hint))
+            .collect()
     }
 
-    /// Breaks of laws that were crossed: times before and after, constraint, law; where in the law it is,
-    /// which
-    /// derivative jumps.
+    /// Breaks of laws that were crossed: times before and after, constraint, law; where in the law
+    /// it is, which derivative jumps.
     fn breaks(&self) -> Vec<Crossed> {
         let crossed = |one: &kin::CrossedBreak| {
             (one.between, one.constraint.clone(), one.law.clone(), one.found.x, one.found.order)
@@ -229,7 +244,9 @@ impl Motion {
                 let point = or_raise(py, self.0.point(body, numbers::vec3([x, y, z])))?;
                 rows(py, [point.r(), point.v(), point.a(), point.jerk()], |v| v.to_array())
             }
-            _ => Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
+            _ => {
+                Err(wrong_type("a point of a planar body has two numbers, of a spatial one three"))
+            }
         }
     }
 
@@ -252,15 +269,25 @@ impl Motion {
     }
 
     /// The angle between two directions in planar bodies.
-    fn transmission_angle<'py>(&self, py: Python<'py>, coupler: Line, driven: Line) -> PyResult<Orders<'py>> {
+    fn transmission_angle<'py>(
+        &self,
+        py: Python<'py>,
+        coupler: Line,
+        driven: Line,
+    ) -> PyResult<Orders<'py>> {
         let line = |(name, h): Line| Ok::<_, PyErr>((self.planar(name)?, numbers::vec2(h)));
         let found = self.0.transmission_angle(line(coupler)?, line(driven)?);
         quantity(py, &or_raise(py, found)?)
     }
 
-    /// The instant centre of two planar bodies at each time, `None` where they do not turn against each
-    /// other.
-    fn instant_centre(&self, py: Python<'_>, a: Planar, b: Planar) -> PyResult<Vec<Option<[f64; 2]>>> {
+    /// The instant centre of two planar bodies at each time, `None` where they do not turn against
+    /// each other.
+    fn instant_centre(
+        &self,
+        py: Python<'_>,
+        a: Planar,
+        b: Planar,
+    ) -> PyResult<Vec<Option<[f64; 2]>>> {
         let found = or_raise(py, self.0.instant_centre(self.planar(a)?, self.planar(b)?))?;
         Ok(found.into_iter().map(|point| point.map(|v| v.to_array())).collect())
     }
@@ -276,14 +303,20 @@ impl Motion {
         let (a, u, b, v) = (a.0, a.1, b.0, b.1);
         let found = match (in_plane, &u[..], &v[..]) {
             (true, &[ux, uy], &[vx, vy]) => {
-                let (u, v) = (numbers::vec2([ux, uy]), numbers::vec2([vx, vy]));
+                let u = numbers::vec2([ux, uy]);
+                let v = numbers::vec2([vx, vy]);
                 self.0.distance(self.planar(a)?, u, self.planar(b)?, v)
             }
             (false, &[ux, uy, uz], &[vx, vy, vz]) => {
-                let (u, v) = (numbers::vec3([ux, uy, uz]), numbers::vec3([vx, vy, vz]));
+                let u = numbers::vec3([ux, uy, uz]);
+                let v = numbers::vec3([vx, vy, vz]);
                 self.0.distance(self.spatial(a)?, u, self.spatial(b)?, v)
             }
-            _ => return Err(wrong_type("a point of a planar body has two numbers, of a spatial one three")),
+            _ => {
+                return Err(wrong_type(
+                    "a point of a planar body has two numbers, of a spatial one three",
+                ));
+            }
         };
         quantity(py, &or_raise(py, found)?)
     }
@@ -292,7 +325,8 @@ impl Motion {
 /// A body: its name, how far it was moved and turned, a hint.
 type Displaced = (String, Option<f64>, Option<f64>, Option<String>);
 
-/// A break of a law: the times around it, its constraint, the law, the argument, the derivative that jumps.
+/// A break of a law: the times around it, its constraint, the law, the argument, the derivative
+/// that jumps.
 type Crossed = ((f64, f64), String, String, f64, usize);
 
 /// Name of a planar body, none of the ground.

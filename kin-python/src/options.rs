@@ -23,8 +23,9 @@ pub fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<Options> {
 pub fn assembly_options(given: &Bound<'_, PyDict>) -> PyResult<AssemblyOptions> {
     let mut options = AssemblyOptions::default();
     for (name, given) in given {
-        let seconds =
-            |given: f64| Duration::try_from_secs_f64(given).map_err(|_| value("time_limit: seconds"));
+        let seconds = |given: f64| {
+            Duration::try_from_secs_f64(given).map_err(|_| value("time_limit: seconds"))
+        };
         match name.extract::<String>()?.as_str() {
             "starts" => options.starts = given.extract()?,
             "patience" => options.patience = given.extract()?,
@@ -60,7 +61,11 @@ fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<
             options.follow = match given.extract::<String>()?.as_str() {
                 "unchecked" => Follow::Unchecked,
                 "smooth" => Follow::Smooth,
-                other => return Err(value(format!("follow: \"unchecked\" or \"smooth\", not {other:?}"))),
+                other => {
+                    return Err(value(format!(
+                        "follow: \"unchecked\" or \"smooth\", not {other:?}"
+                    )));
+                }
             }
         }
         "engine" => options.engine = engine_named(&given.extract::<String>()?)?,

@@ -38,7 +38,9 @@ fn feature(name: &str) -> PyResult<Feature> {
         "max_second_rate" => Feature::MaxSecondRate,
         _ => {
             let known = "max, min, range, first, last, max_rate, max_second_rate";
-            return Err(value(format!("`{name}` is nothing that is kept of a measure; there are {known}")));
+            return Err(value(format!(
+                "`{name}` is nothing that is kept of a measure; there are {known}"
+            )));
         }
     })
 }
@@ -77,7 +79,8 @@ type Rows<'py> = (Bound<'py, PyBytes>, Vec<String>);
 /// Python is looked at so often while the cases are computed.
 const EVERY: Duration = Duration::from_millis(50);
 
-/// Runs all cases: `cases` row by row, a number for each of `names`; of each motion the numbers `wanted`.
+/// Runs all cases: `cases` row by row, a number for each of `names`; of each motion the numbers
+/// `wanted`.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "the arguments of the Python function around it")]
 #[pyo3(signature = (system, names, cases, times, wanted, keywords, lanes, threads = None, progress = None))]
@@ -94,8 +97,10 @@ pub fn sweep<'py>(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Rows<'py>> {
     let system = system.now();
-    let wanted =
-        wanted.into_iter().map(|(name, what)| Ok((name, feature(&what)?))).collect::<PyResult<Vec<_>>>()?;
+    let wanted = wanted
+        .into_iter()
+        .map(|(name, what)| Ok((name, feature(&what)?)))
+        .collect::<PyResult<Vec<_>>>()?;
     let times = numbers::read(times)?;
     let kept: Vec<&str> = wanted.iter().map(|(name, _)| name.as_str()).collect();
     or_raise(py, times.first().map_or(Ok(()), |t| system.check_columns(&kept, *t)))?;
@@ -116,15 +121,20 @@ pub fn sweep<'py>(
     Ok((numbers::list(py, &numbers.concat())?, states))
 }
 
-/// Each name with what is kept of it, and true where it is one of forces: neither a coordinate nor a measure.
-/// Errors: a rate of those.
-fn of_forces(system: &kin::System, wanted: Vec<(String, Feature)>) -> PyResult<Vec<(String, Feature, bool)>> {
+/// Each name with what is kept of it, and true where it is one of forces: neither a coordinate nor
+/// a measure. Errors: a rate of those.
+fn of_forces(
+    system: &kin::System,
+    wanted: Vec<(String, Feature)>,
+) -> PyResult<Vec<(String, Feature, bool)>> {
     let measures = system.measures();
     let told = |(name, kept): (String, Feature)| {
         let of_motion = system.coordinate_names().contains(&name) || measures.contains(&name);
         let is_force = system.has_forces() && !of_motion;
         if is_force && kept.is_of_rates() {
-            return Err(value(format!("`{name}` is no measure or coordinate; only these have rates")));
+            return Err(value(format!(
+                "`{name}` is no measure or coordinate; only these have rates"
+            )));
         }
         Ok((name, kept, is_force))
     };
@@ -166,13 +176,15 @@ struct Asked {
 type Row = (Vec<f64>, String);
 
 impl Asked {
-    /// Runs all cases on other threads, while this one goes on calling `look`: it may be the one that Python
-    /// tells of signals.
+    /// Runs all cases on other threads, while this one goes on calling `look`: it may be the one
+    /// that Python tells of signals.
     fn watched(&self, look: impl Fn(usize) -> PyResult<()>) -> PyResult<Result<Vec<Row>>> {
-        let (stop, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+        let stop = AtomicBool::new(false);
+        let done = AtomicUsize::new(0);
         let (sender, finished) = mpsc::channel();
         std::thread::scope(|scope| {
-            let (stop, done) = (&stop, &done);
+            let stop = &stop;
+            let done = &done;
             let worker = scope.spawn(move || {
                 let found = self.run(stop, done);
                 // Whoever waits may have gone.
@@ -186,14 +198,16 @@ impl Asked {
                     stop.store(seen.is_err(), Ordering::Relaxed);
                 }
             }
-            let found =
-                worker.join().map_err(|_| PyRuntimeError::new_err("a thread of the sweep has failed"));
+            let found = worker
+                .join()
+                .map_err(|_| PyRuntimeError::new_err("a thread of the sweep has failed"));
             seen.and(found)
         })
     }
 
     fn run(&self, stop: &AtomicBool, done: &AtomicUsize) -> Result<Vec<Row>> {
-        let mut sweep = self.system.sweep(&self.names)?.options(self.options.clone()).stop_when(stop);
+        let mut sweep =
+            self.system.sweep(&self.names)?.options(self.options.clone()).stop_when(stop);
         sweep = sweep.progress(|cases, _| done.store(cases, Ordering::Relaxed));
         if !self.lanes {
             sweep = sweep.lanes(Lanes::Off);
@@ -213,7 +227,11 @@ impl Asked {
     fn results(&self, case: usize, motion: &kin::Motion) -> Result<Vec<f64>> {
         let is_coordinate = |name: &String| motion.names().contains(name);
         if self.wanted.iter().all(|(name, ..)| is_coordinate(name)) {
-            return self.wanted.iter().map(|(name, kept, _)| Ok(kept.of(&motion.named(name)?))).collect();
+            return self
+                .wanted
+                .iter()
+                .map(|(name, kept, _)| Ok(kept.of(&motion.named(name)?)))
+                .collect();
         }
         // Measures of joints and forces read parameters: those of the case.
         let mut system = kin::System::clone(&self.system);

@@ -1,5 +1,5 @@
-//! A mechanism made ready for solving, and what is asked of it. A run works on a system of its own, without
-//! Python's lock; `set` changes the one that the next run takes.
+//! A mechanism made ready for solving, and what is asked of it. A run works on a system of its own,
+//! without Python's lock; `set` changes the one that the next run takes.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -27,14 +27,14 @@ impl From<kin::System> for System {
     }
 }
 
-/// Time, q, q̇, q̈, Newton steps, residual, the equation that has it, whether a program has found it.
+/// Time, q, q̇, q̈, Newton steps, residual, the equation that has it, whether a program has found
+/// it.
 type Solved<'py> =
     (f64, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, usize, f64, String, bool);
 
-/// A proof in words, whether it is complete; of each step its times, the tube (how near the solution is, how
-/// far the
-/// next one at least) or the doubt (its time, in words); laws that are trusted; bounds of each position's
-/// error.
+/// A proof in words, whether it is complete; of each step its times, the tube (how near the
+/// solution is, how far the next one at least) or the doubt (its time, in words); laws that are
+/// trusted; bounds of each position's error.
 type Proved = (String, bool, Vec<Step>, Vec<String>, Vec<Option<Vec<f64>>>);
 type Step = (f64, f64, Option<(Vec<f64>, Vec<f64>)>, Option<(f64, String)>);
 
@@ -150,8 +150,8 @@ impl System {
     }
 
     fn set(&self, py: Python<'_>, name: &str, value: f64) -> PyResult<()> {
-        let changed =
-            Arc::make_mut(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner)).set(name, value);
+        let changed = Arc::make_mut(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+            .set(name, value);
         or_raise(py, changed)
     }
 
@@ -171,7 +171,9 @@ impl System {
         keywords: Option<&Bound<'_, PyDict>>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Motion> {
-        let (system, times, options) = (self.now(), numbers::read(times)?, options(keywords)?);
+        let system = self.now();
+        let times = numbers::read(times)?;
+        let options = options(keywords)?;
         let mut watch = Watch::new(progress, times.len());
         let run = py.detach(|| system.run_watched(&times, &options, |done| watch.look(done)));
         watch.end(run.is_ok())?;
@@ -186,7 +188,8 @@ impl System {
         q: Option<&[u8]>,
         keywords: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Solved<'py>> {
-        let (system, options) = (self.now(), options(keywords)?);
+        let system = self.now();
+        let options = options(keywords)?;
         let start = q.map(numbers::read).transpose()?;
         let found = py.detach(|| match start {
             Some(q) => system.solve_at_with(t, &q, &options),
@@ -203,7 +206,8 @@ impl System {
         q: &[u8],
         t: f64,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let (system, q) = (self.now(), numbers::read(q)?);
+        let system = self.now();
+        let q = numbers::read(q)?;
         let found = match which {
             0 => system.residual(&q, t),
             1 => system.c_t(&q, t),
@@ -227,7 +231,9 @@ impl System {
         qd: &[u8],
         t: f64,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let (system, q, qd) = (self.now(), numbers::read(q)?, numbers::read(qd)?);
+        let system = self.now();
+        let q = numbers::read(q)?;
+        let qd = numbers::read(qd)?;
         let found = match which {
             0 => system.acceleration_rhs(&q, &qd, t),
             _ => system.acceleration(&q, &qd, t),
@@ -243,7 +249,8 @@ impl System {
         state: [Vec<f64>; 3],
         t: f64,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let (system, [q, qd, qdd]) = (self.now(), state);
+        let system = self.now();
+        let [q, qd, qdd] = state;
         let found = match which {
             0 => system.jerk_rhs(&q, &qd, &qdd, t),
             _ => system.jerk(&q, &qd, &qdd, t),
@@ -253,7 +260,8 @@ impl System {
 
     #[pyo3(signature = (t, q = None))]
     fn diagnose(&self, py: Python<'_>, t: f64, q: Option<&[u8]>) -> PyResult<Verdict> {
-        let (system, q) = (self.now(), q.map(numbers::read).transpose()?);
+        let system = self.now();
+        let q = q.map(numbers::read).transpose()?;
         let found = py.detach(|| match q {
             Some(q) => system.diagnose_at(t, &q),
             None => system.diagnose(t),
@@ -268,7 +276,8 @@ impl System {
         t: f64,
         keywords: &Bound<'py, PyDict>,
     ) -> PyResult<Listed<'py>> {
-        let (system, options) = (self.now(), assembly_options(keywords)?);
+        let system = self.now();
+        let options = assembly_options(keywords)?;
         let found = or_raise(py, py.detach(|| system.assemblies_with(t, &options)))?;
         let one = |one: &kin::Assembly| Ok((one.label.to_string(), numbers::list(py, &one.q)?));
         let all: PyResult<Vec<_>> = found.iter().map(one).collect();
@@ -283,7 +292,8 @@ impl System {
         label: &str,
         keywords: &Bound<'py, PyDict>,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let (system, options) = (self.now(), assembly_options(keywords)?);
+        let system = self.now();
+        let options = assembly_options(keywords)?;
         let label: kin::Label = or_raise(py, label.parse())?;
         let found = or_raise(py, py.detach(|| system.assembly_with(t, &label, &options)))?;
         numbers::list(py, &found.q)
@@ -303,12 +313,14 @@ impl System {
     }
 
     fn measure<'py>(&self, py: Python<'py>, motion: &Motion, what: What) -> PyResult<Orders<'py>> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         quantity(py, &what.ask(py, |what| system.measure(motion, what))?)
     }
 
     fn extremes(&self, py: Python<'_>, motion: &Motion, what: What) -> PyResult<Turns> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         what.ask(py, |what| system.extremes(motion, what)).map(|found| turns(&found))
     }
 
@@ -320,24 +332,32 @@ impl System {
         what: What,
         value: f64,
     ) -> PyResult<Vec<(f64, bool)>> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         let found = what.ask(py, |what| system.crossings(motion, what, value))?;
         Ok(found.into_iter().map(|one| (one.t, one.rises)).collect())
     }
 
     /// The motion of one time.
     fn at(&self, py: Python<'_>, motion: &Motion, t: f64) -> PyResult<Motion> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         or_raise(py, py.detach(|| system.at(motion, t))).map(Motion::from)
     }
 
-    fn smallest_singular_value<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Orders<'py>> {
-        let (system, motion) = (self.now(), &motion.0);
+    fn smallest_singular_value<'py>(
+        &self,
+        py: Python<'py>,
+        motion: &Motion,
+    ) -> PyResult<Orders<'py>> {
+        let system = self.now();
+        let motion = &motion.0;
         series(py, &or_raise(py, py.detach(|| system.smallest_singular_value(motion)))?)
     }
 
     fn condition<'py>(&self, py: Python<'py>, motion: &Motion) -> PyResult<Orders<'py>> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         series(py, &or_raise(py, py.detach(|| system.condition(motion)))?)
     }
 
@@ -348,13 +368,15 @@ impl System {
         drive: &str,
         output: &str,
     ) -> PyResult<Orders<'py>> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         let found = py.detach(|| system.mechanical_advantage(motion, drive, output));
         series(py, &or_raise(py, found)?)
     }
 
     fn prove(&self, py: Python<'_>, motion: &Motion) -> PyResult<Proved> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         let proof = or_raise(py, py.detach(|| system.prove(motion)))?;
         let tubes = proof.steps().iter().map(|step| {
             let tube = step.tube.as_ref().map(|tube| (tube.radius.clone(), tube.alone.clone()));
@@ -366,29 +388,43 @@ impl System {
             )
         });
         let errors = (0..motion.len()).map(|k| proof.error(k).map(<[f64]>::to_vec)).collect();
-        Ok((proof.to_string(), proof.is_complete(), tubes.collect(), proof.trusted().to_vec(), errors))
+        Ok((
+            proof.to_string(),
+            proof.is_complete(),
+            tubes.collect(),
+            proof.trusted().to_vec(),
+            errors,
+        ))
     }
 
-    /// Its program in words; the coordinates that rows give, those that are left, the blocks in which they
-    /// are
-    /// solved, and how many steps it has.
+    /// Its program in words; the coordinates that rows give, those that are left, the blocks in
+    /// which they are solved, and how many steps it has.
     fn compile(&self, py: Python<'_>) -> PyResult<Program> {
         let system = self.now();
         let found = or_raise(py, py.detach(|| system.compile()))?;
-        let (given, left) = (found.substituted().to_vec(), found.unknowns().to_vec());
+        let given = found.substituted().to_vec();
+        let left = found.unknowns().to_vec();
         Ok((found.to_string(), given, left, found.blocks().to_vec(), found.steps()))
     }
 
     /// A page on which the mechanism moves, as HTML.
     fn page(&self, py: Python<'_>, motion: &Motion) -> PyResult<String> {
-        let (system, motion) = (self.now(), &motion.0);
+        let system = self.now();
+        let motion = &motion.0;
         or_raise(py, py.detach(|| Scene::new(&system).page(motion))).map(|page| page.html())
     }
 
     /// The mechanism at a time, or so many poses of the motion on one another, as SVG.
     #[pyo3(signature = (motion, t = None, poses = 12))]
-    fn picture(&self, py: Python<'_>, motion: &Motion, t: Option<f64>, poses: usize) -> PyResult<String> {
-        let (system, motion) = (self.now(), &motion.0);
+    fn picture(
+        &self,
+        py: Python<'_>,
+        motion: &Motion,
+        t: Option<f64>,
+        poses: usize,
+    ) -> PyResult<String> {
+        let system = self.now();
+        let motion = &motion.0;
         let drawn = py.detach(|| match t {
             Some(t) => Scene::new(&system).pose(motion, t),
             None => Scene::new(&system).sequence(motion, poses),

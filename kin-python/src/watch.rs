@@ -1,5 +1,5 @@
-//! Looks at Python while a run goes on without its lock: an interrupt from the keyboard, and a call that
-//! tells of progress.
+//! Looks at Python while a run goes on without its lock: an interrupt from the keyboard, and a call
+//! that tells of progress.
 
 use std::time::{Duration, Instant};
 
@@ -44,7 +44,9 @@ impl Watch {
     }
 
     fn tell(&self, py: Python<'_>, done: usize) -> PyResult<()> {
-        self.progress.as_ref().map_or(Ok(()), |progress| progress.call1(py, (done, self.all)).map(drop))
+        self.progress
+            .as_ref()
+            .map_or(Ok(()), |progress| progress.call1(py, (done, self.all)).map(drop))
     }
 
     /// The exception that has ended the run; of one that has come to its end the last call.

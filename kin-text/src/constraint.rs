@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use kin::constraint::{Attached, Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written};
+use kin::constraint::{
+    Attached, Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written,
+};
 use kin::coordinates::{Argument, Coordinate, Target, Trig};
 use kin::data::{Datum, Describer};
 use kin::emitted::graph::{Dual3_64, Given, Table, give_law};
@@ -49,7 +51,8 @@ impl ReadConstraint {
 
     /// The value of something asked at an instant, with its derivatives along the rates.
     fn asked(&self, asked: &Asked, at: &At<'_>, rates: Option<&[Rates<'_>; 3]>) -> [f64; 4] {
-        let outside = |number: usize, x: &[Dual3_64], to: &mut Given| self.give(asked, number, x, to);
+        let outside =
+            |number: usize, x: &[Dual3_64], to: &mut Given| self.give(asked, number, x, to);
         asked.table.measured(&self.arguments(), at, rates, &self.of(asked), &outside)
     }
 
@@ -65,14 +68,20 @@ impl ReadConstraint {
     }
 
     /// The first demand that does not hold.
-    fn broken<'a>(&self, demands: &'a [(Condition, String)], at: &At<'_>) -> Option<&'a (Condition, String)> {
+    fn broken<'a>(
+        &self,
+        demands: &'a [(Condition, String)],
+        at: &At<'_>,
+    ) -> Option<&'a (Condition, String)> {
         demands.iter().find(|(condition, _)| !self.holds(condition, at))
     }
 
     fn holds(&self, condition: &Condition, at: &At<'_>) -> bool {
         match condition {
             Condition::NotZero(asked) => self.asked(asked, at, None)[0] != 0.0,
-            Condition::Periodic(law, period) => self.laws[*law].is_periodic(self.asked(period, at, None)[0]),
+            Condition::Periodic(law, period) => {
+                self.laws[*law].is_periodic(self.asked(period, at, None)[0])
+            }
             Condition::Smooth(law) => self.laws[*law].is_smooth(),
         }
     }
@@ -86,16 +95,18 @@ impl ReadConstraint {
         if shown.is_empty() { text.clone() } else { format!("{text} ({})", shown.join(", ")) }
     }
 
-    /// The largest value that is met at an instant on the way to C, C_q, C_t and Q_d: rounding of these is a
-    /// part of it.
+    /// The largest value that is met at an instant on the way to C, C_q, C_t and Q_d: rounding of
+    /// these is a part of it.
     pub fn largest(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64) -> f64 {
-        let (read, seen) = (&*self.read, self.seen(at, Some(qd), t_dot));
+        let read = &*self.read;
+        let seen = self.seen(at, Some(qd), t_dot);
         let stages = [&read.values, &read.velocity, &read.acceleration];
         stages.into_iter().map(|stage| stage.largest(&seen)).fold(0.0, f64::max)
     }
 
     fn axis(&self, first: usize) -> Axis {
-        let vector = |k: usize| Vec3::new(self.numbers[k], self.numbers[k + 1], self.numbers[k + 2]);
+        let vector =
+            |k: usize| Vec3::new(self.numbers[k], self.numbers[k + 1], self.numbers[k + 2]);
         Axis { h: vector(first), f: vector(first + 3), g: vector(first + 6) }
     }
 }
@@ -158,7 +169,10 @@ impl Constraint for ReadConstraint {
     }
 
     fn measure(&self, k: usize, at: &At<'_>, rates: &[Rates<'_>; 3]) -> [f64; 4] {
-        self.read.measured.get(k).map_or([f64::NAN; 4], |(value, _)| self.asked(value, at, Some(rates)))
+        self.read
+            .measured
+            .get(k)
+            .map_or([f64::NAN; 4], |(value, _)| self.asked(value, at, Some(rates)))
     }
 
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
@@ -193,7 +207,9 @@ impl Parameters for ReadConstraint {
                     all.take(3).for_each(|(name, value)| visit(name, *value));
                 }
                 ParameterKind::Law(k) => {
-                    let own = |name: &str, value: f64| visit(&format!("{}.{name}", parameter.name), value);
+                    let own = |name: &str, value: f64| {
+                        visit(&format!("{}.{name}", parameter.name), value)
+                    };
                     self.laws[*k].parameters(&mut { own });
                 }
             }
@@ -241,7 +257,9 @@ impl Parameters for ReadConstraint {
     fn describe(&self, to: &mut Describer) {
         for parameter in &self.read.signature.parameters {
             let value = match &parameter.kind {
-                ParameterKind::Numbers { shape, first } => as_json(shape, &mut self.numbers[*first..].iter()),
+                ParameterKind::Numbers { shape, first } => {
+                    as_json(shape, &mut self.numbers[*first..].iter())
+                }
                 ParameterKind::Axis { first } => self.axis(*first).to_value(),
                 ParameterKind::Law(k) => self.laws[*k].to_value(),
             };
@@ -256,12 +274,10 @@ impl Written for ReadConstraint {
         let mut x = vec![0.0; self.read.asked_laws.len()];
         self.compute(&self.read.asked, at, &mut x);
         for (&number, x) in self.read.asked_laws.iter().zip(x) {
-            let named = self
-                .read
-                .signature
-                .parameters
-                .iter()
-                .find(|parameter| matches!(parameter.kind, ParameterKind::Law(k) if k == number));
+            let named =
+                self.read.signature.parameters.iter().find(
+                    |parameter| matches!(parameter.kind, ParameterKind::Law(k) if k == number),
+                );
             if let (Some(parameter), Some(law)) = (named, self.laws.get(number)) {
                 visit(&parameter.name, law, x);
             }
@@ -283,7 +299,8 @@ impl Written for ReadConstraint {
         };
         let attachment = |one: &kin_language::lower::Attachment| {
             let local = vector(&one.local);
-            let what = if one.is_point { Attached::Point(local) } else { Attached::Direction(local) };
+            let what =
+                if one.is_point { Attached::Point(local) } else { Attached::Direction(local) };
             Attachment { argument: one.slot, what }
         };
         all.iter().map(attachment).collect()

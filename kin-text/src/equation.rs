@@ -7,8 +7,8 @@ use kin::dual_route::ArgumentKind;
 use kin::emitted::{Bindings, parameter};
 use kin::error::{Error, Result};
 use kin::{
-    Axis, Coordinate, Dimension, EulerParameters, Ground, IntoNumber, Law, Link, Mat2, Mat3, PlanarBody,
-    SpatialBody, SpatialLink, Vec2, Vec3,
+    Axis, Coordinate, Dimension, EulerParameters, Ground, IntoNumber, Law, Link, Mat2, Mat3,
+    PlanarBody, SpatialBody, SpatialLink, Vec2, Vec3,
 };
 
 use crate::constraint::{Body, ReadConstraint, count};
@@ -18,8 +18,8 @@ use crate::signature::ParameterKind;
 
 /// An equation C(q, t) = 0 that was read from text, with all its derivatives.
 ///
-/// The text is a function as it stands under `#[constraint]`; functions and constants that it calls stand
-/// beside it in the same text, and `#[require]`, `#[branch]` and `#[measure]` before it.
+/// The text is a function as it stands under `#[constraint]`; functions and constants that it calls
+/// stand beside it in the same text, and `#[require]`, `#[branch]` and `#[measure]` before it.
 ///
 /// ```
 /// use kin_text::Equation;
@@ -34,7 +34,8 @@ use crate::signature::ParameterKind;
 /// )?;
 /// let mut m = Mechanism::new("slider in a slot");
 /// let slider = m.planar("slider", pose(0.2, 0.1, 0.0))?;
-/// m.add("slot", slot.on(slider).on(m.ground()).with("u_i", [0.0, 0.0]).with("k", 2.0).constraint()?)?;
+/// let slot = slot.on(slider).on(m.ground()).with("u_i", [0.0, 0.0]).with("k", 2.0);
+/// m.add("slot", slot.constraint()?)?;
 /// m.add("upright", drive(slider.theta(), Law::constant(0.0)))?;
 /// m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0)))?;
 /// let motion = m.build()?.run(linspace(0.0, 6.0, 61))?;
@@ -49,8 +50,9 @@ pub struct Equation(Arc<Read>);
 impl Equation {
     /// Reads a text.
     ///
-    /// Errors: every mistake in it, each with line, column and cure; what only a program can know (types and
-    /// functions that do not stand in the text); a text that is too long, too deep or too large.
+    /// Errors: every mistake in it, each with line, column and cure; what only a program can know
+    /// (types and functions that do not stand in the text); a text that is too long, too deep or
+    /// too large.
     pub fn read(text: &str) -> std::result::Result<Equation, Mistakes> {
         read(text).map(|read| Equation(Arc::new(read)))
     }
@@ -88,7 +90,8 @@ impl FromStr for Equation {
     }
 }
 
-/// A constraint that is being made of an equation: bodies in the order of the signature, parameters by name.
+/// A constraint that is being made of an equation: bodies in the order of the signature, parameters
+/// by name.
 #[derive(Clone)]
 #[must_use]
 pub struct Making {
@@ -104,8 +107,8 @@ impl Making {
         self
     }
 
-    /// The value of a parameter, in the unit that the equation takes it in. Its numbers, and those of a law,
-    /// may be [`Dimension`]s.
+    /// The value of a parameter, in the unit that the equation takes it in. Its numbers, and those
+    /// of a law, may be [`Dimension`]s.
     pub fn with(mut self, name: &str, value: impl Into<Parameter>) -> Self {
         self.given.push((name.to_owned(), value.into()));
         self
@@ -121,20 +124,25 @@ impl Making {
 
     fn made(self) -> std::result::Result<ReadConstraint, String> {
         let signature = &self.read.signature;
-        let (wanted, given) = (signature.slots.len(), self.bodies.len());
+        let wanted = signature.slots.len();
+        let given = self.bodies.len();
         if wanted != given {
             return Err(format!("it takes {wanted} bodies and coordinates, not {given}"));
         }
         let bodies = signature.slots.iter().zip(&self.bodies);
-        let targets = bodies.map(|((name, kind), on)| on.as_kind(*kind).ok_or_else(|| wrong(name, *kind)));
+        let targets =
+            bodies.map(|((name, kind), on)| on.as_kind(*kind).ok_or_else(|| wrong(name, *kind)));
         let targets = targets.collect::<std::result::Result<_, _>>()?;
         let mut numbers = vec![Dimension::from(f64::NAN); signature.numbers.len()];
-        let (mut laws, mut bindings) = (Vec::new(), Bindings::NONE);
+        let mut laws = Vec::new();
+        let mut bindings = Bindings::NONE;
         for asked in &signature.parameters {
             let name = &asked.name;
-            let value = self.given.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value);
             let value =
-                value.ok_or_else(|| format!("its parameter `{name}` is missing: `.with(\"{name}\", …)`"))?;
+                self.given.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value);
+            let value = value.ok_or_else(|| {
+                format!("its parameter `{name}` is missing: `.with(\"{name}\", …)`")
+            })?;
             match (&asked.kind, value) {
                 (ParameterKind::Law(_), Parameter::Law(law)) => {
                     laws.push(parameter(law.clone(), name, &mut bindings));
@@ -164,12 +172,17 @@ impl Making {
                         all.len()
                     ));
                 }
-                (ParameterKind::Law(_), _) => return Err(format!("its parameter `{name}` is a law")),
-                (ParameterKind::Axis { .. }, _) => return Err(format!("its parameter `{name}` is an axis")),
+                (ParameterKind::Law(_), _) => {
+                    return Err(format!("its parameter `{name}` is a law"));
+                }
+                (ParameterKind::Axis { .. }, _) => {
+                    return Err(format!("its parameter `{name}` is an axis"));
+                }
                 (_, Parameter::Law(_)) => return Err(format!("its parameter `{name}` is no law")),
             }
         }
-        let known = |name: &String| signature.parameters.iter().any(|parameter| parameter.name == *name);
+        let known =
+            |name: &String| signature.parameters.iter().any(|parameter| parameter.name == *name);
         if let Some((name, _)) = self.given.iter().find(|(name, _)| !known(name)) {
             return Err(format!("it has no parameter `{name}`"));
         }
@@ -325,6 +338,8 @@ impl From<Law> for Parameter {
 
 /// The nine numbers of an axis.
 pub(crate) fn numbers_of(axis: &Axis) -> [f64; 9] {
-    let (h, f, g) = (axis.h, axis.f, axis.g);
+    let h = axis.h;
+    let f = axis.f;
+    let g = axis.g;
     [h.x, h.y, h.z, f.x, f.y, f.z, g.x, g.y, g.z]
 }

@@ -14,9 +14,8 @@ use crate::equation::Equation;
 use crate::law;
 use crate::signature::ParameterKind;
 
-/// All joints, drivers and laws that ship, and the reader of equations and laws that mechanism files carry as
-/// text:
-/// `Mechanism::read_json("slot.json", &kin::text::registry())`.
+/// All joints, drivers and laws that ship, and the reader of equations and laws that mechanism
+/// files carry as text: `Mechanism::read_json("slot.json", &kin::text::registry())`.
 pub fn registry() -> Registry {
     Registry::new().reading_equations(with_text).reading_laws(law::of_file)
 }
@@ -24,7 +23,8 @@ pub fn registry() -> Registry {
 /// The registry with the constraint of a text.
 fn with_text(registry: Registry, text: &str) -> Result<Registry, String> {
     let equation = Equation::read(text).map_err(|mistakes| mistakes.to_string())?;
-    let (name, kinds) = (equation.name().to_owned(), equation.arguments());
+    let name = equation.name().to_owned();
+    let kinds = equation.arguments();
     registry.with_equation((&name, &kinds), text, move |from| {
         Some(Box::new(made(&equation, from)) as Box<dyn Constraint>)
     })
@@ -40,7 +40,8 @@ fn made(equation: &Equation, from: &mut Reader<'_>) -> ReadConstraint {
         ArgumentKind::Coord => Body::Coord(from.coord()),
     };
     let targets = signature.slots.iter().map(|(_, kind)| target(from, *kind)).collect();
-    let (mut numbers, mut laws) = (Vec::with_capacity(signature.numbers.len()), Vec::new());
+    let mut numbers = Vec::with_capacity(signature.numbers.len());
+    let mut laws = Vec::new();
     for parameter in &signature.parameters {
         match &parameter.kind {
             ParameterKind::Numbers { shape, .. } => {

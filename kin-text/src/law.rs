@@ -19,8 +19,9 @@ use crate::unknown::understood;
 
 /// A function of one variable that was read from text, with all its derivatives.
 ///
-/// The text is a function as it stands under `#[law]`: its first argument is the variable, the others are its
-/// parameters; functions and constants that it calls stand beside it in the same text.
+/// The text is a function as it stands under `#[law]`: its first argument is the variable, the
+/// others are its parameters; functions and constants that it calls stand beside it in the same
+/// text.
 ///
 /// ```
 /// use kin_text::LawText;
@@ -66,10 +67,11 @@ impl LawText {
 
     /// The law with these numbers.
     ///
-    /// Errors: a number that is missing, not known, or not finite; laws that it is made of, which only a file
-    /// gives it; what its `#[require]` asks for.
+    /// Errors: a number that is missing, not known, or not finite; laws that it is made of, which
+    /// only a file gives it; what its `#[require]` asks for.
     pub fn law(&self, numbers: &[(&str, f64)]) -> Result<Law, String> {
-        let known = |name: &str| numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
+        let known =
+            |name: &str| numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
         self.made(known, numbers.iter().map(|(name, _)| *name), |part| {
             Err(format!("its part `{part}` is a law: give it in a mechanism file"))
         })
@@ -87,12 +89,15 @@ impl LawText {
         mut names: impl Iterator<Item = &'a str>,
         part: impl Fn(&str) -> Result<Law, String>,
     ) -> Result<Law, String> {
-        let (name, signature) = (&self.0.name, &self.0.signature);
+        let name = &self.0.name;
+        let signature = &self.0.signature;
         let lacks = |number: &String| format!("the law `{name}` lacks its number `{number}`");
         let of = |wanted: &String| number(wanted).ok_or_else(|| lacks(wanted));
         let numbers = signature.numbers.iter().map(of).collect::<Result<Vec<f64>, _>>()?;
         let parts = signature.laws().map(part).collect::<Result<Vec<Law>, _>>()?;
-        match names.find(|given| signature.number(given).is_none() && signature.law(given).is_none()) {
+        match names
+            .find(|given| signature.number(given).is_none() && signature.law(given).is_none())
+        {
             Some(other) => Err(format!("the law `{name}` has no number `{other}`")),
             None => Ok(Law::new(WrittenLaw { read: self.0.clone(), numbers, parts })),
         }
@@ -165,13 +170,20 @@ impl LawFunction for WrittenLaw {
     fn refusal(&self) -> Option<String> {
         let own = self.parts.iter().find_map(Law::refusal);
         let fails = |(condition, _): &&(Asked, String)| {
-            condition.table.law_jet(0.0, &self.of(condition), &kin::emitted::graph::nothing_outside)[0] != 1.0
+            condition.table.law_jet(0.0, &self.of(condition), &kin::emitted::graph::nothing_outside)
+                [0]
+                != 1.0
         };
         own.or_else(|| self.read.requirements.iter().find(fails).map(|(_, text)| text.clone()))
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
-        self.read.signature.numbers.iter().zip(&self.numbers).for_each(|(name, value)| visit(name, *value));
+        self.read
+            .signature
+            .numbers
+            .iter()
+            .zip(&self.numbers)
+            .for_each(|(name, value)| visit(name, *value));
         for (part, law) in self.parts() {
             law.parameters(&mut |name, value| visit(&format!("{part}.{name}"), value));
         }
@@ -202,14 +214,18 @@ impl LawFunction for WrittenLaw {
 fn of_item(said: TokenStream, item: ItemFn) -> syn::Result<Read> {
     let source = parse::law(&said, item.to_token_stream())?;
     let signature = Signature::of(&source.parameters)?;
-    let lowered =
-        understood(lower::law(&source.variable, &source.parameters, &source.body, SecondReader::Nobody))?;
-    let places = Places { signature: &signature, name: &source.name, arguments: &source.parameters };
+    let lowered = understood(lower::law(
+        &source.variable,
+        &source.parameters,
+        &source.body,
+        SecondReader::Nobody,
+    ))?;
+    let places =
+        Places { signature: &signature, name: &source.name, arguments: &source.parameters };
     let formula = places.asked(&lowered)?;
-    let requirements = source
-        .requirements
-        .iter()
-        .map(|demand| Ok((places.asked(&condition(&source, &demand.condition)?)?, demand.text.clone())));
+    let requirements = source.requirements.iter().map(|demand| {
+        Ok((places.asked(&condition(&source, &demand.condition)?)?, demand.text.clone()))
+    });
     Ok(Read {
         text: String::new(),
         name: syn::ext::IdentExt::unraw(&source.name).to_string(),
@@ -220,10 +236,11 @@ fn of_item(said: TokenStream, item: ItemFn) -> syn::Result<Read> {
     })
 }
 
-/// A condition on the parameters as a function that is 1 where it holds. The items at the beginning of the
-/// body are in sight.
+/// A condition on the parameters as a function that is 1 where it holds. The items at the beginning
+/// of the body are in sight.
 fn condition(source: &LawFn, condition: &Expr) -> syn::Result<Lowered> {
-    let items = source.body.stmts.iter().take_while(|statement| matches!(statement, syn::Stmt::Item(_)));
+    let items =
+        source.body.stmts.iter().take_while(|statement| matches!(statement, syn::Stmt::Item(_)));
     let body = syn::parse_quote!({ #(#items)* if #condition { 1.0 } else { 0.0 } });
     understood(lower::law(&source.variable, &source.parameters, &body, SecondReader::Nobody))
 }

@@ -1,5 +1,5 @@
-//! Names that live as long as the program, as facts of constraints ask for: each is kept once, and all of
-//! them together take a bounded part of memory.
+//! Names that live as long as the program, as facts of constraints ask for: each is kept once, and
+//! all of them together take a bounded part of memory.
 
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};

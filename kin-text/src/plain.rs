@@ -1,9 +1,11 @@
-//! Functions that are generic in their numbers, as a program writes them for numbers with derivatives: a text
-//! has one kind of number, so that `Real<D>` is an `f64` and `Vec2<D>` a `Vec2`.
+//! Functions that are generic in their numbers, as a program writes them for numbers with
+//! derivatives: a text has one kind of number, so that `Real<D>` is an `f64` and `Vec2<D>` a
+//! `Vec2`.
 
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    GenericArgument, GenericParam, Ident, ItemFn, Path, PathArguments, Type, TypeParamBound, WherePredicate,
+    GenericArgument, GenericParam, Ident, ItemFn, Path, PathArguments, Type, TypeParamBound,
+    WherePredicate,
 };
 
 /// Takes the kind of number out of a function.
@@ -15,7 +17,8 @@ pub fn make(function: &mut ItemFn) {
         _ => None,
     });
     let own = generics.type_params().filter(|parameter| parameter.bounds.iter().any(is_dual));
-    let names: Vec<String> = bounded.chain(own.map(|parameter| parameter.ident.to_string())).collect();
+    let names: Vec<String> =
+        bounded.chain(own.map(|parameter| parameter.ident.to_string())).collect();
     let is_other = |parameter: &GenericParam| match parameter {
         GenericParam::Type(parameter) => !names.contains(&parameter.ident.to_string()),
         _ => true,
@@ -28,7 +31,8 @@ pub fn make(function: &mut ItemFn) {
             }
             _ => true,
         };
-        clause.predicates = std::mem::take(&mut clause.predicates).into_iter().filter(is_other).collect();
+        clause.predicates =
+            std::mem::take(&mut clause.predicates).into_iter().filter(is_other).collect();
     }
     generics.where_clause.take_if(|clause| clause.predicates.is_empty());
     Plain(names).visit_item_fn_mut(function);

@@ -78,8 +78,8 @@ pub fn read(text: &str) -> Result<Read, Mistakes> {
     Ok(Read { text: text.to_owned(), ..read_with(text, of_item)? })
 }
 
-/// Reads a text by `of_item`, which is shown its function. Memory of its tokens goes with a thread of its
-/// own.
+/// Reads a text by `of_item`, which is shown its function. Memory of its tokens goes with a thread
+/// of its own.
 pub fn read_with<T: Send>(
     text: &str,
     of_item: impl Fn((TokenStream, ItemFn, Role)) -> syn::Result<T> + Sync,
@@ -101,11 +101,12 @@ fn lost() -> Mistakes {
     Mistakes::whole("this text cannot be read")
 }
 
-/// The function of a text and what its `#[constraint(…)]` or `#[force(…)]` says, with what stands beside it
-/// put into its body: functions and constants that it calls.
+/// The function of a text and what its `#[constraint(…)]` or `#[force(…)]` says, with what stands
+/// beside it put into its body: functions and constants that it calls.
 fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
-    let tokens: TokenStream =
-        text.parse().map_err(|error: proc_macro2::LexError| syn::Error::new(error.span(), NO_TOKENS))?;
+    let tokens: TokenStream = text
+        .parse()
+        .map_err(|error: proc_macro2::LexError| syn::Error::new(error.span(), NO_TOKENS))?;
     limits::check(&tokens)?;
     let file: File = syn::parse2(tokens)?;
     let mut found: Vec<ItemFn> = Vec::new();
@@ -113,7 +114,8 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
     for item in file.items {
         match item {
             // The entry of a program, where a whole file of it is read.
-            Item::Fn(function) if function.sig.ident == "main" && function.sig.inputs.is_empty() => {}
+            Item::Fn(function)
+                if function.sig.ident == "main" && function.sig.inputs.is_empty() => {}
             Item::Fn(function) => found.push(function),
             Item::Use(_) => {}
             Item::Struct(mut other) if other.attrs.iter().any(is_mark) => {
@@ -133,7 +135,9 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
     let (marks, others) = function.attrs.into_iter().partition(is_mark);
     function.attrs = others;
     let marks: Vec<Attribute> = marks;
-    let said = marks.first().and_then(|mark| mark.meta.require_list().ok().map(|list| list.tokens.clone()));
+    let said = marks
+        .first()
+        .and_then(|mark| mark.meta.require_list().ok().map(|list| list.tokens.clone()));
     found.iter_mut().for_each(plain::make);
     plain::make_inside(&mut function);
     let beside: Vec<Item> = found.into_iter().map(Item::Fn).chain(beside).collect();
@@ -167,14 +171,17 @@ fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read>
     let local = |column| local_column(&source.arguments, column);
     let derived = Derivatives::new(&mut lowered.graph, &rows, local);
     let promises = derived.promises(&lowered.graph);
-    let places = || Places { signature: &signature, name: &source.name, arguments: &source.arguments };
-    let (attributes, places) = (Attributes { places: places(), source: &source }, places());
+    let places =
+        || Places { signature: &signature, name: &source.name, arguments: &source.arguments };
+    let attributes = Attributes { places: places(), source: &source };
+    let places = places();
     let formula = places.asked(&lowered)?;
     let stage = |nodes: &[Node]| places.stage(&lowered, nodes);
     let values: Vec<Node> =
         derived.rows.iter().copied().chain(derived.jacobian.iter().map(|entry| entry.2)).collect();
     let laws = lowered.laws_asked();
-    let points: Vec<Node> = lowered.attachments.iter().flat_map(|one| one.local.iter().copied()).collect();
+    let points: Vec<Node> =
+        lowered.attachments.iter().flat_map(|one| one.local.iter().copied()).collect();
     let too_many = |text: String| syn::Error::new(source.name.span(), text);
     let row_names = lowered.rows.iter().map(|row| interned(&row.name).map_err(too_many));
     let read = Read {
@@ -183,7 +190,11 @@ fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read>
         description: kin_language::parse::description(&source.attributes),
         is_driver: source.arguments.iter().any(|argument| argument.kind == Kind::Time),
         rows: row_names.collect::<syn::Result<_>>()?,
-        pattern: derived.jacobian.iter().map(|(row, column, _)| Entry::new(*row, *column)).collect(),
+        pattern: derived
+            .jacobian
+            .iter()
+            .map(|(row, column, _)| Entry::new(*row, *column))
+            .collect(),
         dependence: Dependence {
             c_on_t: promises.c_on_t,
             c_q_on_t: promises.c_q_on_t,
@@ -198,7 +209,10 @@ fn of_item((said, item, role): (TokenStream, ItemFn, Role)) -> syn::Result<Read>
         velocity: stage(&derived.velocity_rhs)?,
         acceleration: stage(&derived.acceleration_rhs)?,
         asked: stage(&laws.iter().map(|(_, x)| *x).collect::<Vec<Node>>())?,
-        asked_laws: laws.iter().map(|(law, _)| places.law(&lowered, *law)).collect::<syn::Result<_>>()?,
+        asked_laws: laws
+            .iter()
+            .map(|(law, _)| places.law(&lowered, *law))
+            .collect::<syn::Result<_>>()?,
         local: stage(&points)?,
         formula,
         measures: attributes.measures()?,
@@ -237,8 +251,9 @@ impl Places<'_> {
     fn stage(&self, lowered: &Lowered, nodes: &[Node]) -> syn::Result<Stage> {
         let numbers = (0..lowered.parameters.len()).map(|k| self.number(lowered, k));
         let numbers = numbers.collect::<syn::Result<Vec<usize>>>()?;
-        let laws =
-            (0..lowered.laws.len()).map(|k| self.law(lowered, k)).collect::<syn::Result<Vec<usize>>>()?;
+        let laws = (0..lowered.laws.len())
+            .map(|k| self.law(lowered, k))
+            .collect::<syn::Result<Vec<usize>>>()?;
         Ok(Stage::of(&lowered.graph, nodes, |k| numbers[k], |k| laws[k]))
     }
 
@@ -251,7 +266,8 @@ impl Places<'_> {
             Outside::Law(k) => self.law(lowered, *k),
             Outside::Opaque(_) | Outside::Leaf(_) => Err(self.unknown(&self.name.to_string())),
         });
-        let (numbers, laws) = (numbers.collect::<syn::Result<_>>()?, laws.collect::<syn::Result<_>>()?);
+        let numbers = numbers.collect::<syn::Result<_>>()?;
+        let laws = laws.collect::<syn::Result<_>>()?;
         Ok(Asked { numbers, laws, table: Table::read(written.formula) })
     }
 }
@@ -269,15 +285,20 @@ impl Attributes<'_> {
     }
 
     fn demands(&self, all: &[Demand]) -> syn::Result<Vec<(Condition, String)>> {
-        all.iter().map(|demand| Ok((self.condition(&demand.condition)?, demand.text.clone()))).collect()
+        all.iter()
+            .map(|demand| Ok((self.condition(&demand.condition)?, demand.text.clone())))
+            .collect()
     }
 
     fn condition(&self, condition: &Expr) -> syn::Result<Condition> {
         if let Expr::MethodCall(call) = condition
-            && let Some(law) = self.places.signature.law(&call.receiver.to_token_stream().to_string())
+            && let Some(law) =
+                self.places.signature.law(&call.receiver.to_token_stream().to_string())
         {
             match (call.method.to_string().as_str(), call.args.len()) {
-                ("is_periodic", 1) => return Ok(Condition::Periodic(law, self.value(&call.args[0])?)),
+                ("is_periodic", 1) => {
+                    return Ok(Condition::Periodic(law, self.value(&call.args[0])?));
+                }
                 ("is_smooth", 0) => return Ok(Condition::Smooth(law)),
                 _ => {}
             }
@@ -288,10 +309,15 @@ impl Attributes<'_> {
 
     fn measures(&self) -> syn::Result<Vec<Measured>> {
         let measures = self.source.measures.iter().map(|measure| {
-            let interned =
-                |text: &str| interned(text).map_err(|why| syn::Error::new(measure.name.span(), why));
+            let interned = |text: &str| {
+                interned(text).map_err(|why| syn::Error::new(measure.name.span(), why))
+            };
             let name = syn::ext::IdentExt::unraw(&measure.name).to_string();
-            Ok(Measured { name: interned(&name)?, unit: interned(&measure.unit)?, turns: measure.turns })
+            Ok(Measured {
+                name: interned(&name)?,
+                unit: interned(&measure.unit)?,
+                turns: measure.turns,
+            })
         });
         measures.collect()
     }

@@ -1,4 +1,5 @@
-//! The signature of an equation, without its tokens: bodies, and parameters with their numbers by name.
+//! The signature of an equation, without its tokens: bodies, and parameters with their numbers by
+//! name.
 
 use kin::dual_route::ArgumentKind;
 use kin_language::formula::parameter_name;
@@ -49,8 +50,10 @@ impl Signature {
         for argument in arguments {
             let name = syn::ext::IdentExt::unraw(&argument.name).to_string();
             if argument.kind.slots() > 0 {
-                let interned = interned(&name).map_err(|text| syn::Error::new(argument.name.span(), text))?;
-                all.slots.extend((0..argument.kind.slots()).map(|_| (interned, slot(&argument.kind))));
+                let interned =
+                    interned(&name).map_err(|text| syn::Error::new(argument.name.span(), text))?;
+                all.slots
+                    .extend((0..argument.kind.slots()).map(|_| (interned, slot(&argument.kind))));
                 continue;
             }
             let first = all.numbers.len();
@@ -89,7 +92,10 @@ impl Signature {
 
     /// Names of the laws, in order.
     pub fn laws(&self) -> impl Iterator<Item = &str> {
-        let laws = self.parameters.iter().filter(|parameter| matches!(parameter.kind, ParameterKind::Law(_)));
+        let laws = self
+            .parameters
+            .iter()
+            .filter(|parameter| matches!(parameter.kind, ParameterKind::Law(_)));
         laws.map(|parameter| parameter.name.as_str())
     }
 

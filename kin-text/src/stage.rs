@@ -1,5 +1,5 @@
-//! Nodes of a graph that are asked for together, in a graph of their own without anything else in it: the
-//! evaluator goes through it from the first to the last.
+//! Nodes of a graph that are asked for together, in a graph of their own without anything else in
+//! it: the evaluator goes through it from the first to the last.
 
 use std::cell::Cell;
 
@@ -20,7 +20,8 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// `outputs` of `from`; its numbers of parameters are put in order by `parameter`, its laws by `law`.
+    /// `outputs` of `from`; its numbers of parameters are put in order by `parameter`, its laws by
+    /// `law`.
     pub fn of(
         from: &Graph,
         outputs: &[Node],
@@ -44,8 +45,8 @@ impl Stage {
         Stage { graph, outputs: outputs.iter().map(|output| places[output.index()]).collect() }
     }
 
-    /// Computes the outputs into these places. Memory is kept from call to call; a law that asks another
-    /// stage meanwhile finds none and takes its own.
+    /// Computes the outputs into these places. Memory is kept from call to call; a law that asks
+    /// another stage meanwhile finds none and takes its own.
     pub fn compute<'t>(&self, seen: &Seen<'_>, to: impl IntoIterator<Item = &'t mut f64>) {
         let mut results = MEMORY.take();
         evaluate_all(&self.graph, seen, &mut results);

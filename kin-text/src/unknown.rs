@@ -7,7 +7,8 @@ use proc_macro2::{Ident, Span};
 use quote::ToTokens;
 use syn::{Error, Item};
 
-const BESIDE: &str = "what an equation calls stands in its text too, as a function or constant beside it";
+const BESIDE: &str =
+    "what an equation calls stands in its text too, as a function or constant beside it";
 
 /// The lowered function, if nothing in it is known to a program alone.
 ///
@@ -15,7 +16,9 @@ const BESIDE: &str = "what an equation calls stands in its text too, as a functi
 pub fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
     let lowered = read.map_err(|failure| match failure {
         Failure::Mistakes(mistakes) => mistakes,
-        Failure::Unreadable(why) => Error::new(why.span, format!("{} cannot be read from a text", why.what)),
+        Failure::Unreadable(why) => {
+            Error::new(why.span, format!("{} cannot be read from a text", why.what))
+        }
     })?;
     let mut mistakes = Mistakes::default();
     for value in lowered.opaques.iter().chain(&lowered.leaves) {
@@ -30,7 +33,9 @@ fn unknown(template: &Template, items: &[Item]) -> Error {
     let message = match path(template) {
         Some((name, around)) => match items.iter().find_map(|item| type_of(item, &name)) {
             Some(ty) => {
-                format!("`{name}` is a constant of type `{ty}`: numbers are computed of numbers only")
+                format!(
+                    "`{name}` is a constant of type `{ty}`: numbers are computed of numbers only"
+                )
             }
             None => format!("`{name}` is not known here: {}", meant(&name, around)),
         },
@@ -60,10 +65,15 @@ fn type_of(item: &Item, name: &str) -> Option<String> {
     }
 }
 
-/// The cure of a name that is not known: a variable that is called nearly so, or the name's own text.
+/// The cure of a name that is not known: a variable that is called nearly so, or the name's own
+/// text.
 fn meant(name: &str, around: &[Ident]) -> String {
     let apart = |other: &Ident| strsim::damerau_levenshtein(name, &other.to_string());
-    match around.iter().min_by_key(|other| apart(other)).filter(|other| apart(other) <= name.len() / 3) {
+    match around
+        .iter()
+        .min_by_key(|other| apart(other))
+        .filter(|other| apart(other) <= name.len() / 3)
+    {
         Some(other) => format!("is `{other}` meant?"),
         None => BESIDE.to_string(),
     }

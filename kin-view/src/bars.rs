@@ -18,9 +18,9 @@ const BOTTOM: f64 = 30.0;
 /// Characters of a name that have room beside its bar.
 const LONGEST: usize = 22;
 
-/// The shares that dimensions have in a tolerance, the largest first: of the worst case a broad bar, of the
-/// variance a narrow one below it. A larger dimension makes the measure larger where the bar is blue, smaller
-/// where it is vermilion.
+/// The shares that dimensions have in a tolerance, the largest first: of the worst case a broad
+/// bar, of the variance a narrow one below it. A larger dimension makes the measure larger where
+/// the bar is blue, smaller where it is vermilion.
 pub struct Bars {
     title: String,
     summary: String,
@@ -67,8 +67,8 @@ impl Bars {
         }
     }
 
-    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with the feature
-    /// `png`), else as SVG.
+    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with
+    /// the feature `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -78,7 +78,8 @@ impl Bars {
     /// The picture as SVG.
     pub fn svg(&self) -> String {
         let height = TOP + ROW * self.rows.len() as f64 + BOTTOM;
-        let most = self.rows.iter().flat_map(|row| [row.share, row.of_variance]).fold(1e-12, f64::max);
+        let most =
+            self.rows.iter().flat_map(|row| [row.share, row.of_variance]).fold(1e-12, f64::max);
         let scale = (WIDTH - LEFT - RIGHT) / most;
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} \
@@ -86,7 +87,8 @@ impl Bars {
              fill=\"#fff\"/>\n"
         );
         let mut text = |x: f64, y: f64, style: &str, text: &str| {
-            let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" {style}>{}</text>", escaped(text));
+            let _ =
+                writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" {style}>{}</text>", escaped(text));
         };
         text(16.0, 26.0, "font-size=\"16\" font-weight=\"bold\"", &self.title);
         text(16.0, 46.0, "fill=\"#444\"", &self.summary);
@@ -98,7 +100,8 @@ impl Bars {
         let key = "narrow: share of the variance; blue: larger makes larger, vermilion: larger makes smaller";
         text(16.0, height - 10.0, "font-size=\"11\" fill=\"#666\"", key);
         for (k, row) in self.rows.iter().enumerate() {
-            let (y, color) = (TOP + ROW * k as f64, PALETTE[usize::from(row.off < 0.0)]);
+            let y = TOP + ROW * k as f64;
+            let color = PALETTE[usize::from(row.off < 0.0)];
             for (share, from, thick, opacity) in
                 [(row.share, 3.0, 15.0, 1.0), (row.of_variance, 20.0, 6.0, 0.5)]
             {

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use kin::{Error, Result};
 
-/// Writes a picture, making folders that are missing: as PNG if the file is called so, else as it is.
+/// Writes a picture, making folders that are missing: as PNG if the file is called so, else as it
+/// is.
 ///
 /// Errors: a file that cannot be written; PNG without the feature `png`.
 pub(crate) fn save_picture(path: &Path, svg: &str) -> Result<()> {
@@ -36,15 +37,18 @@ fn png(svg: &str) -> io::Result<Vec<u8>> {
     let mut options = usvg::Options::default();
     options.fontdb_mut().load_system_fonts();
     let tree = usvg::Tree::from_str(svg, &options).map_err(io::Error::other)?;
-    let (width, height) =
-        ((tree.size().width() * SCALE).ceil() as u32, (tree.size().height() * SCALE).ceil() as u32);
-    let mut pixels =
-        tiny_skia::Pixmap::new(width, height).ok_or_else(|| io::Error::other("the picture has no size"))?;
+    let width = (tree.size().width() * SCALE).ceil() as u32;
+    let height = (tree.size().height() * SCALE).ceil() as u32;
+    let mut pixels = tiny_skia::Pixmap::new(width, height)
+        .ok_or_else(|| io::Error::other("the picture has no size"))?;
     resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
     pixels.encode_png().map_err(io::Error::other)
 }
 
 #[cfg(not(feature = "png"))]
 fn png(_: &str) -> io::Result<Vec<u8>> {
-    Err(io::Error::new(io::ErrorKind::Unsupported, "PNG needs the feature `png` of kin-view; SVG does not"))
+    Err(io::Error::new(
+        io::ErrorKind::Unsupported,
+        "PNG needs the feature `png` of kin-view; SVG does not",
+    ))
 }

@@ -1,9 +1,9 @@
-//! Something to look at: charts, drawings of a mechanism, a page that moves, an animated picture. Nothing
-//! here needs a network.
+//! Something to look at: charts, drawings of a mechanism, a page that moves, an animated picture.
+//! Nothing here needs a network.
 //!
 //! * [`Figure`] and [`Panel`]: quantities over time and paths in the plane, as SVG.
-//! * [`Scene`]: how a mechanism is drawn; from it a [`Picture`] at a time, as a sequence or animated, and a
-//!   [`Page`].
+//! * [`Scene`]: how a mechanism is drawn; from it a [`Picture`] at a time, as a sequence or
+//!   animated, and a [`Page`].
 //! * [`Bars`]: which dimensions a tolerance comes from.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

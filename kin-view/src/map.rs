@@ -8,8 +8,13 @@ use crate::file;
 use crate::picture::{escaped, short};
 
 /// Viridis: the same order of brightness for every eye and in grey.
-const COLORS: [[f64; 3]; 5] =
-    [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
+const COLORS: [[f64; 3]; 5] = [
+    [68.0, 1.0, 84.0],
+    [59.0, 82.0, 139.0],
+    [33.0, 145.0, 140.0],
+    [94.0, 201.0, 98.0],
+    [253.0, 231.0, 37.0],
+];
 /// How many colours are told apart.
 const LEVELS: usize = 40;
 /// The square of the map, and the room round it.   [px]
@@ -56,15 +61,15 @@ impl Map {
         self
     }
 
-    /// The values, row by row from the lowest, each from left to right; missing ones, and what is not finite,
-    /// stay blank.
+    /// The values, row by row from the lowest, each from left to right; missing ones, and what is
+    /// not finite, stay blank.
     pub fn values(mut self, values: impl IntoIterator<Item = f64>) -> Map {
         self.values = values.into_iter().collect();
         self
     }
 
-    /// Writes the map, making folders that are missing; as PNG if the file is called so (with the feature
-    /// `png`), else as SVG.
+    /// Writes the map, making folders that are missing; as PNG if the file is called so (with the
+    /// feature `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -74,7 +79,8 @@ impl Map {
     /// The map as SVG.
     pub fn svg(&self) -> String {
         let [left, top, right, bottom] = ROOM;
-        let (width, height) = (left + SIDE + right, top + SIDE + bottom);
+        let width = left + SIDE + right;
+        let height = top + SIDE + bottom;
         let (low, high) = self.range();
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" role=\"img\" \
@@ -87,14 +93,20 @@ impl Map {
         svg += &format!(
             "<rect x=\"{left}\" y=\"{top}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"#f2f2f2\" stroke=\"#888888\"/>\n"
         );
-        let (wide, tall) = (SIDE / self.x.count.max(1) as f64, SIDE / self.y.count.max(1) as f64);
+        let wide = SIDE / self.x.count.max(1) as f64;
+        let tall = SIDE / self.y.count.max(1) as f64;
         svg += &format!(
             "<g transform=\"translate({left} {}) scale({wide:.4} {:.4})\" shape-rendering=\"crispEdges\">\n",
             top + SIDE,
             -tall
         );
-        for (level, path) in self.levels(low, high).iter().enumerate().filter(|(_, path)| !path.is_empty()) {
-            svg += &format!("<path fill=\"{}\" d=\"{path}\"/>\n", color(level as f64 / (LEVELS - 1) as f64));
+        for (level, path) in
+            self.levels(low, high).iter().enumerate().filter(|(_, path)| !path.is_empty())
+        {
+            svg += &format!(
+                "<path fill=\"{}\" d=\"{path}\"/>\n",
+                color(level as f64 / (LEVELS - 1) as f64)
+            );
         }
         svg += "</g>\n";
         svg += &self.axes();
@@ -105,7 +117,8 @@ impl Map {
     /// Least and greatest finite value.
     fn range(&self) -> (f64, f64) {
         let finite = self.values.iter().filter(|x| x.is_finite());
-        let (low, high) = finite.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+        let (low, high) =
+            finite.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
         if low <= high { (low, high) } else { (0.0, 1.0) }
     }
 
@@ -122,7 +135,9 @@ impl Map {
             let mut from = 0;
             while from < self.x.count {
                 let here = level(row * self.x.count + from);
-                let run = (from..self.x.count).take_while(|k| level(row * self.x.count + k) == here).count();
+                let run = (from..self.x.count)
+                    .take_while(|k| level(row * self.x.count + k) == here)
+                    .count();
                 if let Some(path) = here.and_then(|level| paths.get_mut(level)) {
                     *path += &format!("M{from} {row}h{run}v1h-{run}z");
                 }
@@ -145,7 +160,8 @@ impl Map {
         );
         for k in 0..5 {
             let share = k as f64 / 4.0;
-            let ((x, label), (y, other)) = (self.x.tick(share), self.y.tick(share));
+            let (x, label) = self.x.tick(share);
+            let (y, other) = self.y.tick(share);
             text += &format!(
                 "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{label}</text>\n",
                 short(left + SIDE * x),
@@ -163,7 +179,8 @@ impl Map {
     /// The colours with their values.
     fn legend(&self, low: f64, high: f64) -> String {
         let [left, top, ..] = ROOM;
-        let (x, step) = (left + SIDE + 24.0, SIDE / LEVELS as f64);
+        let x = left + SIDE + 24.0;
+        let step = SIDE / LEVELS as f64;
         let mut text = String::new();
         for level in 0..LEVELS {
             let y = top + SIDE - step * (level + 1) as f64;
@@ -193,8 +210,8 @@ impl Map {
 }
 
 impl Axis {
-    /// Where a tick stands, as a share of the side, and what it says: middles of the first and last cells are
-    /// its ends.
+    /// Where a tick stands, as a share of the side, and what it says: middles of the first and last
+    /// cells are its ends.
     fn tick(&self, share: f64) -> (f64, String) {
         let n = self.count.max(1) as f64;
         ((0.5 + share * (n - 1.0)) / n, number(self.ends.0 * (1.0 - share) + self.ends.1 * share))
@@ -225,6 +242,8 @@ fn number(x: f64) -> String {
 fn color(share: f64) -> String {
     let at = share.clamp(0.0, 1.0) * (COLORS.len() - 1) as f64;
     let k = (at as usize).min(COLORS.len() - 2);
-    let mix = |c: usize| (COLORS[k][c] + (COLORS[k + 1][c] - COLORS[k][c]) * (at - k as f64)).round() as u8;
+    let mix = |c: usize| {
+        (COLORS[k][c] + (COLORS[k + 1][c] - COLORS[k][c]) * (at - k as f64)).round() as u8
+    };
     format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
 }

@@ -1,5 +1,5 @@
-//! Where an equation ceases to be finite: the sub-expression as the user wrote it, its place, and the values
-//! that went into it.
+//! Where an equation ceases to be finite: the sub-expression as the user wrote it, its place, and
+//! the values that went into it.
 
 mod derivatives;
 mod dual;
@@ -55,9 +55,14 @@ pub fn culprit(system: &System, ask: Ask, q: &[f64], t: f64) -> Culprit {
     }
 }
 
-/// The expression found must be this one, stand where the error says, and come from these coordinates,
-/// parameters and time.
-pub fn check(culprit: &Culprit, source: &str, file: &str, expected: (&str, Part, &[(&str, f64)])) -> Found {
+/// The expression found must be this one, stand where the error says, and come from these
+/// coordinates, parameters and time.
+pub fn check(
+    culprit: &Culprit,
+    source: &str,
+    file: &str,
+    expected: (&str, Part, &[(&str, f64)]),
+) -> Found {
     let (expression, part, inputs) = expected;
     let found = culprit.found.clone().unwrap_or_else(|| panic!("nothing found: {culprit}"));
     assert_eq!((found.expression.as_str(), found.part), (expression, part));
@@ -82,7 +87,12 @@ macro_rules! blames {
             let culprit = $crate::culprit(&system, $crate::Ask::$ask, &$q, $t);
             let expected: &[(&str, f64)] = &$inputs;
             let source = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", file!()));
-            $crate::check(&culprit, source, file!(), ($expression, kin::blame::Part::$part, expected));
+            $crate::check(
+                &culprit,
+                source,
+                file!(),
+                ($expression, kin::blame::Part::$part, expected),
+            );
         }
     };
 }

@@ -9,11 +9,15 @@ fn slot(x: Coord, y: Coord, depth: f64) -> (f64, f64) {
 
 fn text(q: [f64; 2], jacobian: bool) -> String {
     let mut m = Mechanism::new("test");
-    let (x, y) = (m.length("slider", 1.0).unwrap(), m.length("wedge", 1.0).unwrap());
+    let x = m.length("slider", 1.0).unwrap();
+    let y = m.length("wedge", 1.0).unwrap();
     m.add("slot", slot(x, y, 0.5)).unwrap();
     let system = m.build().unwrap();
-    let error =
-        if jacobian { system.jacobian(&q, 0.25).map(drop) } else { system.residual(&q, 0.25).map(drop) };
+    let error = if jacobian {
+        system.jacobian(&q, 0.25).map(drop)
+    } else {
+        system.residual(&q, 0.25).map(drop)
+    };
     error.unwrap_err().to_string()
 }
 
@@ -57,10 +61,14 @@ fn a_law_without_a_number_is_told_by_its_name() {
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("motor", drive_angle(crank, hop(0.5))).expect("adds");
     let system = m.build().expect("builds");
-    for (t, told) in
-        [(0.5, "`law.at(t)` is not a number (operand 0.5)"), (1.0, "has no finite slope (operand 1)")]
-    {
+    for (t, told) in [
+        (0.5, "`law.at(t)` is not a number (operand 0.5)"),
+        (1.0, "has no finite slope (operand 1)"),
+    ] {
         let error = system.position(t).unwrap_err().to_string();
-        assert!(error.contains(told) && error.contains("the law `hop`") && !error.contains("d·d"), "{error}");
+        assert!(
+            error.contains(told) && error.contains("the law `hop`") && !error.contains("d·d"),
+            "{error}"
+        );
     }
 }

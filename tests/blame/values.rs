@@ -65,8 +65,8 @@ fn remainders(x: Coord, y: Coord) -> (f64, f64) {
 blames!(remainder_of_a_division_by_zero, 2, |q| remainders(q[0], q[1]), C, at [1.0, 0.0], 0.0 => "x % y", Value, [("x", 1.0), ("y", 0.0)]);
 blames!(logarithm_to_a_base, 2, |q| remainders(q[0], q[1]), C, at [1.0, 2.0], 0.0 => "(x - y).log(y)", Value, [("x", 1.0), ("y", 2.0)]);
 
-/// An infinite number on the way does no harm where the result is finite: the blame goes to what came
-/// through.
+/// An infinite number on the way does no harm where the result is finite: the blame goes to what
+/// came through.
 #[constraint]
 fn harmless(x: Coord, y: Coord) -> f64 {
     (1.0 / x).atan() + y.sqrt()

@@ -21,8 +21,10 @@ pub fn like(equation: &Equation, compiled: &dyn Constraint) -> ReadConstraint {
     });
     let first = equation.on(bodies.next().expect("an argument"));
     let making = bodies.fold(first, Making::on);
-    let making =
-        describer.parameters().iter().fold(making, |making, (name, value)| making.with(name, of_json(value)));
+    let making = describer
+        .parameters()
+        .iter()
+        .fold(making, |making, (name, value)| making.with(name, of_json(value)));
     making.constraint().unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -42,8 +44,8 @@ fn of_json(value: &Value) -> Parameter {
     numbers.into()
 }
 
-/// The numbers of a constraint at an instant: C_q, C, C_t, (C_q q̇)_q q̇, C_qt q̇, C_tt and Q_d; and apart
-/// from them the right side for the jerk.
+/// The numbers of a constraint at an instant: C_q, C, C_t, (C_q q̇)_q q̇, C_qt q̇, C_tt and Q_d;
+/// and apart from them the right side for the jerk.
 fn numbers(of: &dyn Constraint, [q, qd, qdd]: [&[f64]; 3], t: f64) -> [Vec<f64>; 2] {
     let all = terms(of, q, qd, t);
     let vectors = [&all.c, &all.c_t, &all.c_qqd_qd, &all.c_qt_qd, &all.c_tt, &all.q_d];
@@ -52,11 +54,18 @@ fn numbers(of: &dyn Constraint, [q, qd, qdd]: [&[f64]; 3], t: f64) -> [Vec<f64>;
     [all.c_q.iter().copied().chain(vectors).collect(), jerk.iter().copied().collect()]
 }
 
-/// The largest difference of everything that a solver asks for, as a part of the largest intermediate value;
-/// of the right side for the jerk, of the largest one that it has or is made of.
-pub fn difference(compiled: &dyn Constraint, read: &ReadConstraint, state: [&[f64]; 3], t: f64) -> f64 {
+/// The largest difference of everything that a solver asks for, as a part of the largest
+/// intermediate value; of the right side for the jerk, of the largest one that it has or is made
+/// of.
+pub fn difference(
+    compiled: &dyn Constraint,
+    read: &ReadConstraint,
+    state: [&[f64]; 3],
+    t: f64,
+) -> f64 {
     let watched = Watched { read: read.clone(), largest: Arc::default() };
-    let (ours, theirs) = (numbers(&watched, state, t), numbers(compiled, state, t));
+    let ours = numbers(&watched, state, t);
+    let theirs = numbers(compiled, state, t);
     let mut size = *watched.largest.lock().expect("a number");
     let mut worst = 0.0_f64;
     for (ours, theirs) in ours.iter().zip(&theirs) {
@@ -70,7 +79,11 @@ pub fn difference(compiled: &dyn Constraint, read: &ReadConstraint, state: [&[f6
 /// Difference of two numbers as a part of the largest number around.
 pub fn apart(a: f64, b: f64, size: f64) -> f64 {
     let differ = a != b && !(a.is_nan() && b.is_nan());
-    if differ { if (a - b).is_finite() { (a - b).abs() / size } else { f64::INFINITY } } else { 0.0 }
+    if differ {
+        if (a - b).is_finite() { (a - b).abs() / size } else { f64::INFINITY }
+    } else {
+        0.0
+    }
 }
 
 /// A constraint from text, and the largest value that was met on the way to its terms.

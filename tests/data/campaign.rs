@@ -26,22 +26,25 @@ pub struct Tried {
     pub longest: Duration,
     /// The input that took longest.
     pub slowest: String,
-    /// Bytes of memory that the process has had at most, and by how much that has grown after the first
-    /// tenth; 0 where the system does not tell.
+    /// Bytes of memory that the process has had at most, and by how much that has grown after the
+    /// first tenth; 0 where the system does not tell.
     pub peak: u64,
     pub grown: u64,
     wall: Duration,
 }
 
-/// An input that takes longer than this ends the campaign with its number, for it may never come to an end.
+/// An input that takes longer than this ends the campaign with its number, for it may never come to
+/// an end.
 const HANGS: Duration = Duration::from_secs(60);
 
-/// Tries inputs by their numbers, each by itself, so that the result does not depend on the number of cores:
-/// as many as the variable says, or `few`.
+/// Tries inputs by their numbers, each by itself, so that the result does not depend on the number
+/// of cores: as many as the variable says, or `few`.
 pub fn tried(variable: &str, few: u64, one: impl Fn(u64) -> One + Sync) -> Tried {
     let count = std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(few);
-    let (next, all) = (AtomicU64::new(0), Mutex::new(Tried { count, ..Tried::default() }));
-    let (begun, early) = (Instant::now(), AtomicU64::new(0));
+    let next = AtomicU64::new(0);
+    let all = Mutex::new(Tried { count, ..Tried::default() });
+    let begun = Instant::now();
+    let early = AtomicU64::new(0);
     let under_way = Mutex::new(BTreeMap::new());
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let work = || {
@@ -89,7 +92,8 @@ fn end_where_one_hangs(under_way: &Mutex<BTreeMap<u64, Instant>>) {
 fn peak() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok()).unwrap_or(0) * 1024
+    line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok()).unwrap_or(0)
+        * 1024
 }
 
 impl Tried {
@@ -108,6 +112,10 @@ impl fmt::Display for Tried {
             f,
             "{count} tried in {wall:.1?}, {read} read; {peak} MB at most, {grown} MB of them after a tenth"
         )?;
-        write!(f, "the slowest took {longest:.1?}:\n{}", slowest.chars().take(2000).collect::<String>())
+        write!(
+            f,
+            "the slowest took {longest:.1?}:\n{}",
+            slowest.chars().take(2000).collect::<String>()
+        )
     }
 }

@@ -1,25 +1,26 @@
-//! The same run by plain steps and by a program: the same numbers, verdicts, names and events, most times of
-//! a fine grid computed by the program, or the reason by name why there is none.
+//! The same run by plain steps and by a program: the same numbers, verdicts, names and events, most
+//! times of a fine grid computed by the program, or the reason by name why there is none.
 
 use kin::constraint::RouteReason;
 use kin::prelude::*;
 use kin::{Engine, Error, Options, Route, Stop};
 
-/// How far q, q̇, q̈ and q⃛ may be apart, by 1 and the largest number of their kind in the motion: the
-/// tolerances of the references (`tests/data/README.md`), to which either engine is held alone, and for q⃛,
-/// of which there are none, as much more as one derivative more takes there.
+/// How far q, q̇, q̈ and q⃛ may be apart, by 1 and the largest number of their kind in the motion:
+/// the tolerances of the references (`tests/data/README.md`), to which either engine is held alone,
+/// and for q⃛, of which there are none, as much more as one derivative more takes there.
 const APART: [f64; 4] = [1e-12, 1e-11, 1e-9, 1e-7];
 
 /// So many times more with a singular position on the way, as the references allow near one.
 const NEAR_SINGULAR: f64 = 10.0;
 
-/// Rounding of positions beside a singular one is divided by how far away that is, as a share of the motion's
-/// time, for C_q is as small there; and of each order of rates it is divided once more. Nearer than `NEAREST`
-/// single steps compute rates.
+/// Rounding of positions beside a singular one is divided by how far away that is, as a share of
+/// the motion's time, for C_q is as small there; and of each order of rates it is divided once
+/// more. Nearer than `NEAREST` single steps compute rates.
 const ROUNDING: f64 = f64::EPSILON / 16.0;
 const NEAREST: f64 = 2e-4;
 
-/// Steps that change no angle and no Euler parameter by more than this are short: a program computes them.
+/// Steps that change no angle and no Euler parameter by more than this are short: a program
+/// computes them.
 const SHORT: f64 = 0.1;
 
 /// Runs by both engines. Each program of tests calls what it needs.
@@ -31,12 +32,13 @@ pub trait Engines {
     /// The same with options, the engine apart.
     fn run_both_with(&self, times: impl AsRef<[f64]>, options: &Options) -> kin::Result<Motion>;
 
-    /// [`System::run`] by plain steps, after one by the engine that is chosen by itself, a program where that
-    /// pays, has been compared with it.
+    /// [`System::run`] by plain steps, after one by the engine that is chosen by itself, a program
+    /// where that pays, has been compared with it.
     fn run_both_by_auto(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion>;
 
-    /// [`System::run`] by plain steps, after runs by each other engine have been compared with it, however
-    /// many times of them a program has computed. Rounding of lengths is this share of them.
+    /// [`System::run`] by plain steps, after runs by each other engine have been compared with it,
+    /// however many times of them a program has computed. Rounding of lengths is this share of
+    /// them.
     fn run_by_all(&self, times: impl AsRef<[f64]>, rounding: f64) -> kin::Result<Motion>;
 
     /// [`System::run`] by a program, or by plain steps where there is a reason for that.
@@ -51,7 +53,8 @@ impl Engines for System {
 
     #[track_caller]
     fn run_both_with(&self, times: impl AsRef<[f64]>, options: &Options) -> kin::Result<Motion> {
-        let (times, plain) = (times.as_ref(), Options { engine: Engine::Plain, ..options.clone() });
+        let times = times.as_ref();
+        let plain = Options { engine: Engine::Plain, ..options.clone() };
         // A program always predicts.
         let compiled = Options { engine: Engine::Compiled, predict: true, ..options.clone() };
         let plain = self.run_with(times, &plain);
@@ -93,11 +96,17 @@ impl Engines for System {
         for engine in [Engine::Compiled, Engine::Auto] {
             match (&plain, by(engine)) {
                 (_, Err(error)) if is_refusal(&error) => is_right(self, &error.to_string()),
-                (Ok(plain), Ok(other)) => is_near_but_for(rounding, plain, &other, Options::default().stop),
+                (Ok(plain), Ok(other)) => {
+                    is_near_but_for(rounding, plain, &other, Options::default().stop)
+                }
                 // Far off rounding decides which equation is said to be missed most.
-                (Err(plain), Err(other)) if rounding <= f64::EPSILON => ends_the_same(plain, &other),
+                (Err(plain), Err(other)) if rounding <= f64::EPSILON => {
+                    ends_the_same(plain, &other)
+                }
                 (Err(plain), Err(other)) => ends_at_once(plain, &other),
-                (plain, other) => panic!("{engine:?}: {:?} {:?}", plain.as_ref().err(), other.err()),
+                (plain, other) => {
+                    panic!("{engine:?}: {:?} {:?}", plain.as_ref().err(), other.err())
+                }
             }
         }
         plain
@@ -120,14 +129,19 @@ fn is_refusal(error: &Error) -> bool {
     matches!(error, Error::InvalidOptions { reason } if reason.contains("cannot be compiled: "))
 }
 
-/// Why there can be no program, as a user sees it from outside: more equations than coordinates, or else the
-/// first equation that the compiler has not read.
+/// Why there can be no program, as a user sees it from outside: more equations than coordinates, or
+/// else the first equation that the compiler has not read.
 fn stands_in_the_way(system: &System) -> Option<String> {
     if system.n_equations() > system.n_coordinates() {
-        return Some("the mechanism cannot be compiled: it has more equations than coordinates".into());
+        return Some(
+            "the mechanism cannot be compiled: it has more equations than coordinates".into(),
+        );
     }
-    let unread = system.constraints().find(|(_, constraint)| constraint.facts().route() != Route::Symbolic);
-    unread.map(|(name, _)| format!("`{name}` cannot be compiled: its equation is not known as a formula"))
+    let unread =
+        system.constraints().find(|(_, constraint)| constraint.facts().route() != Route::Symbolic);
+    unread.map(|(name, _)| {
+        format!("`{name}` cannot be compiled: its equation is not known as a formula")
+    })
 }
 
 /// Fails unless a refusal names what stands in the way.
@@ -141,8 +155,9 @@ fn is_right(system: &System, text: &str) {
         assert!(text.contains(&reason), "{text}: {reason}");
         return;
     }
-    let is_named =
-        |(name, _): &(&str, &dyn Constraint)| text.contains(&format!("`{name}` cannot be compiled: "));
+    let is_named = |(name, _): &(&str, &dyn Constraint)| {
+        text.contains(&format!("`{name}` cannot be compiled: "))
+    };
     let named = system.constraints().find(is_named).map(|(_, constraint)| constraint.facts());
     let facts = named.unwrap_or_else(|| panic!("no constraint is named: {text}"));
     let reads_others = matches!(facts.reason, RouteReason::ReadBut { .. });
@@ -173,14 +188,17 @@ fn is_near_but_for(rounding: f64, plain: &Motion, program: &Motion, stop: Stop) 
     assert!(off.iter().all(|off| *off <= 1.0), "{}: {off:?} {:?}", plain.name(), program.engine());
 }
 
-/// The largest differences of q, q̇, q̈ and q⃛ as shares of what is allowed; infinite where one is no number.
-/// Where a law breaks rates are those of one side, and rounding decides which: beside breaks q alone counts.
+/// The largest differences of q, q̇, q̈ and q⃛ as shares of what is allowed; infinite where one is
+/// no number. Where a law breaks rates are those of one side, and rounding decides which: beside
+/// breaks q alone counts.
 fn apart(a: &Motion, b: &Motion, loose: f64) -> [f64; 4] {
     assert_eq!(a.has_jerk(), b.has_jerk());
-    let breaks = a.breaks().iter().flat_map(|own| [own.between.0, own.between.1]).collect::<Vec<f64>>();
+    let breaks =
+        a.breaks().iter().flat_map(|own| [own.between.0, own.between.1]).collect::<Vec<f64>>();
     let rows = [Motion::q, Motion::qd, Motion::qdd, Motion::qddd];
     std::array::from_fn(|order| {
-        let (mut off, mut size) = (0.0_f64, 1.0_f64);
+        let mut off = 0.0_f64;
+        let mut size = 1.0_f64;
         for k in (0..a.len()).filter(|k| order == 0 || !breaks.contains(&a.times()[*k])) {
             let allowed = allowed(a, k, order, loose);
             for (a, b) in rows[order](a, k).iter().zip(rows[order](b, k)) {
@@ -196,11 +214,15 @@ fn apart(a: &Motion, b: &Motion, loose: f64) -> [f64; 4] {
 fn allowed(motion: &Motion, k: usize, order: usize, loose: f64) -> f64 {
     let times = motion.times();
     let span = (times[times.len() - 1] - times[0]).abs();
-    let ways =
-        motion.singular_positions().iter().map(|found| ((times[k] - found.t).abs() / span).max(NEAREST));
+    let ways = motion
+        .singular_positions()
+        .iter()
+        .map(|found| ((times[k] - found.t).abs() / span).max(NEAREST));
     match ways.reduce(f64::min) {
         None => loose * APART[order],
-        Some(way) => loose * (NEAR_SINGULAR * APART[order]).max(ROUNDING / way.powi(order as i32 + 1)),
+        Some(way) => {
+            loose * (NEAR_SINGULAR * APART[order]).max(ROUNDING / way.powi(order as i32 + 1))
+        }
     }
 }
 
@@ -213,19 +235,24 @@ fn is_told(plain: &Motion, program: &Motion) {
     let line = format!("{} of {} times by a program", counts.compiled, program.len());
     assert_eq!(by_program.contains(&line), counts.compiled > 0, "{by_program}");
     let times = format!("{} times", counts.handed_back);
-    assert!(counts.compiled == 0 || counts.handed_back < 2 || by_program.contains(&times), "{by_program}");
+    assert!(
+        counts.compiled == 0 || counts.handed_back < 2 || by_program.contains(&times),
+        "{by_program}"
+    );
     if is_fine(plain) {
         // Of few times one that is handed back counts for more.
         let share = if plain.len() < 200 { 6 } else { 20 };
-        let (many, few) = (4 * counts.compiled >= plain.len(), share * counts.handed_back <= plain.len());
+        let many = 4 * counts.compiled >= plain.len();
+        let few = share * counts.handed_back <= plain.len();
         assert!(many && few, "{}: {counts:?} of {}", plain.name(), plain.len());
     }
 }
 
-/// True of many short steps, with nothing on the way that stops them. Of fewer times rates may change by so
-/// much from one to the next that few blocks come to anything.
+/// True of many short steps, with nothing on the way that stops them. Of fewer times rates may
+/// change by so much from one to the next that few blocks come to anything.
 fn is_fine(motion: &Motion) -> bool {
-    let turns = motion.units().iter().map(|unit| unit == "rad" || unit == "-").collect::<Vec<bool>>();
+    let turns =
+        motion.units().iter().map(|unit| unit == "rad" || unit == "-").collect::<Vec<bool>>();
     let is_short = |k: usize| {
         let steps = motion.q(k).iter().zip(motion.q(k - 1)).map(|(a, b)| (a - b).abs());
         steps.zip(&turns).all(|(step, turns)| !turns || step <= SHORT)
@@ -236,13 +263,18 @@ fn is_fine(motion: &Motion) -> bool {
 
 #[track_caller]
 fn meets_the_same(plain: &Motion, program: &Motion) {
-    let (one, other) = (plain.singular_positions(), program.singular_positions());
+    let one = plain.singular_positions();
+    let other = program.singular_positions();
     assert_eq!(one.len(), other.len(), "{one:?} {other:?}");
     for (a, b) in one.iter().zip(other) {
-        assert_eq!((a.kind, &a.movable, &a.branches.len()), (b.kind, &b.movable, &b.branches.len()));
+        assert_eq!(
+            (a.kind, &a.movable, &a.branches.len()),
+            (b.kind, &b.movable, &b.branches.len())
+        );
         assert!((a.t - b.t).abs() < 1e-9 * (1.0 + a.t.abs()), "{a:?} {b:?}");
     }
-    let (one, other) = (plain.events(), program.events());
+    let one = plain.events();
+    let other = program.events();
     assert_eq!(one.len(), other.len(), "{one:?} {other:?}");
     for (a, b) in one.iter().zip(other) {
         assert_eq!((a.kind, &a.name, words(&a.text)), (b.kind, &b.name, words(&b.text)));
@@ -250,7 +282,9 @@ fn meets_the_same(plain: &Motion, program: &Motion) {
     }
     let breaks = |motion: &Motion| {
         let named = motion.breaks().iter();
-        named.map(|own| (own.constraint.clone(), own.law.clone(), own.found.order)).collect::<Vec<_>>()
+        named
+            .map(|own| (own.constraint.clone(), own.law.clone(), own.found.order))
+            .collect::<Vec<_>>()
     };
     assert_eq!(breaks(plain), breaks(program));
 }
@@ -273,8 +307,8 @@ fn ends_at_once(plain: &Error, program: &Error) {
     assert_eq!(one.map(Motion::len), other.map(Motion::len), "{plain}");
 }
 
-/// A text without the others beside the equation that cannot be met: which of them are named at a singular
-/// position hangs on the last digits of the pose.
+/// A text without the others beside the equation that cannot be met: which of them are named at a
+/// singular position hangs on the last digits of the pose.
 fn verdict(text: &str) -> String {
     let without = |line: &str| match (line.find("; with "), line.find(" it ")) {
         (Some(from), Some(to)) if from < to => format!("{}{}\n", &line[..from], &line[to..]),

@@ -1,4 +1,5 @@
-//! Ten families of mechanisms under six kinds of laws, wherever they stand and however large they are.
+//! Ten families of mechanisms under six kinds of laws, wherever they stand and however large they
+//! are.
 
 use kin::prelude::*;
 
@@ -37,7 +38,8 @@ impl Random {
     fn law(&mut self, low: f64, high: f64) -> Law {
         let unbounded = high - low > 100.0;
         let start = if unbounded { self.within(0.0, TAU) } else { self.within(low, high) };
-        let far = if unbounded { self.within(0.5, 5.0) } else { self.within(0.2, 1.0) * (high - low) };
+        let far =
+            if unbounded { self.within(0.5, 5.0) } else { self.within(0.2, 1.0) * (high - low) };
         match self.0.usize(0..6) {
             0 if unbounded => Law::linear(start, self.one_of(&[TAU, -TAU])),
             0 | 1 => bump(start, far, self.within(0.3, 0.7), self.within(0.05, 0.2)),
@@ -45,9 +47,10 @@ impl Random {
             3 => Law::constant(start) + Law::sine(far, TAU * self.one_of(&[1.0, 2.0, 9.0]), 0.0),
             4 => Law::constant(start) + Law::sine(far, 3.0, 0.3),
             _ => {
-                let (begin, length) = (self.within(0.0, 0.2), self.within(0.05, 0.4));
-                let (out, back) =
-                    (Law::cycloidal(far, length), Law::constant(start + far) - Law::cycloidal(far, length));
+                let begin = self.within(0.0, 0.2);
+                let length = self.within(0.05, 0.4);
+                let out = Law::cycloidal(far, length);
+                let back = Law::constant(start + far) - Law::cycloidal(far, length);
                 Law::sequence(begin, [(length, Law::constant(start) + out), (length, back)])
             }
         }
@@ -67,8 +70,8 @@ pub const FAMILIES: [&str; 10] = [
     "RSSR",
 ];
 
-/// Where a mechanism stands, how large it is and when it moves: at its place, or at the origin with what
-/// rounding made of its points there.
+/// Where a mechanism stands, how large it is and when it moves: at its place, or at the origin with
+/// what rounding made of its points there.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     pub scale: f64,
@@ -115,9 +118,15 @@ impl Frame {
     }
 }
 
-fn slider_crank([crank, rod, offset]: [f64; 3], law: Law, up: bool, frame: Frame) -> kin::Result<System> {
+fn slider_crank(
+    [crank, rod, offset]: [f64; 3],
+    law: Law,
+    up: bool,
+    frame: Frame,
+) -> kin::Result<System> {
     let mut m = Mechanism::new("slider-crank");
-    let (c, r) = (m.link("crank", frame.length(crank))?, m.link("rod", frame.length(rod))?);
+    let c = m.link("crank", frame.length(crank))?;
+    let r = m.link("rod", frame.length(rod))?;
     let start = law.at(frame.begin);
     m.add("O", revolute(Ground, c, frame.point(0.0, 0.0), c.start()))?;
     m.add("A", revolute(c, r, c.end(), r.start()))?;
@@ -126,13 +135,16 @@ fn slider_crank([crank, rod, offset]: [f64; 3], law: Law, up: bool, frame: Frame
     m.prefer(c.theta(), start);
     let tilt = ((offset - crank * start.sin()) / rod).clamp(-1.0, 1.0).asin();
     let phi = if up { tilt } else { PI - tilt };
-    let (x, y) = (crank * start.cos(), crank * start.sin());
-    let (u, v) = (x + 0.5 * rod * phi.cos(), y + 0.5 * rod * phi.sin());
+    let x = crank * start.cos();
+    let y = crank * start.sin();
+    let u = x + 0.5 * rod * phi.cos();
+    let v = y + 0.5 * rod * phi.sin();
     m.set_initial(&[frame.at(0.5 * x), frame.at(0.5 * y), start, frame.at(u), frame.at(v), phi])?;
     m.build()
 }
 
-/// A four-bar, and what it carries: nothing, a second one that is its mirror image, or a dyad on its coupler.
+/// A four-bar, and what it carries: nothing, a second one that is its mirror image, or a dyad on
+/// its coupler.
 fn four_bar(
     [a, b, c, d]: [f64; 4],
     law: Law,
@@ -153,14 +165,16 @@ fn four_bar(
     match carried {
         None => {}
         Some(None) => {
-            let (q, r) = (m.link("coupler 2", frame.length(b))?, m.link("rocker 2", frame.length(c))?);
+            let q = m.link("coupler 2", frame.length(b))?;
+            let r = m.link("rocker 2", frame.length(c))?;
             m.add("A2", revolute(p, q, p.end(), q.start()))?;
             m.add("B2", revolute(q, r, q.end(), r.end()))?;
             m.add("C2", revolute(r, Ground, r.start(), frame.point(d, 0.0)))?;
             m.prefer(r.theta(), -1.0);
         }
         Some(Some([bar, output, above, beside])) => {
-            let (u, v) = (m.link("bar", frame.length(bar))?, m.link("output", frame.length(output))?);
+            let u = m.link("bar", frame.length(bar))?;
+            let v = m.link("output", frame.length(output))?;
             m.add("D", revolute(q, u, frame.vector(0.0, above), u.start()))?;
             m.add("E", revolute(u, v, u.end(), v.end()))?;
             m.add("F", revolute(v, Ground, v.start(), frame.point(beside, -0.5)))?;
@@ -180,7 +194,10 @@ fn five_bar(
 ) -> kin::Result<System> {
     let mut m = Mechanism::new("geared five-bar");
     let mut link = |name: &str, length: f64| m.link(name, frame.length(length));
-    let (p, q, u, v) = (link("crank 1", a)?, link("crank 2", b)?, link("bar 1", c)?, link("bar 2", d)?);
+    let p = link("crank 1", a)?;
+    let q = link("crank 2", b)?;
+    let u = link("bar 1", c)?;
+    let v = link("bar 2", d)?;
     m.add("O", revolute(Ground, p, frame.point(0.0, 0.0), p.start()))?;
     m.add("Q", revolute(Ground, q, frame.point(ground, 0.0), q.start()))?;
     m.add("A", revolute(p, u, p.end(), u.start()))?;
@@ -198,7 +215,10 @@ fn cylinder([b, c]: [f64; 2], law: Law, frame: Frame) -> kin::Result<System> {
         (link("boom", 1.0)?, link("bar", b)?, link("arm", c)?)
     };
     m.add("O", revolute(Ground, p, frame.point(0.0, 0.0), p.start()))?;
-    m.add("cylinder", drive_distance(p, Ground, p.end(), frame.point(2.0, 0.0), law * frame.scale))?;
+    m.add(
+        "cylinder",
+        drive_distance(p, Ground, p.end(), frame.point(2.0, 0.0), law * frame.scale),
+    )?;
     m.add("A", revolute(p, q, p.end(), q.start()))?;
     m.add("B", revolute(q, r, q.end(), r.end()))?;
     m.add("C", revolute(r, Ground, r.start(), frame.point(2.0, 0.3)))?;
@@ -214,24 +234,37 @@ fn cam([rise, offset]: [f64; 2], kink: bool, law: Law, frame: Frame) -> kin::Res
     };
     let profile = if kink {
         let steep = 0.3 * rise;
-        Law::sequence(-PI, [(PI, Law::linear(1.0, steep)), (PI, Law::linear(1.0 + steep * PI, -steep))])
+        Law::sequence(
+            -PI,
+            [(PI, Law::linear(1.0, steep)), (PI, Law::linear(1.0 + steep * PI, -steep))],
+        )
     } else {
         Law::fourier(1.0, 1.0, &[(rise, 0.3 * rise), (0.2 * rise, 0.0)])
     };
     m.add("O", revolute(Ground, c, frame.point(0.0, 0.0), vec2(0.0, 0.0)))?;
-    m.add("guide", prismatic(f, Ground, vec2(0.0, 0.0), frame.point(offset, 0.0), vec2(1.0, 0.0), 0.0))?;
+    m.add(
+        "guide",
+        prismatic(f, Ground, vec2(0.0, 0.0), frame.point(offset, 0.0), vec2(1.0, 0.0), 0.0),
+    )?;
     m.add("contact", cam_knife_edge(c, f, vec2(0.0, 0.0), profile * frame.scale))?;
     m.add("motor", drive_angle(c, law))?;
     m.build()
 }
 
-fn rssr(lengths: [f64; 3], [centre, axis]: [Vec3; 2], law: Law, frame: Frame) -> kin::Result<System> {
+fn rssr(
+    lengths: [f64; 3],
+    [centre, axis]: [Vec3; 2],
+    law: Law,
+    frame: Frame,
+) -> kin::Result<System> {
     let mut m = Mechanism::new("RSSR");
     let [crank, rod, rocker] = lengths.map(|length| frame.length(length));
-    let (zero, z) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
-    let (origin, centre) = (frame.point_in_space(zero), frame.point_in_space(centre));
-    let (c, r) =
-        (m.spatial("crank", SpatialPose::at(origin))?, m.spatial("rocker", SpatialPose::at(centre))?);
+    let zero = vec3(0.0, 0.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
+    let origin = frame.point_in_space(zero);
+    let centre = frame.point_in_space(centre);
+    let c = m.spatial("crank", SpatialPose::at(origin))?;
+    let r = m.spatial("rocker", SpatialPose::at(centre))?;
     m.add("O", spatial::revolute(c, Ground, zero, origin, z, z))?;
     m.add("Q", spatial::revolute(r, Ground, zero, centre, z, axis))?;
     m.add("rod", spatial::distance(c, r, vec3(crank, 0.0, 0.0), vec3(rocker, 0.0, 0.0), rod))?;
@@ -256,8 +289,9 @@ fn drawn(family: usize, random: &mut Random) -> (Law, bool) {
     (law, random.0.bool())
 }
 
-/// By how much the lengths of that mechanism, in units of its size, are off those at which all links come to
-/// lie in line: less than this change decides whether it has a toggle, a change point or neither.
+/// By how much the lengths of that mechanism, in units of its size, are off those at which all
+/// links come to lie in line: less than this change decides whether it has a toggle, a change point
+/// or neither.
 #[allow(dead_code)]
 pub fn margin(family: usize, random: &mut Random) -> f64 {
     drawn(family, random);
@@ -287,7 +321,8 @@ pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<S
         2 => four_bar(parallelogram_but_for_its_coupler(random), law, false, None, frame),
         3 => four_bar(random.lengths(0.3, 2.0), law, true, None, frame),
         4 => {
-            let (bars, [a, b]) = (random.lengths::<3>(1.0, 3.0), random.lengths(0.5, 3.0));
+            let bars = random.lengths::<3>(1.0, 3.0);
+            let [a, b] = random.lengths(0.5, 3.0);
             let dyad = [a, b, random.within(-1.0, 1.0), random.within(-2.0, 4.0)];
             let lengths = [random.within(0.3, 1.0), bars[0], bars[1], bars[2]];
             four_bar(lengths, law, false, Some(Some(dyad)), frame)

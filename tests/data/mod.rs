@@ -23,7 +23,9 @@ pub fn numbers(of: &Value, field: &str) -> Vec<f64> {
 
 /// The list of N numbers in a field.
 pub fn array<const N: usize>(of: &Value, field: &str) -> [f64; N] {
-    numbers(of, field).try_into().unwrap_or_else(|_| panic!("`{field}` has not {N} numbers in {of}"))
+    numbers(of, field)
+        .try_into()
+        .unwrap_or_else(|_| panic!("`{field}` has not {N} numbers in {of}"))
 }
 
 /// The rows of numbers in a field.
@@ -46,5 +48,9 @@ pub fn error(found: &[f64], exact: &[f64]) -> f64 {
         .zip(exact)
         .map(|(a, b)| (a - b).abs())
         .fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d) });
-    if found.len() == exact.len() && !found.is_empty() { worst / (1.0 + size) } else { f64::INFINITY }
+    if found.len() == exact.len() && !found.is_empty() {
+        worst / (1.0 + size)
+    } else {
+        f64::INFINITY
+    }
 }

@@ -1,4 +1,5 @@
-//! Mechanisms built from their description in a file, every constraint on its own route or by dual numbers.
+//! Mechanisms built from their description in a file, every constraint on its own route or by dual
+//! numbers.
 
 use kin::dual_route::Equation;
 use kin::prelude::*;
@@ -18,26 +19,32 @@ pub enum By {
 
 pub const BOTH: [By; 2] = [By::Symbols, By::DualNumbers];
 
-/// The mechanism a file describes and its bodies: coordinates, equations and initial guess in the file's
-/// order.
+/// The mechanism a file describes and its bodies: coordinates, equations and initial guess in the
+/// file's order.
 pub fn build(file: &Value, by: By) -> Result<(Mechanism, Vec<PlanarBody>)> {
     let mut m = Mechanism::new(text(file, "id"));
     let names = list(file, "bodies").iter().map(|body| text(body, "name"));
     let guess = numbers(file, "initial_guess");
     let poses = guess.chunks(3).map(|q| pose(q[0], q[1], q[2]));
-    let bodies =
-        names.clone().zip(poses).map(|(name, pose)| m.planar(name, pose)).collect::<Result<Vec<_>>>()?;
+    let bodies = names
+        .clone()
+        .zip(poses)
+        .map(|(name, pose)| m.planar(name, pose))
+        .collect::<Result<Vec<_>>>()?;
     let body = |of: &Value, field: &str| {
         names.clone().position(|name| name == text(of, field)).map(|k| bodies[k]).expect("a body")
     };
     for c in list(file, "constraints").iter().chain(list(file, "drivers")) {
-        let (name, j) = (text(c, "name"), body(c, "j"));
+        let name = text(c, "name");
+        let j = body(c, "j");
         match text(c, "type") {
             "fixed" => {
                 let [x, y, theta] = array(c, "pose");
                 add(&mut m, by, name, fixed(j, vec2(x, y), theta))?;
             }
-            "revolute" => add(&mut m, by, name, revolute(body(c, "i"), j, vector(c, "pi"), vector(c, "pj")))?,
+            "revolute" => {
+                add(&mut m, by, name, revolute(body(c, "i"), j, vector(c, "pi"), vector(c, "pj")))?
+            }
             "prismatic" => {
                 let joint = prismatic(
                     body(c, "i"),
@@ -50,7 +57,8 @@ pub fn build(file: &Value, by: By) -> Result<(Mechanism, Vec<PlanarBody>)> {
                 add(&mut m, by, name, joint)?;
             }
             "coordinate" => {
-                let coordinate = [j.x(), j.y(), j.theta()][c["index"].as_u64().expect("an index") as usize];
+                let coordinate =
+                    [j.x(), j.y(), j.theta()][c["index"].as_u64().expect("an index") as usize];
                 add(&mut m, by, name, drive(coordinate, driver(file, text(c, "f"))))?;
             }
             other => panic!("a constraint `{other}` in {c}"),

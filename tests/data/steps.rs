@@ -1,5 +1,6 @@
-//! Random mechanisms whose equations have steps and kinks: `floor`, `%`, `min`, `max`, `abs`, `signum`, `if`;
-//! at rest on a step or not, moved and scaled, on even, jittered, reversed, huge and tiny times.
+//! Random mechanisms whose equations have steps and kinks: `floor`, `%`, `min`, `max`, `abs`,
+//! `signum`, `if`; at rest on a step or not, moved and scaled, on even, jittered, reversed, huge
+//! and tiny times.
 
 use kin::prelude::*;
 
@@ -60,8 +61,8 @@ pub struct Case {
     /// A number that a sweep varies, and its value.
     #[allow(dead_code)]
     pub varied: (String, f64),
-    /// How far rates may be apart, as a share of the largest: what is left of positions that are moved far
-    /// off.
+    /// How far rates may be apart, as a share of the largest: what is left of positions that are
+    /// moved far off.
     pub loose: f64,
 }
 
@@ -78,17 +79,22 @@ impl Random {
 
     /// A law of lengths of some units over so much time from t₀, in words too.
     fn law(&mut self, [t_0, span]: [f64; 2]) -> (Law, String) {
-        let (height, share) = (self.one_of(&[1.0, 2.0, -1.0, 0.5, 0.7]), self.one_of(&[0.25, 0.5, 0.8]));
+        let height = self.one_of(&[1.0, 2.0, -1.0, 0.5, 0.7]);
+        let share = self.one_of(&[0.25, 0.5, 0.8]);
         let length = share * span;
         match self.0.usize(0..6) {
-            0 => (Law::cycloidal(height, length).shifted(t_0), format!("cycloidal {height} in {share}")),
+            0 => (
+                Law::cycloidal(height, length).shifted(t_0),
+                format!("cycloidal {height} in {share}"),
+            ),
             1 => {
                 let back = Law::constant(height) - Law::polynomial_345(height, 0.5 * length);
                 let parts = [(length, Law::cycloidal(height, length)), (0.5 * length, back)];
                 (Law::sequence(t_0, parts), format!("to {height} and back in {share}"))
             }
             2 => {
-                let (amplitude, turns) = (self.within(0.3, 2.0), self.within(0.5, 4.0));
+                let amplitude = self.within(0.3, 2.0);
+                let turns = self.within(0.5, 4.0);
                 let phase = self.one_of(&[0.0, 0.3, -1.0]);
                 let law = Law::sine(amplitude, TAU * turns / span, phase).shifted(t_0);
                 (law, format!("sine {amplitude} {turns} {phase}"))
@@ -104,9 +110,13 @@ impl Random {
             _ => {
                 // Rests on a whole number, then leaves it.
                 let rest = Law::constant(height);
-                let on = Law::constant(height) + Law::cycloidal(self.one_of(&[0.6, -0.6]), 0.3 * span);
-                let parts =
-                    [(0.3 * span, Law::cycloidal(height, 0.3 * span)), (0.2 * span, rest), (0.3 * span, on)];
+                let on =
+                    Law::constant(height) + Law::cycloidal(self.one_of(&[0.6, -0.6]), 0.3 * span);
+                let parts = [
+                    (0.3 * span, Law::cycloidal(height, 0.3 * span)),
+                    (0.2 * span, rest),
+                    (0.3 * span, on),
+                ];
                 (Law::sequence(t_0, parts), format!("to {height}, rests, and on"))
             }
         }
@@ -134,10 +144,13 @@ impl Random {
         [c, u]: [f64; 2],
     ) -> [String; 2] {
         let name = format!("e{k}");
-        let (r, s) = (self.one_of(&[1.0, 2.0, 3.0, 0.5, 6.5]), self.one_of(&[0.1, 0.01, 0.3]));
-        let (a, b) = (self.one_of(&[0.0, 0.5, 1.0, -0.2]), self.one_of(&[0.1, 0.0]));
+        let r = self.one_of(&[1.0, 2.0, 3.0, 0.5, 6.5]);
+        let s = self.one_of(&[0.1, 0.01, 0.3]);
+        let a = self.one_of(&[0.0, 0.5, 1.0, -0.2]);
+        let b = self.one_of(&[0.1, 0.0]);
         let number = self.0.usize(0..8);
-        let kind = ["stair", "implicit", "cubic", "folded", "lower", "saw", "sign", "sides"][number];
+        let kind =
+            ["stair", "implicit", "cubic", "folded", "lower", "saw", "sign", "sides"][number];
         let (word, varied) = match number {
             0 => (m.add(&name, stair(x, y, c, u, r, s)), "s"),
             1 => (m.add(&name, implicit_stair(x, y, c, u, r, 0.3 * s)), "s"),
@@ -191,21 +204,31 @@ pub fn random(seed: u64) -> Case {
 }
 
 /// The first difference between two runs of one mechanism, in words.
-pub fn difference(one: &kin::Result<Motion>, other: &kin::Result<Motion>, loose: f64) -> Option<String> {
+pub fn difference(
+    one: &kin::Result<Motion>,
+    other: &kin::Result<Motion>,
+    loose: f64,
+) -> Option<String> {
     let (one, other) = match (one, other) {
         (Ok(one), Ok(other)) => (one, other),
         (Err(one), Err(other)) => {
             let kinds = [one, other].map(std::mem::discriminant);
-            let first = |error: &kin::Error| error.to_string().lines().next().unwrap_or_default().to_string();
-            return (kinds[0] != kinds[1]).then(|| format!("errors: {} | {}", first(one), first(other)));
+            let first = |error: &kin::Error| {
+                error.to_string().lines().next().unwrap_or_default().to_string()
+            };
+            return (kinds[0] != kinds[1])
+                .then(|| format!("errors: {} | {}", first(one), first(other)));
         }
         (Ok(_), Err(error)) => return Some(format!("only the first runs: {error}")),
         (Err(error), Ok(_)) => return Some(format!("only the second runs: {error}")),
     };
-    for (order, (far, rows)) in
-        [1e-11, loose, 100.0 * loose].into_iter().zip([Motion::q, Motion::qd, Motion::qdd]).enumerate()
+    for (order, (far, rows)) in [1e-11, loose, 100.0 * loose]
+        .into_iter()
+        .zip([Motion::q, Motion::qd, Motion::qdd])
+        .enumerate()
     {
-        let of = |motion| (0..one.len()).flat_map(|k| rows(motion, k).to_vec()).collect::<Vec<f64>>();
+        let of =
+            |motion| (0..one.len()).flat_map(|k| rows(motion, k).to_vec()).collect::<Vec<f64>>();
         let (a, b): (Vec<f64>, Vec<f64>) = (of(one), of(other));
         let size = a.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
         let n = one.names().len();
@@ -229,8 +252,9 @@ pub fn difference(one: &kin::Result<Motion>, other: &kin::Result<Motion>, loose:
             ));
         }
     }
-    let events =
-        |motion: &Motion| motion.events().iter().map(|e| (e.kind, e.text.clone())).collect::<Vec<_>>();
+    let events = |motion: &Motion| {
+        motion.events().iter().map(|e| (e.kind, e.text.clone())).collect::<Vec<_>>()
+    };
     if events(one) != events(other) {
         let told = |motion: &Motion| {
             motion.events().iter().map(|e| format!("{} {}", e.t, e.text)).collect::<Vec<_>>()
@@ -238,7 +262,8 @@ pub fn difference(one: &kin::Result<Motion>, other: &kin::Result<Motion>, loose:
         return Some(format!("events {:?} and {:?}", told(one), told(other)));
     }
     let span = (one.times()[one.len() - 1] - one.times()[0]).abs() + one.times()[0].abs();
-    let apart = one.events().iter().zip(other.events()).find(|(a, b)| (a.t - b.t).abs() > 1e-8 * span);
+    let apart =
+        one.events().iter().zip(other.events()).find(|(a, b)| (a.t - b.t).abs() > 1e-8 * span);
     apart.map(|(a, b)| format!("times of events {} and {}: {}", a.t, b.t, a.text))
 }
 

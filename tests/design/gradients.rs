@@ -1,13 +1,13 @@
-//! Gradients of redundant mechanisms are the sums of their derivatives by each parameter, and the time for a
-//! gradient grows with the number of times and no faster.
+//! Gradients of redundant mechanisms are the sums of their derivatives by each parameter, and the
+//! time for a gradient grows with the number of times and no faster.
 
 use std::time::Instant;
 
 use kin::Mechanism;
 use kin::prelude::*;
 
-/// A four-bar whose hinges are those of space, all parallel: three equations are superfluous. Its lengths are
-/// dimensions.
+/// A four-bar whose hinges are those of space, all parallel: three equations are superfluous. Its
+/// lengths are dimensions.
 pub fn parallel_hinges() -> System {
     let mut m = Mechanism::new("four-bar in space");
     let [a, b, c, d] = [("a", 1.0), ("b", 2.2), ("c", 2.0), ("d", 2.5)]
@@ -25,9 +25,11 @@ pub fn parallel_hinges() -> System {
     let along = (0.0, 0.0, 1.0);
     m.add("O", spatial::revolute(crank, Ground, none, none, z(), along)).expect("adds");
     m.add("A", spatial::revolute(crank, coupler, (a, 0.0, 0.0), none, z(), along)).expect("adds");
-    m.add("B", spatial::revolute(coupler, rocker, (b, 0.0, 0.0), (c, 0.0, 0.0), z(), along)).expect("adds");
+    m.add("B", spatial::revolute(coupler, rocker, (b, 0.0, 0.0), (c, 0.0, 0.0), z(), along))
+        .expect("adds");
     m.add("C", spatial::revolute(rocker, Ground, none, (d, 0.0, 0.0), z(), along)).expect("adds");
-    m.add("motor", spatial::drive_turn(crank, Ground, z(), z(), Law::linear(1.0, 1.0))).expect("adds");
+    m.add("motor", spatial::drive_turn(crank, Ground, z(), z(), Law::linear(1.0, 1.0)))
+        .expect("adds");
     m.build().expect("a four-bar")
 }
 
@@ -36,12 +38,14 @@ fn by_tables() -> [System; 2] {
     let table: Vec<(f64, f64)> =
         (0..13).map(|k| 0.5 * f64::from(k)).map(|x| (x, x + 0.1 * x.sin())).collect();
     let mut m = Mechanism::new("slider-crank");
-    let (crank, rod) = (m.link("crank", 0.1).expect("a link"), m.link("rod", 0.3).expect("a link"));
+    let crank = m.link("crank", 0.1).expect("a link");
+    let rod = m.link("rod", 0.3).expect("a link");
     let slider = m.planar("slider", pose(0.4, 0.0, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
     m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0))).expect("adds");
-    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0)).expect("adds");
+    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0))
+        .expect("adds");
     m.add("motor", drive_angle(crank, Law::spline(&table, Ends::Natural))).expect("adds");
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
     let cam = Mechanism::read_json(format!("{folder}/07_cam_follower.json"), &kin::Registry::new());
@@ -59,7 +63,8 @@ fn gradients_of_redundant_mechanisms_are_sums_of_their_derivatives() {
     let system = parallel_hinges();
     let names = closing(&system, &system.run([0.0, 0.1]).expect("a motion"));
     assert!(names.len() > 30, "{names:?}");
-    // By the walk over the equations and by a tape; on the way round other equations become superfluous.
+    // By the walk over the equations and by a tape; on the way round other equations become
+    // superfluous.
     for times in [linspace(0.0, 1.0, 9), linspace(0.0, 1.0, 80), linspace(0.0, TAU, 300)] {
         let motion = system.run(times).expect("a motion");
         let by = system.sensitivities(&motion, &names).expect("derivatives");
@@ -68,7 +73,8 @@ fn gradients_of_redundant_mechanisms_are_sums_of_their_derivatives() {
             let weights = |k: usize| [1.0 + 0.1 * k as f64, 0.5, 0.25 - 0.01 * k as f64];
             let found = system.gradient(&motion, &names, &what, weights).expect("a gradient");
             for (found, by) in found.iter().zip(by.all()) {
-                let (mut sum, mut size) = (0.0, 1.0);
+                let mut sum = 0.0;
+                let mut size = 1.0;
                 for k in 0..motion.len() {
                     let all = weights(k).into_iter().zip([by.q(k)[j], by.qd(k)[j], by.qdd(k)[j]]);
                     all.map(|(weight, x)| weight * x).for_each(|term| {
@@ -76,7 +82,11 @@ fn gradients_of_redundant_mechanisms_are_sums_of_their_derivatives() {
                         size += term.abs();
                     });
                 }
-                assert!((found - sum).abs() < 1e-11 * size, "{what} by {}: {found} {sum}", by.name());
+                assert!(
+                    (found - sum).abs() < 1e-11 * size,
+                    "{what} by {}: {found} {sum}",
+                    by.name()
+                );
             }
         }
     }
@@ -90,7 +100,11 @@ fn a_gradient_by_a_parameter_that_opens_a_redundant_mechanism_is_refused() {
     for count in [9, 80] {
         let motion = system.run(linspace(0.0, 1.0, count)).expect("a motion");
         for open in ["O.u_i.z", "A.h_i.x", "C.h_j.y"] {
-            let said = system.sensitivities(&motion, ["a", open, "b"]).err().expect("an error").to_string();
+            let said = system
+                .sensitivities(&motion, ["a", open, "b"])
+                .err()
+                .expect("an error")
+                .to_string();
             assert!(said.contains("closes at this value of it only"), "{said}");
             let what = system.coordinate_names()[7].clone();
             let backward = system.gradient(&motion, ["a", open, "b"], &what, |_| [1.0; 3]);
@@ -109,7 +123,8 @@ fn the_time_of_a_gradient_grows_with_the_number_of_times() {
             let once = || {
                 let begun = Instant::now();
                 let names = ["motor.law.y[3]", "motor.law.rate"];
-                let name = names.iter().find(|name| system.parameter(name).is_ok()).expect("a parameter");
+                let name =
+                    names.iter().find(|name| system.parameter(name).is_ok()).expect("a parameter");
                 system.gradient(&motion, [name], &what, |_| [1.0; 3]).expect("a gradient");
                 begun.elapsed().as_secs_f64()
             };

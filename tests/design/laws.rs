@@ -1,4 +1,5 @@
-//! Derivatives of equations that ask a law for its slope: those by coordinates take its fourth derivative.
+//! Derivatives of equations that ask a law for its slope: those by coordinates take its fourth
+//! derivative.
 
 use kin::prelude::*;
 
@@ -12,17 +13,21 @@ fn as_steep(x: Coord, y: Coord, law: Law) -> f64 {
 
 #[test]
 fn the_slope_of_a_law_where_its_argument_moves_with_the_parameter() {
-    let (rate, omega, start) = (0.7_f64, 1.3_f64, 0.2);
+    let rate = 0.7_f64;
+    let omega = 1.3_f64;
+    let start = 0.2;
     let mut m = Mechanism::new("slope");
     let speed = m.dimension("speed", rate).expect("a dimension");
-    let (x, y) = (m.length("x", start).expect("x"), m.length("y", omega).expect("y"));
+    let x = m.length("x", start).expect("x");
+    let y = m.length("y", omega).expect("y");
     m.add("drive", drive(x, Law::linear(start, speed))).expect("adds");
     m.add("steep", as_steep(x, y, Law::sine(1.0, omega, 0.0))).expect("adds");
     let system = m.build().expect("builds");
     // One by the walk over the equations, one by the tape of the whole mechanism.
     for times in [linspace(0.0, 2.0, 5), linspace(0.0, 2.0, 80)] {
         let motion = system.run_both(&times).expect("a motion");
-        let by = system.sensitivities(&motion, ["speed", "steep.law.amplitude"]).expect("derivatives");
+        let by =
+            system.sensitivities(&motion, ["speed", "steep.law.amplitude"]).expect("derivatives");
         let mut sum = [0.0; 2];
         for (k, t) in times.iter().enumerate() {
             // y = f′(x), x = start + rate t, f = sin ω x
@@ -35,13 +40,16 @@ fn the_slope_of_a_law_where_its_argument_moves_with_the_parameter() {
                 assert!((found - exact).abs() < 1e-12, "{t}: {found} {exact}");
             }
             let exact = [omega * c, rate * f2, rate * rate * f3];
-            for (found, exact) in [other.q(k)[1], other.qd(k)[1], other.qdd(k)[1]].into_iter().zip(exact) {
+            for (found, exact) in
+                [other.q(k)[1], other.qd(k)[1], other.qdd(k)[1]].into_iter().zip(exact)
+            {
                 assert!((found - exact).abs() < 1e-12, "{t}: {found} {exact}");
             }
             sum[0] += one.qdd(k)[1];
             sum[1] += other.qdd(k)[1];
         }
-        let gradient = system.gradient(&motion, ["speed", "steep.law.amplitude"], "y", |_| [0.0, 0.0, 1.0]);
+        let gradient =
+            system.gradient(&motion, ["speed", "steep.law.amplitude"], "y", |_| [0.0, 0.0, 1.0]);
         for (found, exact) in gradient.expect("a gradient").into_iter().zip(sum) {
             assert!((found - exact).abs() < 1e-11 * times.len() as f64, "{found} {exact}");
         }

@@ -1,5 +1,5 @@
-//! Sensitivities by parameters, forward and adjoint, against 60-digit references (`tests/data/README.md`);
-//! and derivatives that do not exist.
+//! Sensitivities by parameters, forward and adjoint, against 60-digit references
+//! (`tests/data/README.md`); and derivatives that do not exist.
 
 // Its mechanisms are those of other files.
 #[allow(dead_code)]
@@ -35,8 +35,8 @@ const FILES: [&str; 8] = [
     "two_link_ellipse",
 ];
 
-/// The times of the references themselves, which are few: their equations are walked with dual numbers. And
-/// as many parts of each step: derivatives by a tape of the whole mechanism.
+/// The times of the references themselves, which are few: their equations are walked with dual
+/// numbers. And as many parts of each step: derivatives by a tape of the whole mechanism.
 const PARTS: [usize; 2] = [1, 12];
 
 /// Limits of q, q̇ and q̈ by a parameter, relative to 1 + the largest number.
@@ -50,14 +50,19 @@ fn run(model: &Model, times: &[f64]) -> Motion {
 /// The times with so many parts of each step.
 fn refined(times: &[f64], parts: usize) -> Vec<f64> {
     let step = |pair: &[f64]| {
-        let (from, to) = (pair[0], pair[1]);
+        let from = pair[0];
+        let to = pair[1];
         (0..parts).map(move |k| from + (to - from) * k as f64 / parts as f64)
     };
     times.windows(2).flat_map(step).chain(times.last().copied()).collect()
 }
 
 fn names(list: &Value) -> Vec<String> {
-    list.as_array().expect("a list").iter().map(|name| name.as_str().expect("a name").to_string()).collect()
+    list.as_array()
+        .expect("a list")
+        .iter()
+        .map(|name| name.as_str().expect("a name").to_string())
+        .collect()
 }
 
 /// Σ factor · ∂/∂p over the system's parameters behind one of the file.
@@ -113,7 +118,8 @@ type Output<'a> = Box<dyn Fn(&Motion) -> kin::Result<Quantity> + 'a>;
 fn output<'a>(model: &'a Model, name: &str) -> Option<Output<'a>> {
     let list = model.file["outputs"].as_array().expect("outputs");
     let output = list.iter().find(|output| output["name"] == name).expect("an output").clone();
-    let planar = |name: &Value| model.planar.iter().find(|(known, _)| name == known).map(|(_, body)| *body);
+    let planar =
+        |name: &Value| model.planar.iter().find(|(known, _)| name == known).map(|(_, body)| *body);
     if let Some(local) = output["local"].as_array() {
         let value = |text: &Value| {
             let text = text.as_str().expect("a text");
@@ -141,7 +147,8 @@ fn output<'a>(model: &'a Model, name: &str) -> Option<Output<'a>> {
         }
         "2*atan2(rocker_e3, rocker_e0)" => None,
         other => {
-            let name = other.replace("_Rx", ".R_x").replace("_Ry", ".R_y").replace("_theta", ".theta");
+            let name =
+                other.replace("_Rx", ".R_x").replace("_Ry", ".R_y").replace("_theta", ".theta");
             Some(Box::new(move |m| m.named(&name)))
         }
     }
@@ -175,14 +182,18 @@ fn outputs_by_each_parameter_of_the_references() {
                     };
                     let off = error(&total(&model, &parameter, of), &exact);
                     let what = &output["name"];
-                    assert!(off <= LIMITS[order], "{name}: {field} of {what} by {parameter}: {off:.1e}");
+                    assert!(
+                        off <= LIMITS[order],
+                        "{name}: {field} of {what} by {parameter}: {off:.1e}"
+                    );
                 }
             }
         }
     }
 }
 
-/// Times and values of extremes and their derivatives, from a grid of 200 steps over the reference's span.
+/// Times and values of extremes and their derivatives, from a grid of 200 steps over the
+/// reference's span.
 #[test]
 fn extremes_by_each_parameter_of_the_references() {
     for name in FILES {
@@ -191,16 +202,27 @@ fn extremes_by_each_parameter_of_the_references() {
             let output = event["output"].as_str().expect("an output");
             let Some(of) = self::output(&model, output) else { continue };
             let what = |m: &Motion| of(m);
-            let (start, span) = (numbers(&model.file, "time")[0], numbers(event, "between"));
+            let start = numbers(&model.file, "time")[0];
+            let span = numbers(event, "between");
             let motion = run(&model, &linspace(start.min(span[0]), span[1], 201));
             let is_max = event["kind"] == "maximum";
             let all = model.system.extremes(&motion, what).expect("extremes");
-            let (t, value) = (data::number(event, "t"), data::number(event, "value"));
-            let near = |extreme: &&Extreme| extreme.is_max == is_max && (extreme.t - t).abs() < 1e-6;
+            let t = data::number(event, "t");
+            let value = data::number(event, "value");
+            let near =
+                |extreme: &&Extreme| extreme.is_max == is_max && (extreme.t - t).abs() < 1e-6;
             let extreme = all.all().iter().find(near).expect("the extreme");
-            assert!((extreme.t - t).abs() <= 1e-12 * (1.0 + t.abs()), "{name} {output}: {}", extreme.t - t);
-            assert!((extreme.value - value).abs() <= 1e-12 * (1.0 + value.abs()), "{name} {output}");
-            let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+            assert!(
+                (extreme.t - t).abs() <= 1e-12 * (1.0 + t.abs()),
+                "{name} {output}: {}",
+                extreme.t - t
+            );
+            assert!(
+                (extreme.value - value).abs() <= 1e-12 * (1.0 + value.abs()),
+                "{name} {output}"
+            );
+            let found =
+                model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
             let by = found.extreme(what, extreme).expect("derivatives");
             let parameters = names(&model.file["sensitivity_parameters"]);
             let known = parameters.iter().filter(|p| !model.behind(p).is_empty());
@@ -212,7 +234,11 @@ fn extremes_by_each_parameter_of_the_references() {
                 let exact = &event["dp"][parameter.as_str()];
                 let exact = [data::number(exact, "t"), data::number(exact, "value")];
                 let off = error(&total(&model, parameter, of), &exact);
-                assert!(off <= 1e-10, "{name}: {} by {parameter} is off by {off:.1e}", event["name"]);
+                assert!(
+                    off <= 1e-10,
+                    "{name}: {} by {parameter} is off by {off:.1e}",
+                    event["name"]
+                );
             }
         }
     }
@@ -228,7 +254,9 @@ fn differences_of_extremes_by_each_parameter_of_the_references() {
         for combination in all("combinations") {
             let definition = combination["definition"].as_str().expect("a definition");
             let words: Vec<&str> = definition.split(' ').collect();
-            let &[of, "of", first, "minus", _, "of", second] = &words[..] else { panic!("{definition}") };
+            let &[of, "of", first, "minus", _, "of", second] = &words[..] else {
+                panic!("{definition}")
+            };
             let event = |name: &str| {
                 let event = all("events").into_iter().find(|event| event["name"] == name);
                 event.expect("an event")
@@ -239,7 +267,8 @@ fn differences_of_extremes_by_each_parameter_of_the_references() {
             let what = |m: &Motion| measure(m);
             let start = numbers(&model.file, "time")[0];
             let end = events.iter().map(|event| numbers(event, "between")[1]).fold(start, f64::max);
-            let motion = run(&model, &linspace(start.min(numbers(&events[0], "between")[0]), end, 201));
+            let motion =
+                run(&model, &linspace(start.min(numbers(&events[0], "between")[0]), end, 201));
             let extremes = model.system.extremes(&motion, what).expect("extremes");
             let extreme = |event: &Value| {
                 let near = |extreme: &&Extreme| (extreme.t - data::number(event, "t")).abs() < 1e-6;
@@ -247,8 +276,12 @@ fn differences_of_extremes_by_each_parameter_of_the_references() {
             };
             let [first, second] = [extreme(&events[0]), extreme(&events[1])];
             let value = if of == "t" { first.t - second.t } else { first.value - second.value };
-            assert!((value - data::number(&combination, "value")).abs() < 2e-12, "{name}: {definition}");
-            let found = model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
+            assert!(
+                (value - data::number(&combination, "value")).abs() < 2e-12,
+                "{name}: {definition}"
+            );
+            let found =
+                model.system.sensitivities(&motion, model.parameters()).expect("sensitivities");
             let by = found.between(what, &first, &second).expect("derivatives");
             for parameter in combination["dp"].as_object().expect("derivatives").keys() {
                 if model.behind(parameter).is_empty() {
@@ -268,7 +301,8 @@ fn differences_of_extremes_by_each_parameter_of_the_references() {
     assert!(compared > 40, "{compared}");
 }
 
-/// Σ (y − target)² + α ẏ² + β ÿ² by all parameters at once, against the references and the forward way.
+/// Σ (y − target)² + α ẏ² + β ÿ² by all parameters at once, against the references and the forward
+/// way.
 #[test]
 fn gradients_of_functionals_through_the_adjoint() {
     for (name, parts) in FILES.into_iter().flat_map(|name| PARTS.map(|parts| (name, parts))) {
@@ -306,8 +340,10 @@ fn gradients_of_functionals_through_the_adjoint() {
                 (0..motion.len()).map(term).sum()
             })
             .collect();
-        let adjoint =
-            model.system.gradient(&motion, &parameters, |m: &Motion| of(m), weights).expect("a gradient");
+        let adjoint = model
+            .system
+            .gradient(&motion, &parameters, |m: &Motion| of(m), weights)
+            .expect("a gradient");
         let off = error(&adjoint, &forward);
         assert!(off <= 1e-12, "{name}: forward and adjoint differ by {off:.1e}");
         let listed = model.file["outputs"].as_array().expect("outputs").iter();
@@ -317,9 +353,13 @@ fn gradients_of_functionals_through_the_adjoint() {
                 continue;
             }
             let of = |name: &str| {
-                vec![adjoint[parameters.iter().position(|known| *known == name).expect("a parameter")]]
+                vec![
+                    adjoint
+                        [parameters.iter().position(|known| *known == name).expect("a parameter")],
+                ]
             };
-            let (sum, exact) = (total(&model, &parameter, of), data::number(&file["gradient"], &parameter));
+            let sum = total(&model, &parameter, of);
+            let exact = data::number(&file["gradient"], &parameter);
             assert!(error(&sum, &[exact]) <= 1e-11, "{name}: the gradient by {parameter}");
         }
     }

@@ -1,4 +1,5 @@
-//! Mechanisms of the files in `tests/data/design`, and what of each parameter of a file is read where.
+//! Mechanisms of the files in `tests/data/design`, and what of each parameter of a file is read
+//! where.
 
 use kin::prelude::*;
 use kin::{IntoConstraint, Mechanism};
@@ -49,11 +50,22 @@ fn turn_about_z(body: Spatial, th0: f64, w: f64, a: f64, t: Time) -> f64 {
 /// The tip (l2, 0) is on an ellipse.      [m]
 #[constraint]
 #[allow(clippy::too_many_arguments)]
-fn on_ellipse(arm: Planar, l2: f64, cx: f64, cy: f64, rx: f64, ry: f64, w: f64, ph: f64, t: Time) -> Vec2 {
+fn on_ellipse(
+    arm: Planar,
+    l2: f64,
+    cx: f64,
+    cy: f64,
+    rx: f64,
+    ry: f64,
+    w: f64,
+    ph: f64,
+    t: Time,
+) -> Vec2 {
     arm.point(vec2(l2, 0.0)) - vec2(cx + rx * (w * t + ph).cos(), cy + ry * (w * t + ph).sin())
 }
 
-/// The edge (0, −s) of the follower is the point of the cam's profile with polar angle p0 + w t.      [m]
+/// The edge (0, −s) of the follower is the point of the cam's profile with polar angle p0 + w t.
+/// [m]
 #[constraint]
 #[allow(clippy::too_many_arguments)]
 fn on_profile(
@@ -106,7 +118,8 @@ impl Builder {
     /// The number of `-a/2`, noted as the system's parameter of that name.
     fn number(&mut self, text: &str, parameter: String) -> f64 {
         let (sign, rest) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
-        let (factor, name) = rest.strip_suffix("/2").map_or((sign, rest), |name| (0.5 * sign, name));
+        let (factor, name) =
+            rest.strip_suffix("/2").map_or((sign, rest), |name| (0.5 * sign, name));
         if let Ok(value) = name.parse::<f64>() {
             return factor * value;
         }
@@ -164,11 +177,15 @@ pub fn model(name: &str) -> Model {
     let file = crate::data::read(&format!("design/sens_{name}"));
     let guess = numbers(&file, "initial_guess");
     let mut b = Builder { m: Mechanism::new(name), file: file.clone(), read: Vec::new() };
-    let (mut planar, mut spatial) = (Vec::new(), Vec::new());
-    let bodies = file["bodies"].as_array().expect("bodies").iter().skip(1).map(|body| text(&body["name"]));
+    let mut planar = Vec::new();
+    let mut spatial = Vec::new();
+    let bodies =
+        file["bodies"].as_array().expect("bodies").iter().skip(1).map(|body| text(&body["name"]));
     if name == "slider_crank_loop" {
-        let (phi, x) = (b.m.angle("phi", guess[0]).unwrap(), b.m.length("x", guess[1]).unwrap());
-        let [r, l, e, ox, th0, w, a, big_w] = b.own("loop", ["r", "l", "e", "ox", "th0", "w", "A", "W"]);
+        let phi = b.m.angle("phi", guess[0]).unwrap();
+        let x = b.m.length("x", guess[1]).unwrap();
+        let [r, l, e, ox, th0, w, a, big_w] =
+            b.own("loop", ["r", "l", "e", "ox", "th0", "w", "A", "W"]);
         b.add("loop", loop_closure(phi, x, r, l, e, ox, th0, w, a, big_w));
     } else if file["dim"] == 3 {
         for (body, q) in bodies.zip(guess.chunks(7)) {
@@ -196,9 +213,11 @@ fn rssr(b: &mut Builder, file: &Value, [crank, rocker]: [SpatialBody; 2]) {
     let at = b.place(&c[0], "pi", "u_i");
     let ground = b.m.ground();
     b.add("O1", spatial::revolute(ground, crank, at, vec3(0.0, 0.0, 0.0), z, z));
-    let (at, axis) = (b.place(&c[1], "pi", "u_i"), vec3(0.0, -0.6, 0.8));
+    let at = b.place(&c[1], "pi", "u_i");
+    let axis = vec3(0.0, -0.6, 0.8);
     b.add("O2", spatial::revolute(ground, rocker, at, vec3(0.0, 0.0, 0.0), axis, z));
-    let (u_i, u_j) = (b.place(&c[2], "pi", "u_i"), b.place(&c[2], "pj", "u_j"));
+    let u_i = b.place(&c[2], "pi", "u_i");
+    let u_j = b.place(&c[2], "pj", "u_j");
     let length = b.number("L", "coupler.length".to_string());
     b.add("coupler", spatial::distance(crank, rocker, u_i, u_j, length));
     let [th0, w, a] = b.own("drive", ["th0", "w", "A"]);
@@ -214,8 +233,11 @@ fn joints(b: &mut Builder, file: &Value, bodies: &[(String, PlanarBody)]) {
             .map_or_else(|| PlanarBody::from(b.m.ground()), |(_, body)| *body)
     };
     for c in file["constraints"].as_array().expect("constraints") {
-        let (name, i, j) = (text(&c["name"]), body(b, &c["i"]), body(b, &c["j"]));
-        let (u_i, u_j) = (b.point(c, "pi", "u_i"), b.point(c, "pj", "u_j"));
+        let name = text(&c["name"]);
+        let i = body(b, &c["i"]);
+        let j = body(b, &c["j"]);
+        let u_i = b.point(c, "pi", "u_i");
+        let u_j = b.point(c, "pj", "u_j");
         match c["type"].as_str().expect("a type") {
             "revolute" => b.add(&name, revolute(i, j, u_i, u_j)),
             _ => {
@@ -225,10 +247,12 @@ fn joints(b: &mut Builder, file: &Value, bodies: &[(String, PlanarBody)]) {
         }
     }
     let c = &file["drivers"][0];
-    let (name, j) = (text(&c["name"]), body(b, &c["j"]));
+    let name = text(&c["name"]);
+    let j = body(b, &c["j"]);
     match (file["id"].as_str().expect("a name"), c["f"].is_object()) {
         ("two_link_ellipse", _) => {
-            let [l2, cx, cy, rx, ry, w, ph] = b.own(&name, ["l2", "cx", "cy", "rx", "ry", "w", "ph"]);
+            let [l2, cx, cy, rx, ry, w, ph] =
+                b.own(&name, ["l2", "cx", "cy", "rx", "ry", "w", "ph"]);
             b.add(&name, on_ellipse(j, l2, cx, cy, rx, ry, w, ph));
         }
         ("cam_knife", _) => {
@@ -237,10 +261,15 @@ fn joints(b: &mut Builder, file: &Value, bodies: &[(String, PlanarBody)]) {
             b.add(&name, on_profile(cam, j, r0, a1, a2, a3, p0, w, s));
         }
         (_, true) => {
-            let xs =
-                c["f"]["x"].as_array().expect("x").iter().map(|x| text(x).parse::<f64>().expect("a number"));
+            let xs = c["f"]["x"]
+                .as_array()
+                .expect("x")
+                .iter()
+                .map(|x| text(x).parse::<f64>().expect("a number"));
             let xs: Vec<f64> = xs.collect();
-            let y = |(k, x): (usize, &f64)| (*x, b.number(&format!("y{k}"), format!("{name}.law.y[{k}]")));
+            let y = |(k, x): (usize, &f64)| {
+                (*x, b.number(&format!("y{k}"), format!("{name}.law.y[{k}]")))
+            };
             let table: Vec<(f64, f64)> = xs.iter().enumerate().map(y).collect();
             b.add(&name, drive_angle(j, Law::spline(&table, Ends::Natural)));
         }

@@ -6,14 +6,16 @@ use kin::prelude::*;
 /// A slider-crank of two dimensions; its slider should go as x(t) of one with 0.1 and 0.3 does.
 fn system() -> (System, PlanarBody) {
     let mut m = Mechanism::new("slider-crank");
-    let [a, b] = [("crank", 0.12), ("rod", 0.25)].map(|(name, x)| m.dimension(name, x).expect("a dimension"));
-    let (crank, rod) =
-        (m.link("crank", a.within(0.02, 0.2)).expect("a link"), m.link("rod", b).expect("a link"));
+    let [a, b] = [("crank", 0.12), ("rod", 0.25)]
+        .map(|(name, x)| m.dimension(name, x).expect("a dimension"));
+    let crank = m.link("crank", a.within(0.02, 0.2)).expect("a link");
+    let rod = m.link("rod", b).expect("a link");
     let slider = m.planar("slider", pose(a + b, 0.0, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
     m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0))).expect("adds");
-    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0)).expect("adds");
+    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0))
+        .expect("adds");
     m.add("motor", drive_angle(crank, Law::linear(0.2, 1.0))).expect("adds");
     (m.build().expect("a slider-crank"), slider)
 }
@@ -21,7 +23,8 @@ fn system() -> (System, PlanarBody) {
 /// Σ (x − x*)² + 0.1 (ẋ − ẋ*)², the target in closed form.
 fn cost(x: &Quantity) -> (f64, Vec<[f64; 3]>) {
     let target = |t: f64| {
-        let ((sin, cos), [r, l]) = ((0.2 + t).sin_cos(), [0.1_f64, 0.3]);
+        let (sin, cos) = (0.2 + t).sin_cos();
+        let [r, l] = [0.1_f64, 0.3];
         let root = (l * l - r * r * sin * sin).sqrt();
         [r * cos + root, -r * sin - r * r * sin * cos / root]
     };
@@ -57,7 +60,10 @@ fn value_and_gradient_are_those_of_the_motion() {
         assert!((gradient[k] - exact).abs() < 1e-8 * exact.abs(), "{} {exact}", gradient[k]);
     }
     let (value, gradient) = at([0.1, 0.3]);
-    assert!(value < 1e-26 && gradient.iter().all(|slope| slope.abs() < 1e-12), "{value} {gradient:?}");
+    assert!(
+        value < 1e-26 && gradient.iter().all(|slope| slope.abs() < 1e-12),
+        "{value} {gradient:?}"
+    );
     // The system that it was made of has not moved.
     assert_eq!(system.parameter("crank").expect("a number"), 0.12);
 }
@@ -68,7 +74,8 @@ fn a_plain_descent_finds_the_target() {
     let (system, slider) = system();
     let objective =
         system.objective(["crank", "rod"], linspace(0.0, 6.0, 41), slider.x(), cost).expect("one");
-    let (mut p, mut step) = (objective.start(), 1e-3);
+    let mut p = objective.start();
+    let mut step = 1e-3;
     let (mut value, mut gradient) = objective.at(&p).expect("a value");
     for _ in 0..4000 {
         let next: Vec<f64> = p.iter().zip(&gradient).map(|(p, slope)| p - step * slope).collect();
@@ -101,7 +108,9 @@ fn where_there_is_no_value_there_is_an_error() {
     assert!(system.objective(["crank"], [0.0, 0.0], slider.x(), cost).is_err());
     let short = |_: &Quantity| (0.0, Vec::new());
     let short = system.objective(["crank"], &times, slider.x(), short).expect("one");
-    assert!(short.at(&[0.1]).expect_err("an error").to_string().contains("weights of an objective"));
+    assert!(
+        short.at(&[0.1]).expect_err("an error").to_string().contains("weights of an objective")
+    );
     let infinite = |y: &Quantity| (f64::NAN, vec![[0.0; 3]; y.value.values().len()]);
     let infinite = system.objective(["crank"], &times, slider.x(), infinite).expect("one");
     assert!(infinite.at(&[0.1]).is_err());

@@ -1,13 +1,13 @@
-//! Derivatives of redundant mechanisms: they exist where the parameter leaves the mechanism closed, and are
-//! refused where it does not, at rest and in motion, whatever the sizes.
+//! Derivatives of redundant mechanisms: they exist where the parameter leaves the mechanism closed,
+//! and are refused where it does not, at rest and in motion, whatever the sizes.
 
 use kin::prelude::*;
 use kin::{Mechanism, Sampling};
 
 use crate::engines::Engines;
 
-/// A bar on three rods of one length; `d` moves the second rod, `own` the third rod's length, `lost` one
-/// end of it.
+/// A bar on three rods of one length; `d` moves the second rod, `own` the third rod's length,
+/// `lost` one end of it.
 struct Rods {
     system: System,
     length: f64,
@@ -19,7 +19,9 @@ struct Rods {
 /// The mechanism with all lengths `scale` times as large; `places` are those of rods along the bar.
 fn rods(scale: f64, places: [f64; 3], length: f64, (from, speed): (f64, f64)) -> Rods {
     let mut m = Mechanism::new("three equal rods");
-    let (length, from, speed) = (scale * length, scale * from, scale * speed);
+    let length = scale * length;
+    let from = scale * from;
+    let speed = scale * speed;
     let y = (length * length - from * from).sqrt();
     let d = m.dimension("d", scale * places[1]).unwrap().tolerance(0.01 * scale);
     let lost = m.dimension("lost", scale * places[2]).unwrap();
@@ -36,8 +38,9 @@ fn rods(scale: f64, places: [f64; 3], length: f64, (from, speed): (f64, f64)) ->
 
 fn refused(system: &System, motion: &Motion, name: &str) {
     let said = system.sensitivities(motion, [name]).err().expect("an error").to_string();
-    let start =
-        format!("no derivative by `{name}`: the mechanism is redundant, and closes at this value of it");
+    let start = format!(
+        "no derivative by `{name}`: the mechanism is redundant, and closes at this value of it"
+    );
     assert!(said.starts_with(&start), "{said}");
     let what = system.coordinate_names()[1].clone();
     let backward = system.gradient(motion, [name], &what, |_| [1.0; 3]).expect_err("an error");
@@ -70,20 +73,31 @@ fn redundant_mechanisms_at_random_close_or_are_refused_whatever_their_size() {
         let scale = 10_f64.powi(3 * (k % 5) - 6);
         let mut number = |from: f64, to: f64| from + (to - from) * random.f64();
         let places = [number(-0.5, 0.0), number(0.2, 0.6), number(0.8, 1.5)];
-        let (length, from) = (number(0.3, 2.0), number(-0.25, 0.2));
+        let length = number(0.3, 2.0);
+        let from = number(-0.25, 0.2);
         let speed = if k % 7 == 0 { 0.0 } else { number(-0.06, 0.06) };
         let Rods { system, length, from, speed } = rods(scale, places, length, (from, speed));
         let motion = system.run(linspace(0.0, 0.7, 5)).unwrap();
-        let by = system.sensitivities(&motion, ["d", "all"]).unwrap_or_else(|error| panic!("{k}: {error}"));
+        let by = system
+            .sensitivities(&motion, ["d", "all"])
+            .unwrap_or_else(|error| panic!("{k}: {error}"));
         for (i, t) in motion.times().iter().enumerate() {
             let still = by.all()[0].q(i).iter().chain(by.all()[0].qd(i)).chain(by.all()[0].qdd(i));
-            assert!(still.fold(0.0_f64, |m, x| m.max(x.abs())) < 1e-12 * (1.0 + 1.0 / scale), "{k}");
+            assert!(
+                still.fold(0.0_f64, |m, x| m.max(x.abs())) < 1e-12 * (1.0 + 1.0 / scale),
+                "{k}"
+            );
             // y = √(l² − x²), and l is `all` times the length.
-            let (x, l2) = (from + speed * t, length * length);
+            let x = from + speed * t;
+            let l2 = length * length;
             let y = (l2 - x * x).sqrt();
             let exact = [l2 / y, l2 * x * speed / y.powi(3)];
-            for (found, exact) in [by.all()[1].q(i)[1], by.all()[1].qd(i)[1]].into_iter().zip(exact) {
-                assert!((found - exact).abs() < 1e-11 * scale * (1.0 + (exact / scale).abs()), "{k}");
+            for (found, exact) in [by.all()[1].q(i)[1], by.all()[1].qd(i)[1]].into_iter().zip(exact)
+            {
+                assert!(
+                    (found - exact).abs() < 1e-11 * scale * (1.0 + (exact / scale).abs()),
+                    "{k}"
+                );
             }
         }
         ["own", "lost"].iter().for_each(|name| refused(&system, &motion, name));
@@ -99,11 +113,21 @@ fn a_door_on_two_hinges() {
         let across = m.dimension("across", 0.0).unwrap();
         let door = m.spatial("door", SpatialPose::at((0.0, 0.0, 0.0))).unwrap();
         let z = || Axis::along((0.0, 0.0, 1.0));
-        m.add("low", spatial::revolute(door, Ground, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), z(), (0.0, 0.0, 1.0)))
-            .unwrap();
+        m.add(
+            "low",
+            spatial::revolute(door, Ground, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), z(), (0.0, 0.0, 1.0)),
+        )
+        .unwrap();
         m.add(
             "high",
-            spatial::revolute(door, Ground, (across, 0.0, along), (0.0, 0.0, along), z(), (0.0, 0.0, 1.0)),
+            spatial::revolute(
+                door,
+                Ground,
+                (across, 0.0, along),
+                (0.0, 0.0, along),
+                z(),
+                (0.0, 0.0, 1.0),
+            ),
         )
         .unwrap();
         m.add("swing", spatial::drive_turn(door, Ground, z(), z(), law)).unwrap();
@@ -115,7 +139,8 @@ fn a_door_on_two_hinges() {
                 let all = [by.all()[0].q(k), by.all()[0].qd(k), by.all()[0].qdd(k)].concat();
                 assert!(all.iter().all(|x| x.abs() < 1e-12), "{all:?}");
             }
-            let said = system.sensitivities(&motion, ["across"]).err().expect("an error").to_string();
+            let said =
+                system.sensitivities(&motion, ["across"]).err().expect("an error").to_string();
             assert!(said.contains("closes at this value of it only"), "{said}");
         }
     }

@@ -19,7 +19,8 @@ fn said(system: &System, times: &[f64], name: &str) -> String {
     let motion = system.run_both(times).expect("a motion");
     let forward = system.sensitivities(&motion, [name]).err().expect("an error").to_string();
     let what = system.coordinate_names()[0].clone();
-    let backward = system.gradient(&motion, [name], &what, |_| [1.0, 0.0, 0.0]).expect_err("an error");
+    let backward =
+        system.gradient(&motion, [name], &what, |_| [1.0, 0.0, 0.0]).expect_err("an error");
     assert_eq!(forward, backward.to_string());
     forward
 }
@@ -74,11 +75,13 @@ fn a_redundant_mechanism_has_the_derivatives_that_leave_it_closed() {
     let found = system.sensitivities(&motion, ["motor.law.rate"]).unwrap();
     let [theta, beam] = ["second.theta", "beam.R_x"]
         .map(|name| system.coordinate_names().iter().position(|known| known == name).unwrap());
-    let (by, angle) = (&found.all()[0], 0.5_f64 + 0.4);
+    let by = &found.all()[0];
+    let angle = 0.5_f64 + 0.4;
     assert!((by.q(1)[theta] - 0.4).abs() < 1e-13 && (by.qd(1)[theta] - 1.0).abs() < 1e-13);
     // x = 2 + cos(0.5 + ω t)
     assert!((by.q(1)[beam] + 0.4 * angle.sin()).abs() < 1e-13);
-    let gradient = system.gradient(&motion, ["motor.law.rate"], "second.theta", |k| [k as f64, 0.0, 0.0]);
+    let gradient =
+        system.gradient(&motion, ["motor.law.rate"], "second.theta", |k| [k as f64, 0.0, 0.0]);
     assert!((gradient.unwrap()[0] - 0.4).abs() < 1e-13);
 }
 
@@ -98,7 +101,12 @@ struct Bent(f64);
 
 impl LawFunction for Bent {
     fn jet(&self, x: f64) -> [f64; 4] {
-        [0.5 * self.0 * x * x.abs(), self.0 * x.abs(), self.0 * if x < 0.0 { -1.0 } else { 1.0 }, 0.0]
+        [
+            0.5 * self.0 * x * x.abs(),
+            self.0 * x.abs(),
+            self.0 * if x < 0.0 { -1.0 } else { 1.0 },
+            0.0,
+        ]
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
@@ -146,7 +154,8 @@ fn a_kink_at_a_time() {
         other.theta - k * (body.theta - 1.0).abs()
     }
     let mut m = Mechanism::new("bounce");
-    let (crank, other) = (m.link("crank", 1.0).unwrap(), m.link("other", 1.0).unwrap());
+    let crank = m.link("crank", 1.0).unwrap();
+    let other = m.link("other", 1.0).unwrap();
     for (name, link) in [("O", crank), ("P", other)] {
         let ground = m.ground();
         m.add(name, revolute(ground, link, vec2(0.0, 0.0), link.start())).unwrap();
@@ -163,7 +172,8 @@ fn a_kink_at_a_time() {
 #[test]
 fn a_motion_through_a_change_point() {
     let mut m = Mechanism::new("parallelogram");
-    let (a, b) = (m.link("a", 1.0).unwrap(), m.link("b", 1.0).unwrap());
+    let a = m.link("a", 1.0).unwrap();
+    let b = m.link("b", 1.0).unwrap();
     let coupler = m.link("coupler", 2.0).unwrap();
     m.add("O", revolute(m.ground(), a, vec2(0.0, 0.0), a.start())).unwrap();
     m.add("A", revolute(a, coupler, a.end(), coupler.start())).unwrap();
@@ -212,19 +222,25 @@ fn an_extreme_that_is_not_of_the_motion_is_refused() {
             system.tolerance_of(&motion, x, wrong).unwrap_err(),
             system.tolerance_of(&motion, x, stroke).unwrap_err(),
             system.tolerance_proved(&motion, x, wrong).unwrap_err(),
-            system.samples(&motion, x, wrong, &Sampling { count: 10, ..Sampling::default() }).unwrap_err(),
+            system
+                .samples(&motion, x, wrong, &Sampling { count: 10, ..Sampling::default() })
+                .unwrap_err(),
         ] {
             let text = error.to_string();
-            for part in
-                ["`x`", &format!("it has no {word} at t = "), "nearest one is at t = ", "Take an extreme"]
-            {
+            for part in [
+                "`x`",
+                &format!("it has no {word} at t = "),
+                "nearest one is at t = ",
+                "Take an extreme",
+            ] {
                 assert!(text.contains(part), "{part}: {text}");
             }
         }
     }
 }
 
-/// The largest value at the end of a run, where the measure does not turn round, stays at that time.
+/// The largest value at the end of a run, where the measure does not turn round, stays at that
+/// time.
 #[test]
 fn the_largest_value_at_an_end_has_no_derivative_of_its_time() {
     let mut m = Mechanism::new("m");

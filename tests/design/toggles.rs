@@ -1,5 +1,5 @@
-//! The time of a toggle by dimensions, and the four places at which there is no gradient: a change of branch,
-//! a toggle, a jump, a kink.
+//! The time of a toggle by dimensions, and the four places at which there is no gradient: a change
+//! of branch, a toggle, a jump, a kink.
 
 use kin::prelude::*;
 use kin::{Follow, Options, SingularPosition};
@@ -17,8 +17,8 @@ fn four_bar_in(unit: f64, feed: Option<f64>) -> System {
     let [a, b, c, d] = [("a", 0.3), ("b", 0.2), ("c", 0.25), ("d", 0.35)]
         .map(|(name, value)| m.dimension(name, value * unit).expect("a dimension"));
     let speed = m.dimension("speed", 0.7).expect("a dimension");
-    let [crank, coupler, rocker] =
-        [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
+    let [crank, coupler, rocker] = [("crank", a), ("coupler", b), ("rocker", c)]
+        .map(|(name, l)| m.link(name, l).expect("a link"));
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
@@ -42,7 +42,8 @@ fn toggle(system: &System) -> SingularPosition {
 /// In line at cos θ = (a² + d² − (b + c)²)/(2 a d).
 #[test]
 fn the_time_of_a_toggle_is_that_of_its_closed_form() {
-    let (system, [a, b, c, d, w]) = (four_bar(), [0.3_f64, 0.2, 0.25, 0.35, 0.7]);
+    let system = four_bar();
+    let [a, b, c, d, w] = [0.3_f64, 0.2, 0.25, 0.35, 0.7];
     let found = toggle(&system);
     let x = (a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d);
     let t = (x.acos() - 0.4) / w;
@@ -70,10 +71,12 @@ fn the_time_of_a_toggle_is_that_of_its_closed_form() {
     assert!(((beside(h) - beside(-h)) / (2.0 * h) - by[1]).abs() < 1e-5 * by[1].abs());
 }
 
-/// The same in mm, km and beside what is driven far faster: a share decides whether a driver pushes.
+/// The same in mm, km and beside what is driven far faster: a share decides whether a driver
+/// pushes.
 #[test]
 fn the_time_of_a_toggle_has_derivatives_in_all_units_and_beside_fast_drivers() {
-    let (x, w) = ((0.3_f64 * 0.3 + 0.35 * 0.35 - 0.45 * 0.45) / (2.0 * 0.3 * 0.35), 0.7);
+    let x = (0.3_f64 * 0.3 + 0.35 * 0.35 - 0.45 * 0.45) / (2.0 * 0.3 * 0.35);
+    let w = 0.7;
     let by_b = 0.45 / (0.3 * 0.35 * w * (1.0 - x * x).sqrt());
     for unit in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
         for feed in [None, Some(1e3), Some(-1e7)] {
@@ -106,7 +109,8 @@ fn the_time_of_a_change_point_has_no_derivatives_in_any_units() {
 fn said(system: &System, motion: &Motion, name: &str) -> String {
     let forward = system.sensitivities(motion, [name]).err().expect("an error").to_string();
     let what = system.coordinate_names()[0].clone();
-    let backward = system.gradient(motion, [name], &what, |_| [1.0, 0.0, 0.0]).expect_err("an error");
+    let backward =
+        system.gradient(motion, [name], &what, |_| [1.0, 0.0, 0.0]).expect_err("an error");
     assert_eq!(forward, backward.to_string());
     forward
 }
@@ -135,7 +139,8 @@ fn parallelogram() -> System {
 /// The same in other units.
 fn parallelogram_in(unit: f64) -> System {
     let mut m = Mechanism::new("parallelogram");
-    let (a, b) = (m.link("a", unit).expect("a link"), m.link("b", unit).expect("a link"));
+    let a = m.link("a", unit).expect("a link");
+    let b = m.link("b", unit).expect("a link");
     let coupler = m.link("coupler", 2.0 * unit).expect("a link");
     m.add("O", revolute(m.ground(), a, vec2(0.0, 0.0), a.start())).expect("adds");
     m.add("A", revolute(a, coupler, a.end(), coupler.start())).expect("adds");
@@ -152,11 +157,17 @@ fn there_is_no_gradient_through_a_change_of_branch() {
         let options = Options { follow, ..Options::default() };
         let motion = system.run_both_with(linspace(0.0, 4.0, 41), &options).expect("a motion");
         let told = said(&system, &motion, "P.u_i.x");
-        assert!(told.contains("`P.u_i.x`: the motion meets a singular position at t = 2.14"), "{told}");
+        assert!(
+            told.contains("`P.u_i.x`: the motion meets a singular position at t = 2.14"),
+            "{told}"
+        );
         // Nor has the change point a time that would go on with the dimensions.
         let change = motion.singular_positions().last().expect("a change point");
         let told = system.toggle_by(change, ["P.u_i.x"]).expect_err("an error").to_string();
-        assert!(told.contains("no derivative by `P.u_i.x`") && told.contains("a change point"), "{told}");
+        assert!(
+            told.contains("no derivative by `P.u_i.x`") && told.contains("a change point"),
+            "{told}"
+        );
         // Called a toggle it has none either: no driver pushes what is singular there.
         let mut called = change.clone();
         called.kind = kin::SingularKind::TurningPoint;
@@ -179,7 +190,8 @@ fn bounced(body: Planar, other: Planar, k: f64) -> f64 {
 /// Two cranks of which one is driven, and the other coupled.
 fn coupled(couple: impl FnOnce(&mut Mechanism, PlanarBody, PlanarBody)) -> System {
     let mut m = Mechanism::new("coupled");
-    let (crank, other) = (m.link("crank", 1.0).expect("a link"), m.link("other", 1.0).expect("a link"));
+    let crank = m.link("crank", 1.0).expect("a link");
+    let other = m.link("other", 1.0).expect("a link");
     for (name, link) in [("O", crank), ("P", other)] {
         let ground = m.ground();
         m.add(name, revolute(ground, link, vec2(0.0, 0.0), link.start())).expect("adds");
@@ -197,10 +209,14 @@ fn there_is_no_gradient_at_a_jump() {
     // At the jump, alone or among other times, and beside it.
     let motion = system.run_both([1.0]).expect("a pose");
     let told = said(&system, &motion, "jump.k");
-    assert!(told.contains("no derivative by `jump.k`: at t = 1 s `jump` jumps; ask other times"), "{told}");
+    assert!(
+        told.contains("no derivative by `jump.k`: at t = 1 s `jump` jumps; ask other times"),
+        "{told}"
+    );
     let motion = system.run_both([1.25, 1.5]).expect("a motion");
     let by = system.sensitivities(&motion, ["jump.k"]).expect("derivatives");
-    let theta = system.coordinate_names().iter().position(|name| name == "other.theta").expect("theta");
+    let theta =
+        system.coordinate_names().iter().position(|name| name == "other.theta").expect("theta");
     assert!((by.all()[0].q(0)[theta] - 1.0).abs() < 1e-14);
 }
 
@@ -212,7 +228,10 @@ fn there_is_no_gradient_at_a_kink() {
     for times in [vec![1.0], vec![0.5, 1.0, 1.5], vec![1.0, 1.5], vec![0.5, 1.0]] {
         let motion = system.run_both(&times).expect("a motion");
         let told = said(&system, &motion, "kink.k");
-        assert!(told.contains("no derivative by `kink.k`: at t = 1 s there is a kink of `kink`"), "{told}");
+        assert!(
+            told.contains("no derivative by `kink.k`: at t = 1 s there is a kink of `kink`"),
+            "{told}"
+        );
     }
     let motion = system.run_both([0.5, 1.5]).expect("a motion");
     assert!(system.sensitivities(&motion, ["kink.k"]).is_ok());
@@ -222,7 +241,8 @@ fn there_is_no_gradient_at_a_kink() {
 fn extremes_and_tolerances_are_refused_at_a_kink_too() {
     let mut m = Mechanism::new("bounce");
     let k = m.dimension("k", 2.0).expect("a dimension").tolerance(0.1);
-    let (crank, other) = (m.link("crank", 1.0).expect("a link"), m.link("other", 1.0).expect("a link"));
+    let crank = m.link("crank", 1.0).expect("a link");
+    let other = m.link("other", 1.0).expect("a link");
     for (name, link) in [("O", crank), ("P", other)] {
         m.add(name, revolute(Ground, link, vec2(0.0, 0.0), link.start())).expect("adds");
     }

@@ -16,12 +16,16 @@ fn four_bar_has_two_assemblies() {
     let all = system.assemblies(0.0).unwrap();
     assert_eq!(all.len(), 2);
     // By the law of cosines.
-    let (dx, dy) = (1.0_f64.cos() - 4.0, 1.0_f64.sin());
+    let dx = 1.0_f64.cos() - 4.0;
+    let dy = 1.0_f64.sin();
     let d = dx.hypot(dy);
     let half = ((9.0 + d * d - 3.5 * 3.5) / (6.0 * d)).acos();
     let exact = [dy.atan2(dx) - half, dy.atan2(dx) + half].map(f64::sin);
     for assembly in &all {
-        assert!(exact.iter().any(|exact| (assembly.q[8].sin() - exact).abs() < 1e-9), "{assembly:?}");
+        assert!(
+            exact.iter().any(|exact| (assembly.q[8].sin() - exact).abs() < 1e-9),
+            "{assembly:?}"
+        );
         assert_eq!(assembly.label.ordinal, 1);
     }
     assert!(all[0].label != all[1].label);
@@ -31,7 +35,9 @@ fn four_bar_has_two_assemblies() {
     assert_eq!(again, all[1]);
     system.set_initial(&again.q).unwrap();
     let motion = system.run_both([0.0, 0.01]).unwrap();
-    assert!((motion.coordinate(rocker.theta()).unwrap().value.values()[0] - again.q[8]).abs() < 1e-9);
+    assert!(
+        (motion.coordinate(rocker.theta()).unwrap().value.values()[0] - again.q[8]).abs() < 1e-9
+    );
     assert!(
         system
             .assembly(0.0, &Label { signs: vec![1], ordinal: 9 })
@@ -100,12 +106,14 @@ fn ring(radius: f64, beside: f64) -> Vec<Vec3> {
 
 /// A plate on six rods, whose feet stand at different heights.
 fn six_rods() -> System {
-    let (plate_points, feet) = (ring(49.8, deg(48.41)), ring(77.0, deg(22.95)));
+    let plate_points = ring(49.8, deg(48.41));
+    let feet = ring(77.0, deg(22.95));
     let mut m = Mechanism::new("six rods");
     let plate = m.spatial("plate", SpatialPose::at((5.0, 3.0, -120.0))).unwrap();
     for k in 0..6 {
         let foot = Vec3::new(feet[k].x, feet[k].y, 2.0 * k as f64);
-        let rod = spatial::distance(plate, m.ground(), plate_points[k], foot, 140.0 + 1.5 * k as f64);
+        let rod =
+            spatial::distance(plate, m.ground(), plate_points[k], foot, 140.0 + 1.5 * k as f64);
         m.add(&format!("rod {k}"), rod).unwrap();
     }
     m.build().unwrap()
@@ -116,8 +124,9 @@ fn all_poses_of_a_plate_on_six_rods() {
     let system = six_rods();
     for seed in 0..3 {
         let begun = std::time::Instant::now();
-        let all =
-            system.assemblies_with(0.0, &AssemblyOptions { seed, ..AssemblyOptions::default() }).unwrap();
+        let all = system
+            .assemblies_with(0.0, &AssemblyOptions { seed, ..AssemblyOptions::default() })
+            .unwrap();
         println!("{} in {:?}: {}", all.len(), begun.elapsed(), all.reason);
         assert_eq!((all.len(), all.complete), (14, Complete::Believed), "{}", all.reason);
     }
@@ -129,28 +138,35 @@ fn all_poses_of_a_plate_on_six_rods() {
     assert!(some.reason.contains("40 starts"), "{}", some.reason);
 }
 
-/// Six motors turn cranks on the ground; rods join the ends of the cranks to the plate. With the cranks where
-/// the motors hold them it is a plate on six rods.
+/// Six motors turn cranks on the ground; rods join the ends of the cranks to the plate. With the
+/// cranks where the motors hold them it is a plate on six rods.
 #[test]
 fn six_cranks_and_rods_have_the_poses_of_their_plate() {
-    let (plate_points, feet) = (ring(40.0, deg(48.0)), ring(70.0, deg(20.0)));
+    let plate_points = ring(40.0, deg(48.0));
+    let feet = ring(70.0, deg(20.0));
     let crank_angle = |k: usize| 0.3 + 0.2 * k as f64;
     let place = SpatialPose::at((3.0, 2.0, 90.0));
-    let (mut cranked, mut fixed) = (Mechanism::new("six cranks"), Mechanism::new("six feet"));
+    let mut cranked = Mechanism::new("six cranks");
+    let mut fixed = Mechanism::new("six feet");
     let plates = [&mut cranked, &mut fixed].map(|m| m.spatial("plate", place).unwrap());
     let arm = Vec3::new(20.0, 0.0, 0.0);
     for k in 0..6 {
         let crank = cranked.spatial(&format!("crank {k}"), SpatialPose::at(feet[k])).unwrap();
-        let (axis, ground, rod) = (Vec3::y(), cranked.ground(), 95.0 + 2.0 * k as f64);
+        let axis = Vec3::y();
+        let ground = cranked.ground();
+        let rod = 95.0 + 2.0 * k as f64;
         let hinge = spatial::revolute(crank, ground, Vec3::zeros(), feet[k], axis, axis);
         cranked.add(&format!("hinge {k}"), hinge).unwrap();
-        let (h, angle) = (Axis::new(axis, Vec3::x()), crank_angle(k));
+        let h = Axis::new(axis, Vec3::x());
+        let angle = crank_angle(k);
         let motor = drive_turn(crank, ground, h, h, Law::constant(angle));
         cranked.add(&format!("motor {k}"), motor).unwrap();
         let name = format!("rod {k}");
         cranked.add(&name, spatial::distance(crank, plates[0], arm, plate_points[k], rod)).unwrap();
         let end = feet[k] + Vec3::new(20.0 * angle.cos(), 0.0, -20.0 * angle.sin());
-        fixed.add(&name, spatial::distance(plates[1], fixed.ground(), plate_points[k], end, rod)).unwrap();
+        fixed
+            .add(&name, spatial::distance(plates[1], fixed.ground(), plate_points[k], end, rod))
+            .unwrap();
     }
     let [all, exact] = [cranked, fixed].map(|m| m.build().unwrap().assemblies(0.0).unwrap());
     println!("{}: {}", all.len(), all.reason);
@@ -167,19 +183,23 @@ fn six_cranks_and_rods_have_the_poses_of_their_plate() {
 fn no_pose_with_a_hinge_turned_over() {
     let mut m = Mechanism::new("arm");
     let arm = m.spatial("arm", SpatialPose::at((0.0, 0.0, 0.0))).unwrap();
-    let (ground, z) = (m.ground(), Vec3::z());
+    let ground = m.ground();
+    let z = Vec3::z();
     m.add("hinge", spatial::revolute(arm, ground, Vec3::zeros(), Vec3::zeros(), z, z)).unwrap();
     let h = Axis::new(z, Vec3::x());
     m.add("motor", drive_turn(arm, ground, h, h, Law::constant(0.5))).unwrap();
     let all = m.build().unwrap().assemblies(0.0).unwrap();
     assert_eq!(all.len(), 1, "{all:?}");
-    assert!((all[0].q[6] - 0.25_f64.sin()).abs() < 1e-9 || (all[0].q[6] + 0.25_f64.sin()).abs() < 1e-9);
+    assert!(
+        (all[0].q[6] - 0.25_f64.sin()).abs() < 1e-9 || (all[0].q[6] + 0.25_f64.sin()).abs() < 1e-9
+    );
 }
 
 #[test]
 fn an_open_chain_has_one_assembly_and_that_is_proved() {
     let mut m = Mechanism::new("arm");
-    let (upper, fore) = (m.link("upper", 1.0).unwrap(), m.link("fore", 0.7).unwrap());
+    let upper = m.link("upper", 1.0).unwrap();
+    let fore = m.link("fore", 0.7).unwrap();
     m.add("shoulder", revolute(upper, m.ground(), upper.start(), (0.0, 0.0))).unwrap();
     m.add("elbow", revolute(fore, upper, fore.start(), upper.end())).unwrap();
     m.add("motor", drive_angle(upper, Law::linear(0.4, 1.0))).unwrap();
@@ -189,8 +209,8 @@ fn an_open_chain_has_one_assembly_and_that_is_proved() {
     assert!((all[0].q[5] - 2.4).abs() < 1e-12);
 }
 
-/// A parallelogram drawn flat is at its change point: one singular pose, of which nobody knows from a list
-/// whether it stands alone.
+/// A parallelogram drawn flat is at its change point: one singular pose, of which nobody knows from
+/// a list whether it stands alone.
 #[test]
 fn a_singular_assembly_is_not_said_to_be_all() {
     let mut m = Mechanism::new("parallelogram");
@@ -233,7 +253,8 @@ fn a_list_of_assemblies_says_in_json_whether_it_is_complete() {
 
 /// A delta robot whose motors hold its arms, and the same plate on its six rods alone.
 fn delta() -> [System; 2] {
-    let (mut driven, mut fixed) = (Mechanism::new("delta"), Mechanism::new("six rods of a delta"));
+    let mut driven = Mechanism::new("delta");
+    let mut fixed = Mechanism::new("six rods of a delta");
     let place = SpatialPose::at((0.0, 0.0, -560.0));
     let plates = [&mut driven, &mut fixed].map(|m| m.spatial("plate", place).unwrap());
     for k in 0..3 {
@@ -241,17 +262,22 @@ fn delta() -> [System; 2] {
         let out = Vec3::new(azimuth.cos(), azimuth.sin(), 0.0);
         let across = Vec3::new(-azimuth.sin(), azimuth.cos(), 0.0);
         let shoulder = out * 200.0;
-        let elbow = |angle: f64| shoulder + out * 250.0 * angle.cos() - Vec3::z() * 250.0 * angle.sin();
-        let arm = driven.spatial_link_between(&format!("arm {k}"), shoulder, elbow(deg(20.0))).unwrap();
+        let elbow =
+            |angle: f64| shoulder + out * 250.0 * angle.cos() - Vec3::z() * 250.0 * angle.sin();
+        let arm =
+            driven.spatial_link_between(&format!("arm {k}"), shoulder, elbow(deg(20.0))).unwrap();
         let axis = driven.local_direction(arm, across).unwrap();
         let hinge = spatial::revolute(arm, driven.ground(), arm.start(), shoulder, axis, across);
         driven.add(&format!("hinge {k}"), hinge).unwrap();
         // From the horizontal down: right-handed about `across`.
-        let (own, down) = (Axis::new(axis, arm.end() - arm.start()), 0.3 + 0.05 * k as f64);
-        let motor = drive_turn(arm, driven.ground(), own, Axis::new(across, out), Law::constant(down));
+        let own = Axis::new(axis, arm.end() - arm.start());
+        let down = 0.3 + 0.05 * k as f64;
+        let motor =
+            drive_turn(arm, driven.ground(), own, Axis::new(across, out), Law::constant(down));
         driven.add(&format!("motor {k}"), motor).unwrap();
         for (name, side) in [("left", -40.0), ("right", 40.0)] {
-            let (upper, lower) = (arm.end() + axis * side, out * 60.0 + across * side);
+            let upper = arm.end() + axis * side;
+            let lower = out * 60.0 + across * side;
             let name = format!("{name} rod {k}");
             driven.add(&name, spatial::distance(arm, plates[0], upper, lower, 560.0)).unwrap();
             let upper = elbow(down) + across * side;
@@ -261,8 +287,8 @@ fn delta() -> [System; 2] {
     [driven.build().unwrap(), fixed.build().unwrap()]
 }
 
-/// An arm that is driven has one pose: one with its hinge turned over is none. With eight of such arms for
-/// each pose of the plate a delta would have 128.
+/// An arm that is driven has one pose: one with its hinge turned over is none. With eight of such
+/// arms for each pose of the plate a delta would have 128.
 #[test]
 fn a_delta_robot_has_the_poses_of_its_plate_on_six_rods() {
     let [driven, fixed] = delta();

@@ -1,5 +1,5 @@
-//! Joints that close with an axis turned by 180°, in square and in redundant mechanisms; laws that break in
-//! redundant ones.
+//! Joints that close with an axis turned by 180°, in square and in redundant mechanisms; laws that
+//! break in redundant ones.
 
 use kin::Error;
 use kin::joints::drivers::spatial as drivers;
@@ -35,10 +35,16 @@ fn guess_that_is_upside_down_is_turned_over() {
     for hinges in [1, 3] {
         for angle in [2.0, 3.0, PI, 4.0] {
             for axis in [X, vec3(1.0, 2.0, 0.3), vec3(-0.2, 1.0, 0.5)] {
-                let (m, _) =
-                    door(hinges, SpatialPose::turned(vec3(0.2, -0.1, 0.1), axis, angle), Law::ramp(1.0));
+                let (m, _) = door(
+                    hinges,
+                    SpatialPose::turned(vec3(0.2, -0.1, 0.1), axis, angle),
+                    Law::ramp(1.0),
+                );
                 let motion = m.build().unwrap().run_both(linspace(0.0, 1.0, 11)).unwrap();
-                assert!((0..motion.len()).all(|k| upright(motion.q(k))), "{hinges} {angle} {axis:?}");
+                assert!(
+                    (0..motion.len()).all(|k| upright(motion.q(k))),
+                    "{hinges} {angle} {axis:?}"
+                );
             }
         }
     }
@@ -49,10 +55,8 @@ fn guess_that_is_upside_down_is_turned_over() {
 fn bodies_of_a_chain_are_turned_over_one_by_one() {
     let mut m = Mechanism::new("two doors");
     let guess = SpatialPose::turned(O, X, 3.0);
-    let (a, b) = (
-        m.spatial("a", guess).unwrap(),
-        m.spatial("b", SpatialPose::turned(X, vec3(0.0, 1.0, 0.2), 3.1)).unwrap(),
-    );
+    let a = m.spatial("a", guess).unwrap();
+    let b = m.spatial("b", SpatialPose::turned(X, vec3(0.0, 1.0, 0.2), 3.1)).unwrap();
     m.add("hinge a", spatial::revolute(a, m.ground(), O, O, Z, Z)).unwrap();
     m.add("hinge b", spatial::revolute(b, a, O, X, X, X)).unwrap();
     m.add("motor a", drivers::drive_turn(a, m.ground(), Z, Z, Law::ramp(1.0))).unwrap();
@@ -66,11 +70,14 @@ fn bodies_of_a_chain_are_turned_over_one_by_one() {
             solution.q[first + 3],
         )
     };
-    assert!((turned(3).rotation() * Z - Z).norm() < 1e-9 && (turned(10).rotation() * X - X).norm() < 1e-9);
+    assert!(
+        (turned(3).rotation() * Z - Z).norm() < 1e-9
+            && (turned(10).rotation() * X - X).norm() < 1e-9
+    );
 }
 
-/// An axis that cannot be mended is told, in redundant mechanisms too: the third hinge asks for the opposite
-/// axis.
+/// An axis that cannot be mended is told, in redundant mechanisms too: the third hinge asks for the
+/// opposite axis.
 #[test]
 fn axis_that_is_wrong_any_way_up_is_told() {
     let (mut m, body) = door(2, SpatialPose::at(O), Law::ramp(1.0));

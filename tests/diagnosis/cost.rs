@@ -1,5 +1,5 @@
-//! The cost of a diagnosis, in time of the processor: other programs may run beside it. Builds without
-//! optimisation are given thirty times as long.
+//! The cost of a diagnosis, in time of the processor: other programs may run beside it. Builds
+//! without optimisation are given thirty times as long.
 
 use std::time::Duration;
 
@@ -14,11 +14,16 @@ fn now() -> Duration {
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }
 
-/// Driven links in a row, the last one let go and the first one driven twice, from a guess that is off.
+/// Driven links in a row, the last one let go and the first one driven twice, from a guess that is
+/// off.
 fn examined(links: usize) -> (kin::diagnosis::Diagnosis, Duration) {
     let angles: Vec<f64> = (0..links).map(|k| 0.4 * (0.7 * k as f64).sin()).collect();
-    let mut motors: Vec<Joint> =
-        angles.iter().enumerate().map(|(k, angle)| Joint::Motor(k, *angle, 1.0)).take(links - 1).collect();
+    let mut motors: Vec<Joint> = angles
+        .iter()
+        .enumerate()
+        .map(|(k, angle)| Joint::Motor(k, *angle, 1.0))
+        .take(links - 1)
+        .collect();
     motors.push(Joint::Motor(0, angles[0], 1.0));
     let mut plan = chain(&angles, None, &motors);
     plan.links.iter_mut().enumerate().for_each(|(k, (_, q))| q[2] += 0.02 * (k as f64).cos());
@@ -31,9 +36,15 @@ fn examined(links: usize) -> (kin::diagnosis::Diagnosis, Duration) {
 fn limited(links: usize, seconds: f64) {
     let (found, time) = examined(links);
     println!("{} coordinates in {time:?}", 3 * links);
-    assert_eq!((found.coordinates, found.rank, found.nearby_rank), (3 * links, 3 * links - 1, 3 * links - 1));
+    assert_eq!(
+        (found.coordinates, found.rank, found.nearby_rank),
+        (3 * links, 3 * links - 1, 3 * links - 1)
+    );
     assert_eq!(found.redundancies().next().unwrap().terms.len(), 2);
-    assert_eq!(found.lasting_freedoms().next().unwrap().motions[0].names, [format!("link {links}")]);
+    assert_eq!(
+        found.lasting_freedoms().next().unwrap().motions[0].names,
+        [format!("link {links}")]
+    );
     let limit = if cfg!(debug_assertions) { 30.0 * seconds } else { seconds };
     assert!(time.as_secs_f64() < limit, "{time:?}");
 }
@@ -49,9 +60,9 @@ fn three_thousand_coordinates_within_half_a_minute() {
     limited(1000, 30.0);
 }
 
-/// Ten times three cranks and a coupler, turned together by one motor. The third crank holds its coupler at a
-/// point, or only on a line: then no equation is superfluous, and away from where the line is along the crank
-/// the motion is the same.
+/// Ten times three cranks and a coupler, turned together by one motor. The third crank holds its
+/// coupler at a point, or only on a line: then no equation is superfluous, and away from where the
+/// line is along the crank the motion is the same.
 fn cranks(redundant: bool) -> System {
     let mut m = Mechanism::new("cranks");
     let pivots = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)];
@@ -60,7 +71,8 @@ fn cranks(redundant: bool) -> System {
         let coupler = m.planar(&format!("coupler {n}"), pose(0.5, 0.8, 0.0)).unwrap();
         let cranks = [1, 2, 3].map(|k| m.link(&format!("crank {n}.{k}"), 1.0).unwrap());
         for (k, (crank, pivot)) in cranks.iter().zip(pivots).enumerate() {
-            m.add(&format!("O{n}.{k}"), revolute(m.ground(), *crank, pivot, crank.start())).unwrap();
+            m.add(&format!("O{n}.{k}"), revolute(m.ground(), *crank, pivot, crank.start()))
+                .unwrap();
             if k < 2 || redundant {
                 m.add(&format!("A{n}.{k}"), revolute(*crank, coupler, crank.end(), pivot)).unwrap();
             } else {
@@ -73,9 +85,10 @@ fn cranks(redundant: bool) -> System {
         }
         let driven = match turned {
             None => m.add("motor", drive_angle(cranks[0], Law::linear(0.6, 1.0))),
-            Some(before) => {
-                m.add(&format!("belt {n}"), coupling(before.theta(), cranks[0].theta(), 1.0, -1.0, 0.0))
-            }
+            Some(before) => m.add(
+                &format!("belt {n}"),
+                coupling(before.theta(), cranks[0].theta(), 1.0, -1.0, 0.0),
+            ),
         };
         driven.unwrap();
         turned = Some(cranks[0].into());
@@ -96,9 +109,11 @@ fn step(system: &System) -> f64 {
 /// The median of ratios taken side by side.
 #[test]
 fn redundant_step_takes_at_most_twice_a_square_one() {
-    let (redundant, square) = (cranks(true), cranks(false));
-    let mut ratios: Vec<f64> =
-        (0..if cfg!(debug_assertions) { 3 } else { 15 }).map(|_| step(&redundant) / step(&square)).collect();
+    let redundant = cranks(true);
+    let square = cranks(false);
+    let mut ratios: Vec<f64> = (0..if cfg!(debug_assertions) { 3 } else { 15 })
+        .map(|_| step(&redundant) / step(&square))
+        .collect();
     ratios.sort_by(f64::total_cmp);
     let ratio = ratios[ratios.len() / 2];
     println!("{ratio:.2} of {ratios:.2?}");

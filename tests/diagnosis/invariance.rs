@@ -1,5 +1,5 @@
-//! The verdict does not depend on the unit of length, on the order of declaration, or on where the mechanism
-//! stands.
+//! The verdict does not depend on the unit of length, on the order of declaration, or on where the
+//! mechanism stands.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,11 @@ fn plans() -> Vec<Plan> {
         three_cranks(1.0, &[motor(0, 1.0, 1.0), motor(1, 1.0, 1.5)]),
         three_cranks(1.0, &[motor(0, 1.0, 1.0), motor(1, 1.2, 1.0)]),
         three_cranks(1.0, &[]),
-        chain(&[0.6, 0.9, 1.4], None, &[motor(0, 0.6, 1.0), motor(1, 0.9, 1.0), motor(0, 0.6, 1.0)]),
+        chain(
+            &[0.6, 0.9, 1.4],
+            None,
+            &[motor(0, 0.6, 1.0), motor(1, 0.9, 1.0), motor(0, 0.6, 1.0)],
+        ),
         chain(&[0.0, 0.0], Some([2.0, 0.0]), &[]),
         chain(&[0.5, 0.5], Some([1.7, 0.9]), &[]),
         chain(&[0.3, 0.3, 1.2], None, &[motor(0, 0.3, 1.0), motor(1, 0.3, 0.0)]),
@@ -27,8 +31,10 @@ fn plans() -> Vec<Plan> {
 
 #[test]
 fn every_plan_has_its_verdict() {
-    let all: Vec<Vec<String>> =
-        plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let all: Vec<Vec<String>> = plans()
+        .iter()
+        .map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap()))
+        .collect();
     for (k, verdict) in all.iter().enumerate() {
         println!("{k}: {verdict:#?}");
     }
@@ -39,8 +45,13 @@ fn every_plan_has_its_verdict() {
             && has(2, "Velocity motor 2")
             && has(3, "gap at motor 2 true")
     );
-    assert!(has(4, "Always [\"coupler\", \"crank 1\", \"crank 2\", \"crank 3\"]") && has(4, "Redundant"));
-    assert!(has(5, "misleads true") && has(5, "Redundant motor 3") && has(5, "Always [\"link 3\"]"));
+    assert!(
+        has(4, "Always [\"coupler\", \"crank 1\", \"crank 2\", \"crank 3\"]")
+            && has(4, "Redundant")
+    );
+    assert!(
+        has(5, "misleads true") && has(5, "Redundant motor 3") && has(5, "Always [\"link 3\"]")
+    );
     assert!(has(6, "Infinitesimal") && has(6, "moves false"));
     assert!(has(8, "Always [\"link 3\"]") && has(9, "gap at "));
 }
@@ -49,8 +60,8 @@ fn every_plan_has_its_verdict() {
 fn every_verdict_reads_back_from_its_file() {
     let folder = std::env::temp_dir().join(format!("kin-diagnoses-{}", std::process::id()));
     for (k, plan) in plans().iter().enumerate() {
-        let (found, file) =
-            (plan.mechanism(&View::plain()).diagnose(0.0).unwrap(), folder.join(format!("{k}.json")));
+        let found = plan.mechanism(&View::plain()).diagnose(0.0).unwrap();
+        let file = folder.join(format!("{k}.json"));
         found.write_json(&file).unwrap();
         let read = kin::diagnosis::Diagnosis::read_json(&file).unwrap();
         assert_eq!(read, found);
@@ -59,7 +70,8 @@ fn every_verdict_reads_back_from_its_file() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
-/// The second plan turned by −1.497 rad: at the smallest gap its joints once were called of full rank.
+/// The second plan turned by −1.497 rad: at the smallest gap its joints once were called of full
+/// rank.
 #[test]
 fn contradictory_third_crank_keeps_its_mobility_however_it_is_turned() {
     let plan = &plans()[1];
@@ -74,17 +86,25 @@ fn contradictory_third_crank_keeps_its_mobility_however_it_is_turned() {
 /// Every plan from many sides; what differs is counted, so that one run shows all.
 fn looked_at(cases: usize, mut random: fastrand::Rng) {
     let plans = plans();
-    let plain: Vec<Vec<String>> =
-        plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let plain: Vec<Vec<String>> = plans
+        .iter()
+        .map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap()))
+        .collect();
     let mut wrong = Vec::new();
     for case in 0..cases {
         let k = case % plans.len();
         let mut number = |size: f64| size * (2.0 * random.f64() - 1.0);
-        let (unit, turn, shift) = (10.0_f64.powf(number(3.0)), number(PI), [number(3.0), number(3.0)]);
+        let unit = 10.0_f64.powf(number(3.0));
+        let turn = number(PI);
+        let shift = [number(3.0), number(3.0)];
         let view = View { unit, turn, shift, order: (0..16).map(|_| random.u64(..)).collect() };
         let found = plans[k].mechanism(&view).diagnose(0.0).unwrap();
         if verdict(&found) != plain[k] {
-            let text = format!("plan {k} {view:?}: {:?} instead of {:?}\n{found}", verdict(&found), plain[k]);
+            let text = format!(
+                "plan {k} {view:?}: {:?} instead of {:?}\n{found}",
+                verdict(&found),
+                plain[k]
+            );
             println!("{text}");
             wrong.push(text);
         }

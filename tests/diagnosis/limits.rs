@@ -38,8 +38,9 @@ fn limits_of_zero_are_refused() {
 fn gaps_tell_how_many_starts_were_tried() {
     let system = out_of_reach();
     let starts = |search: SearchOptions| {
-        let found =
-            system.diagnose_with(0.0, &DiagnosisOptions { search, ..DiagnosisOptions::default() }).unwrap();
+        let found = system
+            .diagnose_with(0.0, &DiagnosisOptions { search, ..DiagnosisOptions::default() })
+            .unwrap();
         (found.gaps[0].starts, found.gaps[0].constraint.clone())
     };
     assert_eq!(starts(SearchOptions::default()), (16, "motor".to_string()));
@@ -49,7 +50,10 @@ fn gaps_tell_how_many_starts_were_tried() {
     );
     let at_once = SearchOptions { time_limit: Some(Duration::ZERO), ..SearchOptions::default() };
     let found = system
-        .diagnose_with(0.0, &DiagnosisOptions { search: at_once.clone(), ..DiagnosisOptions::default() })
+        .diagnose_with(
+            0.0,
+            &DiagnosisOptions { search: at_once.clone(), ..DiagnosisOptions::default() },
+        )
         .unwrap();
     assert!(
         !found.can_be_driven() || found.rank < found.coordinates,
@@ -71,10 +75,14 @@ fn search_for_assemblies_ends_in_time() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     let system = m.build().unwrap();
-    let options = AssemblyOptions { time_limit: Some(Duration::ZERO), ..AssemblyOptions::default() };
+    let options =
+        AssemblyOptions { time_limit: Some(Duration::ZERO), ..AssemblyOptions::default() };
     assert!(system.assemblies_with(0.0, &options).unwrap().len() <= 1);
     let all = system.assemblies(0.0).unwrap();
-    assert_eq!(system.assembly_with(0.0, &all[1].label, &AssemblyOptions::default()).unwrap(), all[1]);
+    assert_eq!(
+        system.assembly_with(0.0, &all[1].label, &AssemblyOptions::default()).unwrap(),
+        all[1]
+    );
 }
 
 /// A motor written by hand that says nothing of itself: θ = t.
@@ -119,7 +127,9 @@ fn joint_that_cannot_be_met_asks_for_another_dimension() {
     p.mechanism.add("motor", drive_angle(p.cranks[0], Law::linear(1.0, 1.0))).unwrap();
     let found = p.mechanism.diagnose(0.0).unwrap();
     let [Change::Resize { any }] = &found.changes[..] else { panic!("{found}") };
-    let [Resize { of: Size::Length { body }, is, fits, exact, .. }] = &any[..] else { panic!("{found}") };
+    let [Resize { of: Size::Length { body }, is, fits, exact, .. }] = &any[..] else {
+        panic!("{found}")
+    };
     assert!(body == "crank 3" && is == &[1.1] && (fits[0] - 1.0).abs() < 1e-9 && *exact, "{found}");
     assert!((found.gaps[0].size() - 0.1).abs() < 1e-6, "{found}");
     assert_eq!(found.mobility, 1);

@@ -2,8 +2,8 @@
 
 use kin::prelude::*;
 
-/// Five-row revolute: a common point, and the axis h_i of body i perpendicular to two directions of body j.
-/// [m, –]
+/// Five-row revolute: a common point, and the axis h_i of body i perpendicular to two directions of
+/// body j. [m, –]
 #[constraint]
 pub fn hinge(
     i: Spatial,
@@ -27,8 +27,8 @@ pub fn ball(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
     i.point(u_i) - j.point(u_j)
 }
 
-/// The angle of a body about a ground axis: the direction h of the body stays at the angle f(t) in the plane
-/// of a and b. [–]
+/// The angle of a body about a ground axis: the direction h of the body stays at the angle f(t) in
+/// the plane of a and b. [–]
 #[constraint]
 pub fn turn(body: Spatial, h: Vec3, a: Vec3, b: Vec3, law: Law, t: Time) -> f64 {
     let angle = law.at(t);
@@ -41,8 +41,8 @@ pub struct Parallelogram {
     pub coupler: PlanarBody,
 }
 
-/// Three equal cranks at (0, 0), (2, 0), (0.8, −0.5) carry one coupler; the third is `third` times as long.
-/// No driver yet.
+/// Three equal cranks at (0, 0), (2, 0), (0.8, −0.5) carry one coupler; the third is `third` times
+/// as long. No driver yet.
 pub fn parallelogram(third: f64, angle: f64) -> Parallelogram {
     let mut m = Mechanism::new("parallelogram");
     let ground = m.ground();
@@ -51,8 +51,11 @@ pub fn parallelogram(third: f64, angle: f64) -> Parallelogram {
     let cranks = [0, 1, 2].map(|k| {
         let length = if k == 2 { third } else { 1.0 };
         let link = m.link(&format!("crank {}", k + 1), length).unwrap();
-        m.set_pose(link, pose(pivots[k].x + 0.5 * length * tip.x, pivots[k].y + 0.5 * length * tip.y, angle))
-            .unwrap();
+        m.set_pose(
+            link,
+            pose(pivots[k].x + 0.5 * length * tip.x, pivots[k].y + 0.5 * length * tip.y, angle),
+        )
+        .unwrap();
         link
     });
     let coupler = m.planar("coupler", pose(tip.x, tip.y, 0.0)).unwrap();

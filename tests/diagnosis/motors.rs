@@ -1,5 +1,5 @@
-//! A motor too many, begun at values at which bodies stand in line: the error names the motor, not a length
-//! that would fit at that moment alone.
+//! A motor too many, begun at values at which bodies stand in line: the error names the motor, not
+//! a length that would fit at that moment alone.
 
 use kin::diagnosis::Change;
 use kin::prelude::*;
@@ -39,10 +39,15 @@ fn two_motors_that_begin_alike() {
 fn two_motors_of_a_slider_crank_that_begin_alike() {
     for offset in [0.0, 0.2] {
         let mut m = Mechanism::new("slider-crank");
-        let (crank, rod) = (m.link("crank", 1.0).unwrap(), m.link("rod", 3.0).unwrap());
+        let crank = m.link("crank", 1.0).unwrap();
+        let rod = m.link("rod", 3.0).unwrap();
         m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
         m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
-        m.add("guide", point_on_line(rod, m.ground(), rod.end(), vec2(0.0, offset), vec2(1.0, 0.0))).unwrap();
+        m.add(
+            "guide",
+            point_on_line(rod, m.ground(), rod.end(), vec2(0.0, offset), vec2(1.0, 0.0)),
+        )
+        .unwrap();
         m.add("motor", drive_angle(crank, Law::linear(0.3, 1.0))).unwrap();
         m.add("motor 2", drive_angle(rod, Law::linear(0.3, 1.0))).unwrap();
         assert!(removed(m).contains(&"motor 2".to_string()));

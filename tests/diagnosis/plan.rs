@@ -40,8 +40,11 @@ impl View {
     }
 
     fn sorted<T>(&self, all: impl IntoIterator<Item = T>) -> Vec<T> {
-        let mut keyed: Vec<(u64, T)> =
-            all.into_iter().enumerate().map(|(k, item)| (self.order[k % self.order.len()], item)).collect();
+        let mut keyed: Vec<(u64, T)> = all
+            .into_iter()
+            .enumerate()
+            .map(|(k, item)| (self.order[k % self.order.len()], item))
+            .collect();
         keyed.sort_by_key(|(key, _)| *key);
         keyed.into_iter().map(|(_, item)| item).collect()
     }
@@ -82,7 +85,12 @@ pub fn verdict(found: &Diagnosis) -> Vec<String> {
             "{} {} {} {} {}",
             found.coordinates, found.equations, found.rank, found.nearby_rank, found.mobility
         ),
-        format!("moves {} misleads {} driven {}", found.moves, found.count_misleads(), found.can_be_driven()),
+        format!(
+            "moves {} misleads {} driven {}",
+            found.moves,
+            found.count_misleads(),
+            found.can_be_driven()
+        ),
     ];
     let mut lines: Vec<String> = Vec::new();
     for dependency in &found.dependencies {
@@ -97,7 +105,8 @@ pub fn verdict(found: &Diagnosis) -> Vec<String> {
         lines.push(format!("{class} {own} in {names:?}"));
     }
     for freedom in &found.freedoms {
-        let mut names: Vec<&String> = freedom.motions.iter().flat_map(|motion| &motion.names).collect();
+        let mut names: Vec<&String> =
+            freedom.motions.iter().flat_map(|motion| &motion.names).collect();
         names.sort();
         lines.push(format!("{:?} {names:?}", freedom.persistence));
     }
@@ -110,7 +119,8 @@ pub fn verdict(found: &Diagnosis) -> Vec<String> {
 /// Three cranks and a coupler; the third is `third` long.
 pub fn three_cranks(third: f64, motors: &[Joint]) -> Plan {
     let angle = 1.0_f64;
-    let (c, s) = (angle.cos(), angle.sin());
+    let c = angle.cos();
+    let s = angle.sin();
     let pivots = [[0.0, 0.0], [2.0, 0.0], [0.8, -0.5]];
     let mut links = Vec::new();
     let mut joints = Vec::new();
@@ -127,8 +137,10 @@ pub fn three_cranks(third: f64, motors: &[Joint]) -> Plan {
 
 /// A chain of links of length 1 from the origin at these angles, with motors.
 pub fn chain(angles: &[f64], end: Option<[f64; 2]>, motors: &[Joint]) -> Plan {
-    let (mut links, mut joints) = (Vec::new(), Vec::new());
-    let (mut x, mut y) = (0.0, 0.0);
+    let mut links = Vec::new();
+    let mut joints = Vec::new();
+    let mut x = 0.0;
+    let mut y = 0.0;
     for (k, angle) in angles.iter().enumerate() {
         let (s, c) = angle.sin_cos();
         links.push((format!("link {}", k + 1), [x + 0.5 * c, y + 0.5 * s, *angle]));

@@ -15,7 +15,10 @@ fn third_crank_of_a_parallelogram_is_redundant() {
     p.mechanism.add("motor", drive_angle(p.cranks[0], Law::linear(1.0, 1.0))).unwrap();
     let found = p.mechanism.diagnose(0.0).unwrap();
     report(&found);
-    assert_eq!((found.coordinates, found.equations, found.rank, found.nearby_rank), (12, 13, 12, 12));
+    assert_eq!(
+        (found.coordinates, found.equations, found.rank, found.nearby_rank),
+        (12, 13, 12, 12)
+    );
     assert_eq!((found.gruebler, found.mobility, found.drivers), (0, 1, 1));
     assert!(found.can_be_driven() && !found.is_exactly_constrained());
     let [only] = &found.dependencies[..] else { panic!("{found}") };
@@ -43,8 +46,13 @@ fn parallelogram_runs_through_whole_turns() {
         let angle = 1.0 + 2.0 * t;
         assert!((x.value.values()[k] - angle.cos()).abs() < 1e-12, "position at {t}");
         assert!((x.rate.values()[k] + 2.0 * angle.sin()).abs() < 1e-11, "velocity at {t}");
-        assert!((x.second_rate.values()[k] + 4.0 * angle.cos()).abs() < 1e-11, "acceleration at {t}");
-        assert!(theta.value.values()[k].abs() < 1e-12 && theta.second_rate.values()[k].abs() < 1e-11);
+        assert!(
+            (x.second_rate.values()[k] + 4.0 * angle.cos()).abs() < 1e-11,
+            "acceleration at {t}"
+        );
+        assert!(
+            theta.value.values()[k].abs() < 1e-12 && theta.second_rate.values()[k].abs() < 1e-11
+        );
     }
 }
 
@@ -57,12 +65,15 @@ fn contradictory_third_crank_is_named_with_its_gap() {
     report(found);
     let [gap] = &found.gaps[..] else { panic!("{found}") };
     assert_eq!(gap.constraint, "O3");
-    // The tip of the third crank moves on a circle of radius 1 about its pivot: 0.1 is missing at every
-    // angle.
+    // The tip of the third crank moves on a circle of radius 1 about its pivot: 0.1 is missing at
+    // every angle.
     assert!((gap.size() - 0.1).abs() < 1e-6, "{}", gap.size());
     let conflict = found.contradictions().next().unwrap();
     assert!(matches!(conflict.class, Class::Contradictory { level: Level::Position, .. }));
-    assert!(conflict.constraints().contains(&"A3") && !conflict.constraints().contains(&"motor"), "{found}");
+    assert!(
+        conflict.constraints().contains(&"A3") && !conflict.constraints().contains(&"motor"),
+        "{found}"
+    );
     assert!(error.to_string().contains("contradictory: `O3`"), "{error}");
 }
 
@@ -71,8 +82,11 @@ fn slider_in_two_guides_repeats_one_of_them() {
     let mut m = Mechanism::new("slider");
     let slider = m.planar("slider", pose(0.2, 0.1, 0.0)).unwrap();
     for (name, at) in [("guide 1", 0.0), ("guide 2", 1.0)] {
-        m.add(name, prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(at, 0.0), vec2(0.0, 1.0), 0.0))
-            .unwrap();
+        m.add(
+            name,
+            prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(at, 0.0), vec2(0.0, 1.0), 0.0),
+        )
+        .unwrap();
     }
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
     let system = m.build().unwrap();
@@ -84,7 +98,10 @@ fn slider_in_two_guides_repeats_one_of_them() {
         assert_eq!(dependency.terms[0].constraint, "guide 2");
         assert!(dependency.terms[1..].iter().all(|term| term.constraint == "guide 1"), "{found}");
     }
-    assert_eq!(found.changes, [Change::Remove { constraint: "guide 2".into(), or: vec![] }].to_vec());
+    assert_eq!(
+        found.changes,
+        [Change::Remove { constraint: "guide 2".into(), or: vec![] }].to_vec()
+    );
     let motion = system.run_both(linspace(0.0, 6.0, 61)).unwrap();
     let x = motion.coordinate(slider.x()).unwrap();
     assert!(
@@ -110,8 +127,10 @@ fn two_drivers_that_contradict_in_position() {
     let asks = gap.asks.as_ref().unwrap();
     assert_eq!((asks.coordinate.as_str(), asks.asked), ("rocker.theta", 2.0));
     // Where the rocker stands by the law of cosines.
-    let (ax, ay) = (1.0_f64.cos(), 1.0_f64.sin());
-    let (dx, dy) = (ax - 4.0, ay);
+    let ax = 1.0_f64.cos();
+    let ay = 1.0_f64.sin();
+    let dx = ax - 4.0;
+    let dy = ay;
     let d = dx.hypot(dy);
     let stands = dy.atan2(dx) - ((9.0 + d * d - 3.5 * 3.5) / (6.0 * d)).acos();
     assert!((asks.stands - stands).abs() < 1e-9, "{} {stands}", asks.stands);
@@ -121,7 +140,9 @@ fn two_drivers_that_contradict_in_position() {
     );
     let text = error.to_string();
     assert!(
-        text.contains("`motor 2` asks for rocker.theta = 2.0000; with `motor` (crank.theta = 1.0000), "),
+        text.contains(
+            "`motor 2` asks for rocker.theta = 2.0000; with `motor` (crank.theta = 1.0000), "
+        ),
         "{text}"
     );
 }
@@ -149,7 +170,9 @@ fn two_drivers_that_contradict_in_velocity_only() {
     report(found);
     assert!(found.gaps.is_empty());
     let [only] = &found.dependencies[..] else { panic!("{found}") };
-    let Class::Contradictory { level: Level::Velocity, residual } = only.class else { panic!("{found}") };
+    let Class::Contradictory { level: Level::Velocity, residual } = only.class else {
+        panic!("{found}")
+    };
     assert!((residual.abs() - 0.5).abs() < 1e-12);
     assert_eq!(only.constraints(), ["motor 2", "motor"]);
 }
@@ -162,7 +185,9 @@ fn two_drivers_that_contradict_in_acceleration_only() {
     let error = m.build().unwrap().run_both([0.0, 0.1]).unwrap_err();
     let found = error.diagnosis().unwrap();
     let [only] = &found.dependencies[..] else { panic!("{found}") };
-    let Class::Contradictory { level: Level::Acceleration, residual } = only.class else { panic!("{found}") };
+    let Class::Contradictory { level: Level::Acceleration, residual } = only.class else {
+        panic!("{found}")
+    };
     assert!((residual.abs() - 0.5).abs() < 1e-12);
 }
 
@@ -192,7 +217,8 @@ fn missing_driver_is_a_freedom_with_its_centre() {
 #[test]
 fn square_count_that_hides_a_missing_driver() {
     let mut m = Mechanism::new("arm");
-    let (a, b) = (m.link("upper arm", 1.0).unwrap(), m.link("fore arm", 1.0).unwrap());
+    let a = m.link("upper arm", 1.0).unwrap();
+    let b = m.link("fore arm", 1.0).unwrap();
     m.set_pose(a, pose(0.4, 0.3, 0.6)).unwrap();
     m.set_pose(b, pose(1.2, 0.9, 0.7)).unwrap();
     m.add("shoulder", revolute(m.ground(), a, vec2(0.0, 0.0), a.start())).unwrap();
@@ -203,7 +229,9 @@ fn square_count_that_hides_a_missing_driver() {
     // Nine coordinates would be three links: here there are six, six equations but one, and rank 5.
     let mut three = Mechanism::new("arm and hand");
     let links = ["upper arm", "fore arm", "hand"].map(|name| three.link(name, 1.0).unwrap());
-    three.add("shoulder", revolute(three.ground(), links[0], vec2(0.0, 0.0), links[0].start())).unwrap();
+    three
+        .add("shoulder", revolute(three.ground(), links[0], vec2(0.0, 0.0), links[0].start()))
+        .unwrap();
     three.add("elbow", revolute(links[0], links[1], links[0].end(), links[1].start())).unwrap();
     three.add("wrist", revolute(links[1], links[2], links[1].end(), links[2].start())).unwrap();
     three.add("motor 1", drive_angle(links[0], Law::linear(0.6, 1.0))).unwrap();
@@ -226,7 +254,8 @@ fn square_count_that_hides_a_missing_driver() {
 #[test]
 fn collinear_two_bar_gives_only_to_first_order() {
     let mut m = Mechanism::new("two bars");
-    let (a, b) = (m.link("left", 1.0).unwrap(), m.link("right", 1.0).unwrap());
+    let a = m.link("left", 1.0).unwrap();
+    let b = m.link("right", 1.0).unwrap();
     m.set_pose(a, pose(0.5, 0.0, 0.0)).unwrap();
     m.set_pose(b, pose(1.5, 0.0, 0.0)).unwrap();
     m.add("A", revolute(m.ground(), a, vec2(0.0, 0.0), a.start())).unwrap();
@@ -283,7 +312,10 @@ fn run_beyond_a_toggle_ends_with_what_is_asked_and_what_can_be() {
     match &found.gaps[..] {
         [gap] => {
             let asks = gap.asks.as_ref().unwrap();
-            assert_eq!((gap.constraint.as_str(), asks.coordinate.as_str()), ("motor", "rocker.theta"));
+            assert_eq!(
+                (gap.constraint.as_str(), asks.coordinate.as_str()),
+                ("motor", "rocker.theta")
+            );
             assert!((asks.stands - least).abs() < 1e-6, "{} {least}", asks.stands);
         }
         [] => assert!(found.rank < found.nearby_rank),
@@ -295,8 +327,9 @@ fn run_beyond_a_toggle_ends_with_what_is_asked_and_what_can_be() {
 fn loop_that_cannot_close_is_told_with_its_gap() {
     let mut m = Mechanism::new("short coupler");
     let ground = m.ground();
-    let (crank, coupler, rocker) =
-        (m.link("crank", 1.0).unwrap(), m.link("coupler", 0.5).unwrap(), m.link("rocker", 1.5).unwrap());
+    let crank = m.link("crank", 1.0).unwrap();
+    let coupler = m.link("coupler", 0.5).unwrap();
+    let rocker = m.link("rocker", 1.5).unwrap();
     m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();

@@ -22,8 +22,8 @@ fn six_bar(fault: Fault) -> Mechanism {
     let ground = m.ground();
     let crank = m.link("crank", if fault == Fault::LongCrank { 0.3 } else { 0.03 }).unwrap();
     let plate = m.planar("plate", pose(0.06, 0.05, 0.3)).unwrap();
-    let [rocker, rod, arm] =
-        [("rocker", 0.08), ("rod", 0.09), ("arm", 0.07)].map(|(name, length)| m.link(name, length).unwrap());
+    let [rocker, rod, arm] = [("rocker", 0.08), ("rod", 0.09), ("arm", 0.07)]
+        .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(ground, crank, (0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, plate, crank.end(), (-0.05, 0.0))).unwrap();
     m.add("B", revolute(plate, rocker, (0.05, 0.0), rocker.end())).unwrap();
@@ -44,7 +44,11 @@ fn six_bar(fault: Fault) -> Mechanism {
 }
 
 fn told(fault: Fault) -> String {
-    six_bar(fault).build().and_then(|system| system.run_both(linspace(0.0, 1.0, 21))).unwrap_err().to_string()
+    six_bar(fault)
+        .build()
+        .and_then(|system| system.run_both(linspace(0.0, 1.0, 21)))
+        .unwrap_err()
+        .to_string()
 }
 
 #[test]
@@ -63,7 +67,8 @@ fn exchanged_bodies_of_a_plate_and_a_link() {
     );
 }
 
-/// 60 rad is out of reach, and 59.5 rad, where the crank would stand, is no answer to somebody who meant 60°.
+/// 60 rad is out of reach, and 59.5 rad, where the crank would stand, is no answer to somebody who
+/// meant 60°.
 #[test]
 fn degrees_that_are_out_of_reach() {
     let text = told(Fault::Degrees);
@@ -100,7 +105,9 @@ fn crank_of_a_six_bar_that_is_ten_times_too_long() {
 /// A body in space does not show how often it has turned; its driver does.
 #[test]
 fn degrees_given_to_a_hinge_in_space() {
-    let (o, y, z) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    let o = vec3(0.0, 0.0, 0.0);
+    let y = vec3(0.0, 1.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
     let summary = |angle: f64| {
         let mut m = Mechanism::new("crane");
         let tower = m.spatial("tower", SpatialPose::at(o)).unwrap();

@@ -1,5 +1,5 @@
-//! Structures that are rigid in second order only: one verdict by run and diagnosis, and what play does to
-//! them.
+//! Structures that are rigid in second order only: one verdict by run and diagnosis, and what play
+//! does to them.
 
 use kin::diagnosis::Persistence;
 use kin::prelude::*;
@@ -34,16 +34,20 @@ fn one_verdict_of_a_shaky_structure() {
         let off = 0.0004 * f64::from(k * k);
         let system = in_line(&[0.4, 0.3], off).build().unwrap();
         let error = system.run([0.0]).unwrap_err();
-        let (said, found) = (error.to_string(), system.diagnose(0.0).unwrap());
-        assert!(!(said.clone() + &found.to_string()).contains("can be driven"), "{off}: {said}\n{found}");
+        let said = error.to_string();
+        let found = system.diagnose(0.0).unwrap();
+        assert!(
+            !(said.clone() + &found.to_string()).contains("can be driven"),
+            "{off}: {said}\n{found}"
+        );
         assert_eq!((found.rank, error.diagnosis().unwrap().rank), (5, 5), "{off}: {said}\n{found}");
         assert!(found.to_string().contains("rigid, but shaky: `bar 1`, `bar 2`"), "{found}");
         assert!(said.contains("rigid, but shaky"), "{said}");
     }
 }
 
-/// Each of the three joints lets the bars be longer by the play ε: with h the height of the middle joint,
-/// 3 ε = ½ h² (1 / 0.4 + 1 / 0.3), and the middle of each bar moves by ½ h.
+/// Each of the three joints lets the bars be longer by the play ε: with h the height of the middle
+/// joint, 3 ε = ½ h² (1 / 0.4 + 1 / 0.3), and the middle of each bar moves by ½ h.
 #[test]
 fn play_lets_a_shaky_structure_move_by_its_square_root() {
     for unit in [1.0, 1000.0] {
@@ -58,7 +62,8 @@ fn play_lets_a_shaky_structure_move_by_its_square_root() {
     // The same, put together: with bars that are longer by so much the middle joint stands so high.
     let slack = 3e-5;
     let mut m = Mechanism::new("slack");
-    let (a, b) = (m.link("a", 0.4).unwrap(), m.link("b", 0.3).unwrap());
+    let a = m.link("a", 0.4).unwrap();
+    let b = m.link("b", 0.3).unwrap();
     m.set_pose(a, pose(0.2, 0.02, 0.1)).unwrap();
     m.set_pose(b, pose(0.55, 0.02, -0.1)).unwrap();
     m.add("O", revolute(m.ground(), a, vec2(0.0, 0.0), a.start())).unwrap();
@@ -86,7 +91,11 @@ fn several_motions_of_first_order_are_looked_at_together() {
 #[test]
 fn motion_of_a_redundant_mechanism_is_finite() {
     let found = parallelogram(1.0, 1.0).mechanism.diagnose(0.0).unwrap();
-    assert_eq!((found.mobility, found.freedoms[0].persistence), (1, Persistence::Always), "{found}");
+    assert_eq!(
+        (found.mobility, found.freedoms[0].persistence),
+        (1, Persistence::Always),
+        "{found}"
+    );
     assert!(found.freedoms[0].play.is_none(), "{found}");
 }
 
@@ -99,11 +108,15 @@ fn error_of_a_closure_never_says_that_it_can_be_driven() {
             let crank = p.cranks[0];
             p.mechanism.add("motor", drive_angle(crank, Law::linear(angle, 1.0))).unwrap();
             let system = p.mechanism.build().unwrap();
-            if let Err(error) = system.run_with(linspace(0.0, 4.0, 41), &Options::closure(closure)) {
+            if let Err(error) = system.run_with(linspace(0.0, 4.0, 41), &Options::closure(closure))
+            {
                 let said = error.to_string();
                 assert!(!said.contains("can be driven"), "{off} {angle}: {said}");
                 let told = matches!(error, Error::CannotBeDriven { .. });
-                assert!(!told || !error.diagnosis().unwrap().can_be_driven(), "{off} {angle}: {said}");
+                assert!(
+                    !told || !error.diagnosis().unwrap().can_be_driven(),
+                    "{off} {angle}: {said}"
+                );
             }
         }
     }

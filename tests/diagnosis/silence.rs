@@ -1,5 +1,5 @@
-//! Faults that once passed in silence: bodies that are assembled far from where they are drawn, handles of
-//! other mechanisms, kinks of equations.
+//! Faults that once passed in silence: bodies that are assembled far from where they are drawn,
+//! handles of other mechanisms, kinks of equations.
 
 use kin::prelude::*;
 use kin::{Error, EventKind};
@@ -23,7 +23,8 @@ fn folded(x: Coord, y: Coord, c: f64, floor: f64) -> f64 {
 /// x = sin t, and y by a constraint.
 fn swinging<C: Constraint + 'static>(make: impl FnOnce(Coordinate, Coordinate) -> C) -> System {
     let mut m = Mechanism::new("swinging");
-    let (x, y) = (m.length("x", 0.0).unwrap(), m.length("y", 0.0).unwrap());
+    let x = m.length("x", 0.0).unwrap();
+    let y = m.length("y", 0.0).unwrap();
     m.add("x", drive(x, Law::sine(1.0, 1.0, 0.0))).unwrap();
     m.add("y", make(x, y)).unwrap();
     m.build().unwrap()
@@ -32,13 +33,16 @@ fn swinging<C: Constraint + 'static>(make: impl FnOnce(Coordinate, Coordinate) -
 #[test]
 fn kinks_of_if_are_events_at_their_times() {
     let motion = swinging(|x, y| stepped(x, y, 0.5)).run_both(linspace(0.0, 3.0, 7)).unwrap();
-    let kinks: Vec<_> = motion.events().iter().filter(|event| event.kind == EventKind::Kink).collect();
+    let kinks: Vec<_> =
+        motion.events().iter().filter(|event| event.kind == EventKind::Kink).collect();
     let exact = [0.5_f64.asin(), PI - 0.5_f64.asin()];
     assert_eq!(kinks.len(), 2, "{:?}", motion.events());
     for (event, exact) in kinks.iter().zip(exact) {
         assert!((event.t - exact).abs() < 1e-4, "{event}");
         assert!(
-            event.name == "y" && event.text.contains("`x > edge`") && event.text.contains("silence.rs:"),
+            event.name == "y"
+                && event.text.contains("`x > edge`")
+                && event.text.contains("silence.rs:"),
             "{event}"
         );
     }
@@ -47,7 +51,13 @@ fn kinks_of_if_are_events_at_their_times() {
     let back = swinging(|x, y| stepped(x, y, 0.5)).run_both([3.0, 2.0, 1.0, 0.0]).unwrap();
     assert!(back.events().len() == 2 && back.events()[0].t > back.events()[1].t);
     // Beyond reach there is none.
-    assert!(swinging(|x, y| stepped(x, y, 1.5)).run_both(linspace(0.0, 3.0, 7)).unwrap().events().is_empty());
+    assert!(
+        swinging(|x, y| stepped(x, y, 1.5))
+            .run_both(linspace(0.0, 3.0, 7))
+            .unwrap()
+            .events()
+            .is_empty()
+    );
 }
 
 /// abs takes its other side at x = 0.2, where max holds the floor; max changes at |x − 0.2| = 0.1.
@@ -72,16 +82,25 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     assert!(displaced.iter().all(|body| body.hint.is_none()), "{displaced:?}");
     let crank = displaced.iter().find(|body| body.name == "crank").unwrap();
     let exact = (0.5 * 1.0_f64.cos() - 0.3).hypot(0.5 * 1.0_f64.sin() - 0.4);
-    assert!((crank.moved.unwrap() - exact).abs() < 1e-12 && (crank.turned.unwrap() - 0.1).abs() < 1e-12);
+    assert!(
+        (crank.moved.unwrap() - exact).abs() < 1e-12 && (crank.turned.unwrap() - 0.1).abs() < 1e-12
+    );
     let text = motion.summary();
-    assert!(text.contains("first position, from where it is drawn: `") && !text.contains("hint"), "{text}");
+    assert!(
+        text.contains("first position, from where it is drawn: `") && !text.contains("hint"),
+        "{text}"
+    );
     // Links by their lengths alone are drawn nowhere.
     let mut m = Mechanism::new("crank");
     let crank = m.link("crank", 1.0).unwrap();
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(3.0, 1.0))).unwrap();
     let motion = m.build().unwrap().run_both([0.0, 0.1]).unwrap();
-    assert!(motion.displaced().is_empty() && motion.summary().lines().count() == 1, "{}", motion.summary());
+    assert!(
+        motion.displaced().is_empty() && motion.summary().lines().count() == 1,
+        "{}",
+        motion.summary()
+    );
 }
 
 #[test]
@@ -99,7 +118,10 @@ fn runs_without_newton_steps_do_not_read_like_faults() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     let text = m.build().unwrap().run_both(linspace(0.0, 1.0, 401)).unwrap().summary();
-    assert!(text.contains("predictions met the equations at ") && !text.contains("0 Newton steps"), "{text}");
+    assert!(
+        text.contains("predictions met the equations at ") && !text.contains("0 Newton steps"),
+        "{text}"
+    );
 }
 
 /// A motion knows the bodies of its own mechanism alone, and says so.

@@ -1,5 +1,5 @@
-//! The same verdict in other units, orders and places, for spatial mechanisms: everything is told in global
-//! coordinates at the pose given.
+//! The same verdict in other units, orders and places, for spatial mechanisms: everything is told
+//! in global coordinates at the pose given.
 
 use kin::joints::drivers::spatial as drivers;
 use kin::joints::spatial;
@@ -43,14 +43,18 @@ impl View {
 
     fn random(random: &mut fastrand::Rng) -> View {
         let mut number = || 2.0 * random.f64() - 1.0;
-        let (unit, shift) = (10.0_f64.powf(3.0 * number()), v(number(), number(), number()) * 3.0);
+        let unit = 10.0_f64.powf(3.0 * number());
+        let shift = v(number(), number(), number()) * 3.0;
         let turn = EulerParameters::new(number(), number(), number(), number()).normalize();
         View { unit, turn, shift, order: (0..8).map(|_| random.u64(..)).collect() }
     }
 
     fn sorted<T>(&self, all: impl IntoIterator<Item = T>) -> Vec<T> {
-        let mut keyed: Vec<(u64, T)> =
-            all.into_iter().enumerate().map(|(k, item)| (self.order[k % self.order.len()], item)).collect();
+        let mut keyed: Vec<(u64, T)> = all
+            .into_iter()
+            .enumerate()
+            .map(|(k, item)| (self.order[k % self.order.len()], item))
+            .collect();
         keyed.sort_by_key(|(key, _)| *key);
         keyed.into_iter().map(|(_, item)| item).collect()
     }
@@ -61,20 +65,22 @@ fn v(x: f64, y: f64, z: f64) -> Vec3 {
 }
 
 impl Plan {
-    /// Body frames are the global one before the view; so local points of bodies are the global ones, and the
-    /// ground's are seen.
+    /// Body frames are the global one before the view; so local points of bodies are the global
+    /// ones, and the ground's are seen.
     fn mechanism(&self, view: &View) -> Mechanism {
         let mut m = Mechanism::new("plan");
         let a = view.turn.rotation();
         let mut bodies = vec![None; self.bodies.len()];
         for (k, name) in view.sorted(self.bodies.iter().enumerate()) {
-            bodies[k] = Some(m.spatial(name, SpatialPose::new(view.shift * view.unit, view.turn)).unwrap());
+            bodies[k] =
+                Some(m.spatial(name, SpatialPose::new(view.shift * view.unit, view.turn)).unwrap());
         }
         let ground = SpatialBody::from(m.ground());
         let body = |k: Option<usize>| k.map_or(ground, |k| bodies[k].unwrap());
         let own = |p: Vec3| p * view.unit;
-        let point =
-            |k: Option<usize>, p: Vec3| if k.is_some() { own(p) } else { (a * p + view.shift) * view.unit };
+        let point = |k: Option<usize>, p: Vec3| {
+            if k.is_some() { own(p) } else { (a * p + view.shift) * view.unit }
+        };
         let axis = |k: Option<usize>, h: Vec3| {
             let f = v(0.3, -0.5, 0.9);
             if k.is_some() { Axis::new(h, f) } else { Axis::new(a * h, a * f) }
@@ -82,21 +88,35 @@ impl Plan {
         for (name, joint) in view.sorted(&self.joints) {
             match *joint {
                 Joint::Hinge(i, j, at, h, off) => {
-                    let (u_i, u_j) = (own(at), point(j, at + off));
+                    let u_i = own(at);
+                    let u_j = point(j, at + off);
                     m.add(
                         name,
-                        spatial::revolute(body(Some(i)), body(j), u_i, u_j, axis(Some(i), h), axis(j, h).h),
+                        spatial::revolute(
+                            body(Some(i)),
+                            body(j),
+                            u_i,
+                            u_j,
+                            axis(Some(i), h),
+                            axis(j, h).h,
+                        ),
                     )
                     .unwrap()
                 }
-                Joint::Ball(i, j, at) => {
-                    m.add(name, spatial::spherical(body(Some(i)), body(j), own(at), point(j, at))).unwrap()
-                }
+                Joint::Ball(i, j, at) => m
+                    .add(name, spatial::spherical(body(Some(i)), body(j), own(at), point(j, at)))
+                    .unwrap(),
                 Joint::Motor(i, j, h, angle, rate) => {
                     let law = Law::linear(angle, rate);
                     m.add(
                         name,
-                        drivers::drive_turn(body(Some(i)), body(j), axis(Some(i), h), axis(j, h), law),
+                        drivers::drive_turn(
+                            body(Some(i)),
+                            body(j),
+                            axis(Some(i), h),
+                            axis(j, h),
+                            law,
+                        ),
                     )
                     .unwrap()
                 }
@@ -108,7 +128,9 @@ impl Plan {
 
 /// One mechanism of each verdict.
 fn plans() -> Vec<Plan> {
-    let (o, x, z) = (v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 0.0, 1.0));
+    let o = v(0.0, 0.0, 0.0);
+    let x = v(1.0, 0.0, 0.0);
+    let z = v(0.0, 0.0, 1.0);
     let hinge = |off: f64| Joint::Hinge(0, None, z, z, x * off);
     let motor = |rate: f64, angle: f64| Joint::Motor(0, None, z, angle, rate);
     let door = |joints: &[(&'static str, Joint)]| {
@@ -116,7 +138,8 @@ fn plans() -> Vec<Plan> {
         Plan { bodies: vec!["door"], joints }
     };
     // A crank about z, a rocker about x, and a rod between balls that spins as it likes.
-    let (tip, end) = (v(1.0, 0.0, 0.0), v(3.0, 1.5, 0.7));
+    let tip = v(1.0, 0.0, 0.0);
+    let end = v(3.0, 1.5, 0.7);
     let rods = |motors: &[(&'static str, Joint)]| Plan {
         bodies: vec!["crank", "rod", "rocker"],
         joints: [
@@ -146,11 +169,14 @@ fn plans() -> Vec<Plan> {
 /// Every plan from many sides.
 fn looked_at(cases: usize, mut random: fastrand::Rng) {
     let plans = plans();
-    let plain: Vec<Vec<String>> =
-        plans.iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let plain: Vec<Vec<String>> = plans
+        .iter()
+        .map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap()))
+        .collect();
     let mut wrong = 0;
     for case in 0..cases {
-        let (k, view) = (case % plans.len(), View::random(&mut random));
+        let k = case % plans.len();
+        let view = View::random(&mut random);
         let found = plans[k].mechanism(&view).diagnose(0.0).unwrap();
         if verdict(&found) != plain[k] {
             println!("plan {k} {view:?}: {:?} instead of {:?}\n{found}", verdict(&found), plain[k]);
@@ -162,8 +188,10 @@ fn looked_at(cases: usize, mut random: fastrand::Rng) {
 
 #[test]
 fn every_plan_has_its_verdict() {
-    let all: Vec<Vec<String>> =
-        plans().iter().map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap())).collect();
+    let all: Vec<Vec<String>> = plans()
+        .iter()
+        .map(|plan| verdict(&plan.mechanism(&View::plain()).diagnose(0.0).unwrap()))
+        .collect();
     for (k, verdict) in all.iter().enumerate() {
         println!("{k}: {verdict:#?}");
     }
@@ -174,7 +202,9 @@ fn every_plan_has_its_verdict() {
             && has(1, "driven true")
             && has(2, "gap at hinge 2 true")
     );
-    assert!(has(3, "Always [\"door\"]") && has(4, "Velocity motor 2") && has(5, "gap at motor 2 true"));
+    assert!(
+        has(3, "Always [\"door\"]") && has(4, "Velocity motor 2") && has(5, "gap at motor 2 true")
+    );
     assert!(
         has(6, "Always [\"rod\"]")
             && has(7, "Always [\"rod\"]")
@@ -188,8 +218,8 @@ fn verdict_is_the_same_in_other_units_orders_and_places() {
     looked_at(27, fastrand::Rng::with_seed(7));
 }
 
-/// From here each of two contradictory motors seemed too far off once the other was met, and rounding chose
-/// between them.
+/// From here each of two contradictory motors seemed too far off once the other was met, and
+/// rounding chose between them.
 #[test]
 fn contradictory_motor_is_the_last_by_name_from_any_side() {
     let view = View {

@@ -11,8 +11,8 @@ fn v(x: f64, y: f64, z: f64) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Denavit–Hartenberg step: along x by a, then turned about x by alpha; from a frame with z its joint axis,
-/// turned about z by theta first.
+/// Denavit–Hartenberg step: along x by a, then turned about x by alpha; from a frame with z its
+/// joint axis, turned about z by theta first.
 #[derive(Clone, Copy)]
 struct Frame {
     r: Vec3,
@@ -32,8 +32,9 @@ impl Frame {
     }
 }
 
-/// Bennett's four-bar: links a, b, a, b with twists α, β, α, β and a sin β = b sin α. The joint angles follow
-/// from the first by tan(θ1/2) tan(θ2/2) = sin((α + β)/2) / sin((β − α)/2) and θ3 = −θ1, θ4 = −θ2.
+/// Bennett's four-bar: links a, b, a, b with twists α, β, α, β and a sin β = b sin α. The joint
+/// angles follow from the first by tan(θ1/2) tan(θ2/2) = sin((α + β)/2) / sin((β − α)/2) and θ3 =
+/// −θ1, θ4 = −θ2.
 struct Bennett {
     system: kin::System,
     bodies: Vec<kin::SpatialBody>,
@@ -66,21 +67,26 @@ fn bennett(error: f64) -> Bennett {
     let start = 1.0;
     let frames = frames(start);
     let mut m = Mechanism::new("Bennett");
-    // Body k reaches from joint k to joint k + 1; at the start all body frames are the global one: local
-    // positions are global ones.
+    // Body k reaches from joint k to joint k + 1; at the start all body frames are the global one:
+    // local positions are global ones.
     let wobble = |k: usize| error * (1.0 + k as f64).sin();
     let bodies: Vec<_> = (0..3)
         .map(|k| {
             m.spatial(
                 &format!("link {}", k + 1),
-                SpatialPose::turned(v(wobble(k), wobble(k + 3), -wobble(k + 5)), v(1.0, 2.0, 0.5), wobble(k)),
+                SpatialPose::turned(
+                    v(wobble(k), wobble(k + 3), -wobble(k + 5)),
+                    v(1.0, 2.0, 0.5),
+                    wobble(k),
+                ),
             )
             .unwrap()
         })
         .collect();
     for k in 0..4 {
         let Frame { r, x, z } = frames[k];
-        let (name, y) = (format!("J{}", k + 1), z.cross(x));
+        let name = format!("J{}", k + 1);
+        let y = z.cross(x);
         match k {
             0 => m.add(&name, hinge(bodies[0], m.ground(), r, r, z, x, y)).unwrap(),
             3 => m.add(&name, hinge(bodies[2], m.ground(), r, r, z, x, y)).unwrap(),
@@ -88,8 +94,11 @@ fn bennett(error: f64) -> Bennett {
         };
     }
     // The x-axis of the first link turns by t.
-    m.add("motor", turn(bodies[0], v(1.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0), Law::ramp(1.0)))
-        .unwrap();
+    m.add(
+        "motor",
+        turn(bodies[0], v(1.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0), Law::ramp(1.0)),
+    )
+    .unwrap();
     Bennett { system: m.build().unwrap(), bodies }
 }
 
@@ -105,7 +114,10 @@ fn frames_of_bennett_close() {
 fn four_bar_of_five_row_revolutes_has_three_redundant_equations() {
     let found = bennett(0.0).system.diagnose(0.0).unwrap();
     println!("{found}");
-    assert_eq!((found.coordinates, found.equations, found.rank, found.nearby_rank), (21, 24, 21, 21));
+    assert_eq!(
+        (found.coordinates, found.equations, found.rank, found.nearby_rank),
+        (21, 24, 21, 21)
+    );
     assert_eq!((found.gruebler, found.mobility), (-2, 1));
     assert_eq!(found.redundancies().count(), 3);
     assert!(found.can_be_driven() && found.freedoms.is_empty());
@@ -132,8 +144,10 @@ fn bennett_runs_through_a_turn() {
         let state = kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i]));
         assert!((state.point(u) - exact).norm() < 1e-10, "position at {t}");
         let rate = |q: &[f64], qd: &[f64], s: f64| {
-            kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i] + s * qd[first + i]))
-                .point(u)
+            kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| {
+                q[first + i] + s * qd[first + i]
+            }))
+            .point(u)
         };
         let velocity = (rate(q, motion.qd(k), h) - rate(q, motion.qd(k), -h)) * (0.5 / h);
         let exact = (point(t + h) - point(t - h)) * (0.5 / h);
@@ -142,7 +156,8 @@ fn bennett_runs_through_a_turn() {
     // Accelerations are the differences of velocities.
     for k in (1..500).step_by(37) {
         for j in 0..21 {
-            let difference = (motion.qd(k + 1)[j] - motion.qd(k - 1)[j]) / (times[k + 1] - times[k - 1]);
+            let difference =
+                (motion.qd(k + 1)[j] - motion.qd(k - 1)[j]) / (times[k + 1] - times[k - 1]);
             assert!(
                 (difference - motion.qdd(k)[j]).abs() < 2e-3 * (1.0 + difference.abs()),
                 "acceleration {j} at {}",
@@ -175,8 +190,8 @@ fn rod_between_two_spherical_joints_spins_idly() {
     m.add("B", ball(rod, m.ground(), v(0.0, 0.5, 0.2), v(1.0, 1.0, 0.4))).unwrap();
     let found = m.diagnose(0.0).unwrap();
     println!("{found}");
-    // O leaves one freedom, A and B take it (the point A must stay at its distance from B) but not the spin
-    // of the rod.
+    // O leaves one freedom, A and B take it (the point A must stay at its distance from B) but not
+    // the spin of the rod.
     assert_eq!((found.coordinates, found.equations, found.rank), (14, 13, 13));
     let [spin] = &found.freedoms[..] else { panic!("{found}") };
     assert_eq!(spin.persistence, Persistence::Always);

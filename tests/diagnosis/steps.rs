@@ -18,16 +18,18 @@ fn held(z: Coord, value: f64) -> f64 {
     z - value
 }
 
-/// z = ⌊6.5 y⌋ + y takes no value between 0.1538 and 1.1538: nothing is reached "at the least", and the step
-/// is told.
+/// z = ⌊6.5 y⌋ + y takes no value between 0.1538 and 1.1538: nothing is reached "at the least", and
+/// the step is told.
 #[test]
 fn step_that_leaves_values_out_is_told() {
     let mut m = Mechanism::new("steps");
-    let (y, z) = (m.length("y", 0.1).unwrap(), m.length("z", 0.5).unwrap());
+    let y = m.length("y", 0.1).unwrap();
+    let z = m.length("z", 0.5).unwrap();
     m.add("stair", stair(y, z, 6.5)).unwrap();
     m.add("held", held(z, 0.5)).unwrap();
     let error = m.build().unwrap().run([0.0]).unwrap_err();
-    let (said, found) = (error.to_string(), error.diagnosis().unwrap());
+    let said = error.to_string();
+    let found = error.diagnosis().unwrap();
     let gap = &found.gaps[0];
     assert!(gap.can_jump && !gap.steps.is_empty(), "{said}");
     let step = &gap.steps[0];
@@ -36,7 +38,10 @@ fn step_that_leaves_values_out_is_told() {
         (step.at - 1.0 / 6.5).abs() < 1e-6 && ((step.to - step.from).abs() - 1.0).abs() < 1e-6,
         "{step:?}"
     );
-    assert!(said.contains("`stair` jumps at y = 0.1538") && !said.contains("at the least"), "{said}");
+    assert!(
+        said.contains("`stair` jumps at y = 0.1538") && !said.contains("at the least"),
+        "{said}"
+    );
     assert!(!said.contains("out of reach"), "{said}");
 }
 
@@ -46,15 +51,19 @@ fn out_of_reach_is_not_said_beside_a_step() {
     for j in [0, 7, 13, 20, 31, 44, 52] {
         let w = 1.0 + 8.0 * f64::from(j) / 59.0;
         let mut m = Mechanism::new("steps");
-        let (x, y, z) =
-            (m.length("x", 0.1).unwrap(), m.length("y", 0.1).unwrap(), m.length("z", 0.1).unwrap());
+        let x = m.length("x", 0.1).unwrap();
+        let y = m.length("y", 0.1).unwrap();
+        let z = m.length("z", 0.1).unwrap();
         m.add("x", drive(x, Law::sine(0.9, w, 0.3))).unwrap();
         m.add("y", cubic(x, y)).unwrap();
         m.add("z", stair(y, z, 6.5)).unwrap();
         if let Err(error) = m.build().unwrap().run(linspace(0.0, 100.0, 1200)) {
             let said = error.to_string();
             println!("{w}: {said}");
-            assert!(!said.contains("at the least") && !said.contains("out of reach"), "{w}: {said}");
+            assert!(
+                !said.contains("at the least") && !said.contains("out of reach"),
+                "{w}: {said}"
+            );
             let dimension = |change: &Change| matches!(change, Change::Fit { .. });
             assert!(
                 !error.diagnosis().is_some_and(|found| found.changes.iter().any(dimension)),

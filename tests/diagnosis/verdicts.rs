@@ -1,5 +1,5 @@
-//! One cut for ranks; redundant equations of ordinary accuracy; turns that nothing depends on; what can be
-//! asked where `build` refuses.
+//! One cut for ranks; redundant equations of ordinary accuracy; turns that nothing depends on; what
+//! can be asked where `build` refuses.
 
 use kin::diagnosis::{Change, Diagnosis, Elsewhere};
 use kin::joints::drivers::spatial as drivers;
@@ -10,12 +10,15 @@ use crate::engines::Engines;
 
 use crate::models::*;
 
-/// Two bars between pins that are just as far apart as the bars are long together, seen from anywhere.
+/// Two bars between pins that are just as far apart as the bars are long together, seen from
+/// anywhere.
 fn two_bars(a: f64, b: f64, unit: f64, turn: f64) -> Mechanism {
     let mut m = Mechanism::new("two bars");
-    let (left, right) = (m.link("left", a * unit).unwrap(), m.link("right", b * unit).unwrap());
+    let left = m.link("left", a * unit).unwrap();
+    let right = m.link("right", b * unit).unwrap();
     let along = |r: f64| vec2(r * unit * turn.cos(), r * unit * turn.sin());
-    let (p, q) = (along(0.5 * a), along(a + 0.5 * b));
+    let p = along(0.5 * a);
+    let q = along(a + 0.5 * b);
     m.set_pose(left, pose(p.x, p.y, turn)).unwrap();
     m.set_pose(right, pose(q.x, q.y, turn)).unwrap();
     m.add("A", revolute(m.ground(), left, vec2(0.0, 0.0), left.start())).unwrap();
@@ -41,8 +44,8 @@ fn flat(angle: f64, offset: f64) -> Mechanism {
     m
 }
 
-/// True if a pose, the one that a diagnosis looks at, can be driven; diagnosis and solver have to agree on
-/// it.
+/// True if a pose, the one that a diagnosis looks at, can be driven; diagnosis and solver have to
+/// agree on it.
 fn agreed(system: &System) -> bool {
     let found = system.diagnose(0.0).unwrap();
     let solved = system.solve_at(0.0, &found.q);
@@ -52,13 +55,17 @@ fn agreed(system: &System) -> bool {
 
 #[test]
 fn solver_and_diagnosis_have_one_cut_for_ranks() {
-    for (a, b, unit, turn) in
-        [(0.2, 0.3, 1.0, 0.0), (0.2, 0.3, 1000.0, 0.7), (1.0, 1.0, 1e-3, -2.0), (0.35, 3.0, 1.0, 0.4)]
-    {
+    for (a, b, unit, turn) in [
+        (0.2, 0.3, 1.0, 0.0),
+        (0.2, 0.3, 1000.0, 0.7),
+        (1.0, 1.0, 1e-3, -2.0),
+        (0.35, 3.0, 1.0, 0.4),
+    ] {
         assert!(!agreed(&two_bars(a, b, unit, turn).build().unwrap()), "{a} {b} {unit} {turn}");
     }
     for angle in [0.0, PI] {
-        // At 1e-7 itself, where the two branches are as near to one another as the cut, either may be found.
+        // At 1e-7 itself, where the two branches are as near to one another as the cut, either may
+        // be found.
         for exponent in [3, 6, 8, 10] {
             let regular = agreed(&flat(angle, 10.0_f64.powi(-exponent)).build().unwrap());
             assert_eq!(regular, exponent < 7, "{angle} {exponent}");
@@ -66,15 +73,17 @@ fn solver_and_diagnosis_have_one_cut_for_ranks() {
     }
 }
 
-/// A scissor lift, one of whose links is put together on top of the other: then both guides of its table hold
-/// the same, and it turns freely.
+/// A scissor lift, one of whose links is put together on top of the other: then both guides of its
+/// table hold the same, and it turns freely.
 #[test]
 fn a_coordinate_that_only_rounding_holds_is_free() {
     let mut m = Mechanism::new("lift");
     let a = m.link_between("a", vec2(0.0, 0.0), vec2(1.0, 0.8)).unwrap();
     let b = m.link("b", 1.64_f64.sqrt()).unwrap();
-    let (g, table, o, along) =
-        (m.ground(), m.planar("table", pose(0.0, 0.8, 0.0)).unwrap(), vec2(0.0, 0.0), vec2(1.0, 0.0));
+    let g = m.ground();
+    let table = m.planar("table", pose(0.0, 0.8, 0.0)).unwrap();
+    let o = vec2(0.0, 0.0);
+    let along = vec2(1.0, 0.0);
     m.add("foot a", revolute(a, g, a.start(), o)).unwrap();
     m.add("cross", revolute(a, b, o, o)).unwrap();
     m.add("top b", revolute(b, table, b.end(), o)).unwrap();
@@ -87,12 +96,15 @@ fn a_coordinate_that_only_rounding_holds_is_free() {
     assert!(found.rank == 8 && found.to_string().contains("`table`"), "{found}");
     assert!(!agreed(&system));
     let lift = system.position(0.0).unwrap();
-    assert!(lift.report.smallest_pivot > 0.1 && (lift.q[5] + 0.6 + PI).sin().abs() < 1e-12, "{lift:?}");
+    assert!(
+        lift.report.smallest_pivot > 0.1 && (lift.q[5] + 0.6 + PI).sin().abs() < 1e-12,
+        "{lift:?}"
+    );
     assert!((lift.qd[7] - 0.2 * 1.64_f64.sqrt() * 0.6_f64.cos()).abs() < 1e-12, "{lift:?}");
 }
 
-/// Two bars in line, and a parallelogram at its change point: the refusal of a position carries the verdict
-/// of the diagnosis.
+/// Two bars in line, and a parallelogram at its change point: the refusal of a position carries the
+/// verdict of the diagnosis.
 #[test]
 fn refusal_and_diagnosis_tell_the_same_rank() {
     for (system, rank) in
@@ -101,17 +113,22 @@ fn refusal_and_diagnosis_tell_the_same_rank() {
         let found = system.diagnose(0.0).unwrap();
         let error = system.position(0.0).unwrap_err();
         let told = error.diagnosis().unwrap();
-        assert!(!found.can_be_driven() && (found.rank, told.rank) == (rank, rank), "{found}\n{told}");
+        assert!(
+            !found.can_be_driven() && (found.rank, told.rank) == (rank, rank),
+            "{found}\n{told}"
+        );
     }
 }
 
 /// A pole of an angle at the guess made every row look small that came after it.
 #[test]
 fn guess_at_the_pole_of_an_angle_does_no_harm() {
-    let (o, y) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
+    let o = vec3(0.0, 0.0, 0.0);
+    let y = vec3(0.0, 1.0, 0.0);
     let mut m = Mechanism::new("wheel");
-    let wheel =
-        m.spatial("wheel", SpatialPose::turned(vec3(0.0, 2.0, 0.0), vec3(1.0, 0.0, 0.0), PI / 2.0)).unwrap();
+    let wheel = m
+        .spatial("wheel", SpatialPose::turned(vec3(0.0, 2.0, 0.0), vec3(1.0, 0.0, 0.0), PI / 2.0))
+        .unwrap();
     m.add("hinge", spatial::revolute(wheel, m.ground(), o, vec3(0.0, 2.0, 0.0), y, y)).unwrap();
     m.add("motor", drivers::drive_turn(wheel, m.ground(), y, y, Law::ramp(0.5))).unwrap();
     assert!(agreed(&m.build().unwrap()));
@@ -147,10 +164,9 @@ fn singular_start_says_where_to_begin() {
 
 /// The share that a refusal advises to allow.
 fn advised(found: &Diagnosis) -> f64 {
-    let allow = found
-        .changes
-        .iter()
-        .find_map(|change| if let Change::Allow { closure } = change { Some(*closure) } else { None });
+    let allow = found.changes.iter().find_map(|change| {
+        if let Change::Allow { closure } = change { Some(*closure) } else { None }
+    });
     allow.unwrap_or_else(|| panic!("{found}"))
 }
 
@@ -166,7 +182,11 @@ fn third_rod_of_ordinary_accuracy_is_allowed_on_request() {
         assert!(closure > off / 3.0 && closure < 10.0 * off, "{closure} for {off}");
         assert!(error.to_string().contains(&format!("Options::closure({closure:e})")), "{error}");
         let motion = system.run_both_with(&times, &Options::closure(closure)).unwrap();
-        assert!(motion.misfit() > 0.01 * off && motion.misfit() <= closure, "{} for {off}", motion.misfit());
+        assert!(
+            motion.misfit() > 0.01 * off && motion.misfit() <= closure,
+            "{} for {off}",
+            motion.misfit()
+        );
         assert!(motion.summary().contains("contradict one another by"), "{}", motion.summary());
         let x = motion.named("coupler.R_x").unwrap();
         let exact = times.iter().map(|t| (1.0 + 2.0 * t).cos());
@@ -189,12 +209,16 @@ fn imported_assembly_is_allowed_on_request() {
     let z = vec3(0.0, 0.0, 1.0);
     let mut m = Mechanism::new("door");
     let door = m.spatial("door", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
-    for (k, off) in
-        [vec3(0.0, 0.0, 0.0), vec3(5e-9, -2e-9, 3e-9), vec3(-1e-9, 4e-9, -5e-9)].into_iter().enumerate()
+    for (k, off) in [vec3(0.0, 0.0, 0.0), vec3(5e-9, -2e-9, 3e-9), vec3(-1e-9, 4e-9, -5e-9)]
+        .into_iter()
+        .enumerate()
     {
         let at = z * (0.8 * k as f64);
-        m.add(&format!("hinge {k}"), spatial::revolute(door, m.ground(), at, at + off, z + off * 0.3, z))
-            .unwrap();
+        m.add(
+            &format!("hinge {k}"),
+            spatial::revolute(door, m.ground(), at, at + off, z + off * 0.3, z),
+        )
+        .unwrap();
     }
     m.add("motor", drivers::drive_turn(door, m.ground(), z, z, Law::ramp(1.0))).unwrap();
     let system = m.build().unwrap();
@@ -206,14 +230,17 @@ fn imported_assembly_is_allowed_on_request() {
 
 #[test]
 fn idle_turn_of_a_rod_is_held_on_request() {
-    let (o, x, z) = (vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
+    let o = vec3(0.0, 0.0, 0.0);
+    let x = vec3(1.0, 0.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
     let make = |rod: bool| {
         let mut m = Mechanism::new("two cranks");
         let crank = m.spatial("crank", SpatialPose::at(o)).unwrap();
         let rocker = m.spatial("rocker", SpatialPose::at(vec3(3.0, 0.0, -0.5))).unwrap();
         m.add("O", spatial::revolute(crank, m.ground(), o, o, z, z)).unwrap();
         m.add("C", spatial::revolute(rocker, m.ground(), o, vec3(3.0, 0.0, -0.5), x, x)).unwrap();
-        m.add("motor", drivers::drive_turn(crank, m.ground(), z, z, Law::sine(0.6, 1.0, 0.0))).unwrap();
+        m.add("motor", drivers::drive_turn(crank, m.ground(), z, z, Law::sine(0.6, 1.0, 0.0)))
+            .unwrap();
         let end = vec3(0.0, 1.5, 2.2);
         if rod {
             let rod = m.spatial_link_between("rod", (1.0, 0.0, 0.0), (3.0, 1.5, 1.7)).unwrap();
@@ -228,7 +255,10 @@ fn idle_turn_of_a_rod_is_held_on_request() {
     let (mut with_rod, rocker) = make(true);
     let error = with_rod.clone().build().unwrap_err();
     let found = error.diagnosis().unwrap();
-    assert!(matches!(&found.changes[..], [Change::HoldIdle { bodies }] if bodies == &["rod"]), "{found}");
+    assert!(
+        matches!(&found.changes[..], [Change::HoldIdle { bodies }] if bodies == &["rod"]),
+        "{found}"
+    );
     let text = error.to_string();
     assert!(text.contains("`m.hold_idle_turns()`") && text.contains("`distance`"), "{text}");
     assert_eq!(with_rod.hold_idle_turns().unwrap(), ["rod"]);
@@ -238,8 +268,10 @@ fn idle_turn_of_a_rod_is_held_on_request() {
     let motion = with_rod.build().unwrap().run_both(&times).unwrap();
     let (plain, other) = make(false);
     let plain = plain.build().unwrap().run_both(&times).unwrap();
-    let tip = |motion: &Motion, rocker: SpatialBody| motion.point(rocker, vec3(0.0, 1.5, 2.2)).unwrap();
-    let (a, b) = (tip(&motion, rocker), tip(&plain, other));
+    let tip =
+        |motion: &Motion, rocker: SpatialBody| motion.point(rocker, vec3(0.0, 1.5, 2.2)).unwrap();
+    let a = tip(&motion, rocker);
+    let b = tip(&plain, other);
     for k in 0..times.len() {
         assert!((a.r()[k] - b.r()[k]).norm() < 1e-9 && (a.a()[k] - b.a()[k]).norm() < 1e-7, "{k}");
     }
@@ -251,8 +283,11 @@ fn turn_of_a_hinge_is_not_idle() {
     let z = vec3(0.0, 0.0, 1.0);
     let mut m = Mechanism::new("door");
     let part = m.spatial("Part2", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
-    m.add("hinge", spatial::revolute(part, m.ground(), vec3(0.5, 0.0, 0.0), vec3(0.0, 0.0, 0.0), z, z))
-        .unwrap();
+    m.add(
+        "hinge",
+        spatial::revolute(part, m.ground(), vec3(0.5, 0.0, 0.0), vec3(0.0, 0.0, 0.0), z, z),
+    )
+    .unwrap();
     let found = m.diagnose(0.0).unwrap();
     assert!(!found.freedoms[0].idle && m.hold_idle_turns().unwrap().is_empty());
     assert!(found.to_string().contains("drive or hold the turn of `Part2`"), "{found}");
@@ -306,7 +341,10 @@ fn rows_keep_their_names_on_the_dual_route() {
     m.add("guide", constraint).unwrap();
     m.add("again", drive(block.x(), Law::constant(0.0))).unwrap();
     let system = m.build().unwrap();
-    assert_eq!(system.equation_names(), ["guide.guide2.x", "guide.guide2.y", "guide.turn", "again"]);
+    assert_eq!(
+        system.equation_names(),
+        ["guide.guide2.x", "guide.guide2.y", "guide.turn", "again"]
+    );
 }
 
 #[test]

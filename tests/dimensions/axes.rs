@@ -1,4 +1,5 @@
-//! Axes, turns and spatial links that hang on dimensions: set, they are those of a mechanism built so.
+//! Axes, turns and spatial links that hang on dimensions: set, they are those of a mechanism built
+//! so.
 
 use kin::prelude::*;
 use kin::{Axis, Dimension, IntoAxis, IntoNumber, Lanes, Mechanism, Registry};
@@ -7,18 +8,26 @@ use crate::engines::Engines;
 use crate::{apart, same_bits, times};
 
 const FROM: [f64; 2] = [0.2, 1.0];
-/// The largest component is another one here, and with it the direction that angles count from by default.
+/// The largest component is another one here, and with it the direction that angles count from by
+/// default.
 const TO: [f64; 2] = [1.1, 0.4];
 
 /// A door that turns about `axis`, whose direction is `along`, turned about that at first.
-fn door<N: IntoNumber>(m: &mut Mechanism, along: [N; 3], axis: impl IntoAxis + Copy) -> kin::Result<()> {
+fn door<N: IntoNumber>(
+    m: &mut Mechanism,
+    along: [N; 3],
+    axis: impl IntoAxis + Copy,
+) -> kin::Result<()> {
     let door = m.spatial("door", SpatialPose::turned((0.0, 0.0, 0.3), along, N::from(0.4)))?;
     m.add("hinge", spatial::revolute(Ground, door, (0.0, 0.0, 0.3), (0.0, 0.0, 0.0), axis, along))?;
     m.add("motor", spatial::drive_turn(door, Ground, axis, axis, Law::linear(0.2, 1.0)))?;
     Ok(())
 }
 
-fn with_dimensions(axis: impl Fn([Dimension; 3]) -> Axis<Dimension>, chosen: bool) -> kin::Result<Mechanism> {
+fn with_dimensions(
+    axis: impl Fn([Dimension; 3]) -> Axis<Dimension>,
+    chosen: bool,
+) -> kin::Result<Mechanism> {
     let mut m = Mechanism::new("door");
     let [x, z] = [m.dimension("x", FROM[0])?, m.dimension("z", FROM[1])?];
     let along = [x, 0.0.into(), z];
@@ -43,7 +52,8 @@ fn plain(axis: impl Fn([f64; 3]) -> Axis, [x, z]: [f64; 2], chosen: bool) -> kin
 
 fn through_a_file(m: &Mechanism) -> Mechanism {
     let text = serde_json::to_string(&m.data().unwrap()).unwrap();
-    let again = Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &Registry::new()).unwrap();
+    let again =
+        Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &Registry::new()).unwrap();
     assert_eq!(again.data().unwrap(), m.data().unwrap(), "{text}");
     again
 }
@@ -66,8 +76,10 @@ fn an_axis_hangs_on_dimensions() -> kin::Result<()> {
         let expected = built.run_both(times())?;
         assert!(apart(&moved, &expected) < 1e-13, "{}", apart(&moved, &expected));
         // Angles count from the same direction.
-        let angle = |system: &System, motion: &Motion| system.measure(motion, "hinge.angle").unwrap();
-        let (own, other) = (angle(&system, &moved), angle(&built, &expected));
+        let angle =
+            |system: &System, motion: &Motion| system.measure(motion, "hinge.angle").unwrap();
+        let own = angle(&system, &moved);
+        let other = angle(&built, &expected);
         let off = own.value.values().iter().zip(other.value.values()).map(|(a, b)| (a - b).abs());
         assert!(off.fold(0.0, f64::max) < 1e-13);
         // In the other order, by a detour, through a file, and by a sweep.
@@ -77,7 +89,11 @@ fn an_axis_hangs_on_dimensions() -> kin::Result<()> {
             assert!(same_bits(&other.run_both(times())?, &moved));
         }
         let keep = |_: usize, motion: kin::Result<Motion>| motion.unwrap();
-        let sweep = m.build()?.sweep(["x", "z"])?.lanes(kin::extend::Lanes::Off).run(&[TO], times(), keep)?;
+        let sweep = m.build()?.sweep(["x", "z"])?.lanes(kin::extend::Lanes::Off).run(
+            &[TO],
+            times(),
+            keep,
+        )?;
         assert!(same_bits(&sweep[0], &moved));
     }
     Ok(())
@@ -116,8 +132,8 @@ fn a_spatial_link_between_points_hangs_on_them() -> kin::Result<()> {
     Ok(())
 }
 
-/// Derivatives by what an axis hangs on, and by its own components, against differences of motions of
-/// systems that are set there (Richardson's extrapolation, h and h/2).
+/// Derivatives by what an axis hangs on, and by its own components, against differences of motions
+/// of systems that are set there (Richardson's extrapolation, h and h/2).
 #[test]
 fn derivatives_by_an_axis_are_those_of_systems_set_there() -> kin::Result<()> {
     let system = with_dimensions(|along| Axis::new(along, [0.3, 1.0, 0.0]), true)?.build()?;
@@ -134,7 +150,8 @@ fn derivatives_by_an_axis_are_those_of_systems_set_there() -> kin::Result<()> {
         let difference = |h: f64| -> kin::Result<Vec<f64>> {
             Ok(at(h)?.iter().zip(at(-h)?).map(|(a, b)| (a - b) / (2.0 * h)).collect())
         };
-        let (coarse, fine) = (difference(2e-3)?, difference(1e-3)?);
+        let coarse = difference(2e-3)?;
+        let fine = difference(1e-3)?;
         let by = all.by(name)?;
         let exact: Vec<f64> = (0..motion.len()).flat_map(|k| by.q(k).to_vec()).collect();
         assert!(exact.iter().any(|x| x.abs() > 0.1), "{name}");
@@ -167,7 +184,8 @@ fn an_axis_without_a_direction_is_refused_and_the_old_one_stays() -> kin::Result
     let mut m = Mechanism::new("door");
     let z = m.dimension("z", 1.0)?;
     let door = m.spatial("door", SpatialPose::at((0.0, 0.0, 0.0)))?;
-    let (o, up) = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0));
+    let o = (0.0, 0.0, 0.0);
+    let up = (0.0, 0.0, 1.0);
     m.add("hinge", spatial::revolute(Ground, door, o, o, (0.0, 0.0, z), up))?;
     m.add("motor", spatial::drive_turn(door, Ground, up, up, Law::ramp(1.0)))?;
     let mut system = m.build()?;
@@ -181,7 +199,8 @@ fn an_axis_without_a_direction_is_refused_and_the_old_one_stays() -> kin::Result
 fn plain_door(along: [f64; 3]) -> kin::Result<System> {
     let mut m = Mechanism::new("door");
     let door = m.spatial("door", SpatialPose::at((0.0, 0.0, 0.0)))?;
-    let (o, up) = ((0.0, 0.0, 0.0), Axis::from((0.0, 0.0, 1.0)));
+    let o = (0.0, 0.0, 0.0);
+    let up = Axis::from((0.0, 0.0, 1.0));
     m.add(
         "hinge",
         spatial::revolute(door, Ground, o, o, Axis::new(along, (1.0, 0.0, 0.0)), (0.0, 0.0, 1.0)),
@@ -190,8 +209,8 @@ fn plain_door(along: [f64; 3]) -> kin::Result<System> {
     m.build()
 }
 
-/// Components of an axis that are set one after the other are those of one direction, whatever was set
-/// before.
+/// Components of an axis that are set one after the other are those of one direction, whatever was
+/// set before.
 #[test]
 fn an_axis_does_not_remember_what_its_components_were() -> kin::Result<()> {
     let system = plain_door([0.0, 0.0, 1.0])?;
@@ -215,14 +234,16 @@ fn an_axis_does_not_remember_what_its_components_were() -> kin::Result<()> {
     assert!(at(&set)?.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14));
     // The derivative is that by the component as it was given.
     let times = linspace(0.0, 1.0, 5);
-    let (motion, h) = (set.run(&times)?, 1e-5);
+    let motion = set.run(&times)?;
+    let h = 1e-5;
     let by = set.sensitivities(&motion, ["hinge.h_i.x"])?;
     let moved = |off: f64| -> kin::Result<Motion> {
         let mut moved = set.clone();
         moved.set("hinge.h_i.x", 0.3 + off)?;
         moved.run(&times)
     };
-    let (more, less) = (moved(h)?, moved(-h)?);
+    let more = moved(h)?;
+    let less = moved(-h)?;
     for (k, x) in by.by("hinge.h_i.x")?.q(4).iter().enumerate() {
         let difference = (more.q(4)[k] - less.q(4)[k]) / (2.0 * h);
         assert!((difference - x).abs() < 1e-8, "{k}: {difference} {x}");
@@ -248,16 +269,23 @@ fn sweeps_over_a_component_of_an_axis_give_equal_cases_equal_motions() -> kin::R
     let expected = plain_door([0.2, 0.0, 1.0])?.run([0.0, 1.0])?.q(1)[4];
     for (lanes, threads) in [(Lanes::Off, 1), (Lanes::Off, 2), (Lanes::Best, 1), (Lanes::Best, 2)] {
         let sweep = system.sweep(["hinge.h_i.x"])?.lanes(lanes).threads(threads);
-        let found = sweep.run(&cases, [0.0, 1.0], |_, motion| motion.map(|motion| motion.q(1)[4]))?;
+        let found =
+            sweep.run(&cases, [0.0, 1.0], |_, motion| motion.map(|motion| motion.q(1)[4]))?;
         for (case, found) in cases.iter().zip(found).filter(|(case, _)| case[0] == 0.2) {
             let found = found?;
-            assert!((found - expected).abs() < 1e-13, "{lanes:?} {threads} {case:?}: {found} {expected}");
+            assert!(
+                (found - expected).abs() < 1e-13,
+                "{lanes:?} {threads} {case:?}: {found} {expected}"
+            );
         }
         // A case without a direction is told, and no other one is the worse for it.
         let sweep = system.sweep(["motor.h_i.z"])?.lanes(lanes).threads(threads);
         let told = sweep.run(&[[1.0], [0.0], [1.0]], [0.0, 1.0], |_, motion| motion.map(|_| ()))?;
         assert!(told[0].is_ok() && told[2].is_ok(), "{told:?}");
-        assert!(told[1].as_ref().is_err_and(|error| error.to_string().contains("no direction")), "{told:?}");
+        assert!(
+            told[1].as_ref().is_err_and(|error| error.to_string().contains("no direction")),
+            "{told:?}"
+        );
     }
     Ok(())
 }

@@ -19,10 +19,13 @@ fn through_text(m: &Mechanism) -> Mechanism {
 fn a_mechanism_comes_back_with_what_hangs_on_its_dimensions() {
     let m = NOMINAL.described().unwrap();
     let text = serde_json::to_string(&m.data().unwrap()).unwrap();
-    for part in [r#""ratio * crank""#, r#""-0.5 * crank""#, r#""0.1 * speed""#, r#""tolerance":0.0001"#] {
+    for part in
+        [r#""ratio * crank""#, r#""-0.5 * crank""#, r#""0.1 * speed""#, r#""tolerance":0.0001"#]
+    {
         assert!(text.contains(part), "{part} in {text}");
     }
-    let (mut one, mut other) = (m.clone().build().unwrap(), through_text(&m).build().unwrap());
+    let mut one = m.clone().build().unwrap();
+    let mut other = through_text(&m).build().unwrap();
     for (crank, speed) in [(0.1, 2.0), (0.14, -1.0)] {
         for system in [&mut one, &mut other] {
             system.set("crank", crank).unwrap();
@@ -37,16 +40,23 @@ fn a_mechanism_comes_back_with_what_hangs_on_its_dimensions() {
 #[test]
 fn distributions_and_clearances_come_back() {
     let mut m = Mechanism::new("loose");
-    let a = m.dimension("a", 0.3).unwrap().tolerance(0.1).distributed(kin::Distribution::TruncatedNormal);
+    let a = m
+        .dimension("a", 0.3)
+        .unwrap()
+        .tolerance(0.1)
+        .distributed(kin::Distribution::TruncatedNormal);
     let gap = m.clearance("gap", 0.01).unwrap();
     let crank = m.link("crank", a).unwrap();
     m.add("O", revolute(crank, Ground, crank.start(), gap)).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
     let text = serde_json::to_string(&m.data().unwrap()).unwrap();
-    for part in [r#""distribution":"truncated_normal""#, r#""name":"gap.x""#, r#""clearance":"gap""#] {
+    for part in
+        [r#""distribution":"truncated_normal""#, r#""name":"gap.x""#, r#""clearance":"gap""#]
+    {
         assert!(text.contains(part), "{part} in {text}");
     }
-    let (one, other) = (m.clone().build().unwrap(), through_text(&m).build().unwrap());
+    let one = m.clone().build().unwrap();
+    let other = through_text(&m).build().unwrap();
     let tolerance = |system: &System| {
         let motion = system.run_both([0.5]).unwrap();
         system.tolerance(&motion, "crank.R_x").unwrap()
@@ -57,13 +67,17 @@ fn distributions_and_clearances_come_back() {
 #[test]
 fn laws_lists_and_odd_names_come_back() {
     let mut m = Mechanism::new("odd");
-    let (a, b) = (m.dimension("link 2", 3.0).unwrap(), m.dimension("sin", 4.0).unwrap());
+    let a = m.dimension("link 2", 3.0).unwrap();
+    let b = m.dimension("sin", 4.0).unwrap();
     let both = m.dimension("O.x", a.hypot(b) - (a - (b - 1.0)) / (a * b)).unwrap();
-    let (x, y) = (m.length("x", 0.0).unwrap(), m.length("y", -both).unwrap());
+    let x = m.length("x", 0.0).unwrap();
+    let y = m.length("y", -both).unwrap();
     let parts = [(b * b, Law::ramp(a)), (2.0 * a, Law::constant(a * b * b))];
-    m.add("x drive", drive(x, Law::sequence(0.0, parts).compose(&Law::linear(0.0, both.powi(2))))).unwrap();
+    m.add("x drive", drive(x, Law::sequence(0.0, parts).compose(&Law::linear(0.0, both.powi(2)))))
+        .unwrap();
     m.add("y drive", drive(y, Law::spline(&[(0.0, a), (1.0, -a % b)], Ends::Natural))).unwrap();
-    let (mut one, mut other) = (m.clone().build().unwrap(), through_text(&m).build().unwrap());
+    let mut one = m.clone().build().unwrap();
+    let mut other = through_text(&m).build().unwrap();
     for system in [&mut one, &mut other] {
         system.set("link 2", 7.0).unwrap();
         system.set("sin", -2.0).unwrap();
@@ -94,8 +108,7 @@ fn the_order_of_a_file_changes_nothing() {
 
 #[test]
 fn slips_in_a_file_are_told_by_name() {
-    let circle =
-        r#"{"name": "a", "value": "b"}, {"name": "b", "value": "c + 1"}, {"name": "c", "value": "b / 2"}"#;
+    let circle = r#"{"name": "a", "value": "b"}, {"name": "b", "value": "c + 1"}, {"name": "c", "value": "b / 2"}"#;
     for (dimensions, c, told) in [
         (circle, r#""a""#, "they hang on one another in a circle, `b` on `c` on `b`"),
         (r#"{"name": "a", "value": "a"}"#, r#""a""#, "in a circle, `a` on `a`"),
@@ -104,17 +117,31 @@ fn slips_in_a_file_are_told_by_name() {
             r#""2 * b""#,
             "constraint `motor`: its parameter `law`: the expression `2 * b`: there is no dimension `b`",
         ),
-        (r#"{"name": "a", "value": "1 +"}"#, "1", "dimension `a`: the expression `1 +`: a number is missing"),
-        (r#"{"name": "a", "value": 1}, {"name": "a", "value": 1}"#, "1", "two dimensions named `a`"),
+        (
+            r#"{"name": "a", "value": "1 +"}"#,
+            "1",
+            "dimension `a`: the expression `1 +`: a number is missing",
+        ),
+        (
+            r#"{"name": "a", "value": 1}, {"name": "a", "value": 1}"#,
+            "1",
+            "two dimensions named `a`",
+        ),
     ] {
         let error = file(dimensions, c).map(|_| ()).unwrap_err().to_string();
         assert!(error.contains(told), "{error}\n  for {told}");
     }
-    let unused = file(r#"{"name": "a", "value": 1}"#, "1").unwrap().build().unwrap_err().to_string();
+    let unused =
+        file(r#"{"name": "a", "value": 1}"#, "1").unwrap().build().unwrap_err().to_string();
     assert!(unused.contains("nothing hangs on the dimension `a`"), "{unused}");
     let within = r#"{"name": "a", "value": 1, "within": [2, 3]}"#;
     assert!(
-        file(within, r#""a""#).unwrap().build().unwrap_err().to_string().contains("excludes its value 1")
+        file(within, r#""a""#)
+            .unwrap()
+            .build()
+            .unwrap_err()
+            .to_string()
+            .contains("excludes its value 1")
     );
 }
 

@@ -1,5 +1,5 @@
-//! Masses, gravity, loads and friction whose numbers hang on dimensions: set, they are those of a mechanism
-//! built so.
+//! Masses, gravity, loads and friction whose numbers hang on dimensions: set, they are those of a
+//! mechanism built so.
 
 use kin::prelude::*;
 use kin::{DimensionError, Error, Friction, IntoNumber, Load, Registry, loads};
@@ -12,7 +12,8 @@ const NAMES: [&str; 10] = ["m", "c", "J", "g", "k", "free", "u", "f", "mu", "r"]
 const NOMINAL: [f64; 10] = [1.2, 0.1, 0.03, -9.81, 80.0, 0.4, 0.25, 5.0, 0.2, 0.02];
 const OTHER: [f64; 10] = [2.5, -0.05, 0.08, -1.62, 35.0, 0.7, 0.1, -12.0, 0.35, 0.05];
 
-/// An arm on a motor with all that has mass and acts: a spring, a damper, forces and torques, friction.
+/// An arm on a motor with all that has mass and acts: a spring, a damper, forces and torques,
+/// friction.
 fn arm<S: IntoNumber>(m: &mut Mechanism, all: [S; 10]) -> kin::Result<()> {
     let [mass, c, j, g, k, free, u, f, mu, r] = all;
     let zero = S::from(0.0);
@@ -68,7 +69,8 @@ fn numbers_that_are_set_are_those_of_a_mechanism_built_so() -> kin::Result<()> {
         let mut m = Mechanism::new("arm");
         arm(&mut m, all).and_then(|()| m.build())
     };
-    let (mut system, before) = (described()?.build()?, efforts(&plain(NOMINAL)?));
+    let mut system = described()?.build()?;
+    let before = efforts(&plain(NOMINAL)?);
     assert!(far(&efforts(&system), &before) < 1e-13);
     // One after the other, each of them noticed.
     let mut now = NOMINAL;
@@ -76,7 +78,8 @@ fn numbers_that_are_set_are_those_of_a_mechanism_built_so() -> kin::Result<()> {
         let last = efforts(&system);
         system.set(name, OTHER[k])?;
         now[k] = OTHER[k];
-        let (set, built) = (efforts(&system), efforts(&plain(now)?));
+        let set = efforts(&system);
+        let built = efforts(&plain(now)?);
         assert!(far(&set, &built) < 1e-13, "{name}");
         assert!(far(&set, &last) > 1e-6, "nothing hangs on {name}");
     }
@@ -96,15 +99,15 @@ fn any_way_there_gives_the_same_bits() -> kin::Result<()> {
     // By a sweep, whose cases are independent of one another, on lanes and without.
     let cases: Vec<[f64; 10]> = (0..9).map(|k| if k % 3 == 1 { OTHER } else { NOMINAL }).collect();
     for lanes in [kin::extend::Lanes::Best, kin::extend::Lanes::Off] {
-        let peaks = fresh
-            .sweep(NAMES)?
-            .lanes(lanes)
-            .forces(&cases, times(), |_, forces| kin::Result::Ok(forces?.drive("motor")?.effort().max()))?;
+        let peaks = fresh.sweep(NAMES)?.lanes(lanes).forces(&cases, times(), |_, forces| {
+            kin::Result::Ok(forces?.drive("motor")?.effort().max())
+        })?;
         let peak = |system: &System| {
             let motion = system.run(times())?;
             Ok::<f64, Error>(system.forces(&motion)?.drive("motor")?.effort().max())
         };
-        let (nominal, set) = (peak(&fresh)?, peak(&straight)?);
+        let nominal = peak(&fresh)?;
+        let set = peak(&straight)?;
         for (k, found) in peaks.into_iter().enumerate() {
             let wanted = if k % 3 == 1 { set } else { nominal };
             assert!((found? - wanted).abs() < 1e-9 * wanted.abs(), "{k}");
@@ -118,7 +121,8 @@ fn any_way_there_gives_the_same_bits() -> kin::Result<()> {
 
 /// A body in space with a tensor, gravity in three components, a force by laws.
 fn rotor<S: IntoNumber>(m: &mut Mechanism, [mass, c, j, product]: [S; 4]) -> kin::Result<()> {
-    let (zero, z) = (S::from(0.0), vec3(0.0, 0.0, 1.0));
+    let zero = S::from(0.0);
+    let z = vec3(0.0, 0.0, 1.0);
     let rotor = m.spatial("rotor", SpatialPose::at((0.0, 0.0, 0.0)))?;
     m.add("shaft", spatial::revolute(rotor, Ground, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), z, z))?;
     m.add("motor", spatial::drive_turn(rotor, Ground, z, z, Law::linear(0.2, 4.0)))?;
@@ -130,8 +134,8 @@ fn rotor<S: IntoNumber>(m: &mut Mechanism, [mass, c, j, product]: [S; 4]) -> kin
 #[test]
 fn a_tensor_hangs_on_dimensions() -> kin::Result<()> {
     let mut m = Mechanism::new("rotor");
-    let all =
-        [("mass", 2.0), ("c", 0.1), ("j", 0.3), ("product", 0.05)].map(|(name, x)| m.dimension(name, x));
+    let all = [("mass", 2.0), ("c", 0.1), ("j", 0.3), ("product", 0.05)]
+        .map(|(name, x)| m.dimension(name, x));
     let [a, b, c, d] = all;
     rotor(&mut m, [a?, b?, c?, d?])?;
     let mut system = m.clone().build()?;
@@ -175,7 +179,8 @@ fn a_point_with_mass_hangs_on_dimensions() -> kin::Result<()> {
         m.gravity(vec2(0.0, -9.81));
         match described {
             true => {
-                let (bob, l) = (m.dimension("bob", bob)?, m.dimension("l", l)?);
+                let bob = m.dimension("bob", bob)?;
+                let l = m.dimension("l", l)?;
                 m.point_mass("bob", tip(theta, l), bob)?;
             }
             false => m.point_mass("bob", tip(theta, l), bob)?,
@@ -203,7 +208,8 @@ fn a_point_with_mass_hangs_on_dimensions() -> kin::Result<()> {
     Ok(())
 }
 
-/// A number that makes no sense is told with the dimension and the thing, and leaves the system as it was.
+/// A number that makes no sense is told with the dimension and the thing, and leaves the system as
+/// it was.
 #[test]
 fn what_makes_no_sense_is_told_by_name() -> kin::Result<()> {
     let mut system = described()?.build()?;
@@ -262,7 +268,13 @@ fn expressions_ranges_and_strangers_are_told_by_name() -> kin::Result<()> {
     }
     let mut late = m.clone();
     late.gravity(vec2(0.0, y));
-    assert!(late.build().map(|_| ()).expect_err("a stranger").to_string().contains("of another mechanism"));
+    assert!(
+        late.build()
+            .map(|_| ())
+            .expect_err("a stranger")
+            .to_string()
+            .contains("of another mechanism")
+    );
     // The mechanism stays as it was.
     assert_eq!(m.data()?, m.clone().data()?);
     m.build().map(|_| ())
@@ -284,7 +296,8 @@ fn files_carry_what_hangs() -> kin::Result<()> {
     let data = serde_json::from_str(&text).expect("data");
     let back = Mechanism::from_data(&data, &Registry::new())?;
     assert_eq!(back.data()?, data);
-    let (mut one, mut other) = (m.build()?, back.build()?);
+    let mut one = m.build()?;
+    let mut other = back.build()?;
     for (name, x) in NAMES.into_iter().zip(OTHER) {
         one.set(name, x)?;
         other.set(name, x)?;
@@ -292,8 +305,12 @@ fn files_carry_what_hangs() -> kin::Result<()> {
     }
     let wrong = text.replace(r#""mass":"m""#, r#""mass":"nobody + 1""#);
     let data = serde_json::from_str(&wrong).expect("data");
-    let error = Mechanism::from_data(&data, &Registry::new()).map(|_| ()).expect_err("nobody").to_string();
-    assert!(error.contains("mass of `arm`") && error.contains("there is no dimension `nobody`"), "{error}");
+    let error =
+        Mechanism::from_data(&data, &Registry::new()).map(|_| ()).expect_err("nobody").to_string();
+    assert!(
+        error.contains("mass of `arm`") && error.contains("there is no dimension `nobody`"),
+        "{error}"
+    );
     Ok(())
 }
 
@@ -313,8 +330,11 @@ fn masses_have_no_share_in_a_motion() -> kin::Result<()> {
     let names: Vec<&str> = found.contributions.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names, ["a"]);
     assert!((found.worst_case() - 0.5e-3 * 0.5_f64.cos()).abs() < 1e-15);
-    let error =
-        system.sensitivities(&motion, ["mass"]).map(|_| ()).expect_err("it moves nothing").to_string();
+    let error = system
+        .sensitivities(&motion, ["mass"])
+        .map(|_| ())
+        .expect_err("it moves nothing")
+        .to_string();
     assert!(error.contains("`mass`") && error.contains("no equation depends on it"), "{error}");
     Ok(())
 }

@@ -29,28 +29,33 @@ pub struct SliderCrank {
 pub const NOMINAL: SliderCrank = SliderCrank { crank: 0.1, rod: 0.3, offset: 0.02, speed: 2.0 };
 
 impl SliderCrank {
-    /// Built with these numbers; with dimensions the rod's length is `ratio · crank`, and the slider's guess
-    /// hangs on both.
+    /// Built with these numbers; with dimensions the rod's length is `ratio · crank`, and the
+    /// slider's guess hangs on both.
     pub fn described(&self) -> kin::Result<Mechanism> {
         let mut m = Mechanism::new("slider-crank");
         let a = m.dimension("crank", self.crank)?.unit("m").within(0.05, 0.2).tolerance(1e-4);
         let ratio = m.dimension("ratio", self.rod / self.crank)?;
         let offset = m.dimension("offset", self.offset)?;
         let speed = m.dimension("speed", self.speed)?;
-        let (crank, rod) = (m.link("crank", a)?, m.link("rod", ratio * a)?);
+        let crank = m.link("crank", a)?;
+        let rod = m.link("rod", ratio * a)?;
         let slider = m.planar("slider", pose(a + ratio * a, offset, 0.0))?;
         m.add("O", revolute(crank, Ground, crank.start(), vec2(0.0, 0.0)))?;
         m.add("A", revolute(crank, rod, crank.end(), rod.start()))?;
         m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0)))?;
         m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, offset), (0.0, 1.0), 0.0))?;
-        m.add("motor", drive_angle(crank, Law::linear(0.3, speed) + Law::sine(0.1 * speed, 1.0, 0.0)))?;
+        m.add(
+            "motor",
+            drive_angle(crank, Law::linear(0.3, speed) + Law::sine(0.1 * speed, 1.0, 0.0)),
+        )?;
         Ok(m)
     }
 
     /// The same without dimensions.
     pub fn plain(&self) -> kin::Result<Mechanism> {
         let mut m = Mechanism::new("slider-crank");
-        let (crank, rod) = (m.link("crank", self.crank)?, m.link("rod", self.rod)?);
+        let crank = m.link("crank", self.crank)?;
+        let rod = m.link("rod", self.rod)?;
         let slider = m.planar("slider", pose(self.crank + self.rod, self.offset, 0.0))?;
         m.add("O", revolute(crank, Ground, crank.start(), vec2(0.0, 0.0)))?;
         m.add("A", revolute(crank, rod, crank.end(), rod.start()))?;

@@ -10,7 +10,9 @@ use crate::times;
 fn four_bar(by_measure: bool) -> kin::Result<Mechanism> {
     let mut m = Mechanism::new("four-bar");
     let side = m.dimension("side", deg(100.0))?;
-    let (crank, coupler, rocker) = (m.link("crank", 1.0)?, m.link("coupler", 3.5)?, m.link("rocker", 3.0)?);
+    let crank = m.link("crank", 1.0)?;
+    let coupler = m.link("coupler", 3.5)?;
+    let rocker = m.link("rocker", 3.0)?;
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
@@ -29,7 +31,8 @@ fn a_preference_hangs_on_a_dimension() -> kin::Result<()> {
         let m = four_bar(by_measure)?;
         let mut system = m.clone().build()?;
         let mut again = Mechanism::from_data(&m.data()?, &Registry::new())?.build()?;
-        let rocker = |system: &System| Ok::<f64, kin::Error>(system.run_both(times())?.q(0)[8].sin());
+        let rocker =
+            |system: &System| Ok::<f64, kin::Error>(system.run_both(times())?.q(0)[8].sin());
         assert!(rocker(&system)? > 0.5, "{by_measure}");
         for (side, up) in [(-100.0, false), (95.0, true), (-80.0, false)] {
             system.set("side", deg(side))?;
@@ -64,7 +67,12 @@ fn a_turn_is_preferred_by_a_dimension() -> kin::Result<()> {
                 let half = m.dimension("half", half)?;
                 m.prefer(
                     body,
-                    EulerParameters { e0: half.cos(), e1: half.sin(), e2: 0.0.into(), e3: 0.0.into() },
+                    EulerParameters {
+                        e0: half.cos(),
+                        e1: half.sin(),
+                        e2: 0.0.into(),
+                        e3: 0.0.into(),
+                    },
                 );
             }
             false => m.prefer(body, EulerParameters::new(half.cos(), half.sin(), 0.0, 0.0)),
@@ -87,19 +95,27 @@ fn a_turn_is_preferred_by_a_dimension() -> kin::Result<()> {
 #[test]
 fn a_body_faces_where_dimensions_say() -> kin::Result<()> {
     let build = |x: f64, y: f64| {
-        let (mut m, z) = (Mechanism::new("facing"), vec3(0.0, 0.0, 1.0));
+        let mut m = Mechanism::new("facing");
+        let z = vec3(0.0, 0.0, 1.0);
         let one = m.spatial("one", SpatialPose::facing((y, 0.0, 0.0), vec3(x, y, 0.5)))?;
-        let two = m.spatial("two", SpatialPose::facing((0.0, 0.0, 0.0), Axis::new(vec3(x, 1.0, 0.0), z)))?;
+        let two = m.spatial(
+            "two",
+            SpatialPose::facing((0.0, 0.0, 0.0), Axis::new(vec3(x, 1.0, 0.0), z)),
+        )?;
         Ok::<_, kin::Error>((m, one, two))
     };
     let mut m = Mechanism::new("facing");
-    let (x, y) = (m.dimension("x", 1.0)?, m.dimension("y", 0.2)?);
+    let x = m.dimension("x", 1.0)?;
+    let y = m.dimension("y", 0.2)?;
     let one = m.spatial("one", SpatialPose::facing((y, 0.0, 0.0), (x, y, 0.5)))?;
     let two = m.spatial("two", SpatialPose::at((0.0, 0.0, 0.0)))?;
     let z = vec3(0.0, 0.0, 1.0);
     m.set_spatial_pose(two, SpatialPose::facing((0.0, 0.0, 0.0), Axis::new((x, 1.0, 0.0), z)))?;
     for (name, body) in [("one", one), ("two", two)] {
-        m.add(name, spatial::fixed(body, (0.0, 0.0, 0.0), EulerParameters::new(1.0, 0.0, 0.0, 0.0)))?;
+        m.add(
+            name,
+            spatial::fixed(body, (0.0, 0.0, 0.0), EulerParameters::new(1.0, 0.0, 0.0, 0.0)),
+        )?;
     }
     let data = m.data()?;
     let text = serde_json::to_string(&data).expect("JSON");

@@ -27,11 +27,20 @@ fn done(_: Dimension) -> kin::Result<()> {
 #[test]
 fn what_makes_no_sense_is_told_by_name() {
     for (found, expected) in [
-        (told(|m, _| m.dimension("spare", 1.0).map(|_| ())), "nothing hangs on the dimension `spare`"),
+        (
+            told(|m, _| m.dimension("spare", 1.0).map(|_| ())),
+            "nothing hangs on the dimension `spare`",
+        ),
         (told(|m, _| m.dimension("crank", 1.0).map(|_| ())), "two dimensions named `crank`"),
         (told(|m, _| m.dimension(" ", 1.0).map(|_| ())), "a dimension needs a name"),
-        (told(|m, _| m.dimension("b", f64::NAN).map(|_| ())), "`b`: it is NaN; give a finite number"),
-        (told(|_, a| done(a.within(0.2, 0.3))), "`crank`: its range 0.2 … 0.3 excludes its value 0.12"),
+        (
+            told(|m, _| m.dimension("b", f64::NAN).map(|_| ())),
+            "`b`: it is NaN; give a finite number",
+        ),
+        (
+            told(|_, a| done(a.within(0.2, 0.3))),
+            "`crank`: its range 0.2 … 0.3 excludes its value 0.12",
+        ),
         (told(|_, a| done(a.within(f64::NAN, 0.3))), "`crank`: its range NaN … 0.3 excludes"),
         (told(|_, a| done(a.tolerance(-0.1))), "`crank`: its tolerance is ± -0.1"),
         (told(|_, a| done((a / 2.0).tolerance(0.1))), "`crank / 2.0`: it is an expression"),
@@ -52,7 +61,8 @@ fn a_law_that_is_set_keeps_its_dimensions() {
     m.add("x drive", drive(x, law)).unwrap();
     let mut system = m.build().unwrap();
     system.set("a", 5.0).unwrap();
-    let numbers = ["x drive.law.f0", "x drive.law.rate"].map(|name| system.parameter(name).unwrap());
+    let numbers =
+        ["x drive.law.f0", "x drive.law.rate"].map(|name| system.parameter(name).unwrap());
     assert_eq!(numbers, [5.0, 3.0]);
 }
 
@@ -63,7 +73,10 @@ fn a_name_that_something_else_has_is_told() {
     let slider = m.planar_named("slider").unwrap();
     m.add("more", drive(slider.x(), Law::constant(taken))).unwrap();
     assert!(
-        m.build().unwrap_err().to_string().contains("`B.u_i.x`: a coordinate or parameter has that name")
+        m.build()
+            .unwrap_err()
+            .to_string()
+            .contains("`B.u_i.x`: a coordinate or parameter has that name")
     );
 }
 
@@ -118,7 +131,11 @@ fn a_value_that_cannot_be_set_leaves_the_old_one() {
     m.add("motor", drive(x, Law::constant(half) + Law::ramp((a - 1.0).sqrt()))).unwrap();
     let mut system = m.build().unwrap();
     assert!(
-        system.set("half", 2.0).unwrap_err().to_string().contains("`half`: it is an expression of others")
+        system
+            .set("half", 2.0)
+            .unwrap_err()
+            .to_string()
+            .contains("`half`: it is an expression of others")
     );
     assert!(system.sweep(["half"]).err().unwrap().to_string().contains("`half`"));
     let error = system.set("a", 0.5).unwrap_err().to_string();

@@ -5,9 +5,13 @@ use kin::prelude::*;
 use super::{apart, same_bits, times};
 use crate::engines::Engines;
 
-/// The slider-crank with dimensions of these names, in one order or the other, lengths times `scale`; its
-/// motion, and its tolerance by position.
-fn made(names: [&str; 3], backwards: bool, scale: f64) -> (Motion, Vec<(String, f64)>, kin::Tolerance) {
+/// The slider-crank with dimensions of these names, in one order or the other, lengths times
+/// `scale`; its motion, and its tolerance by position.
+fn made(
+    names: [&str; 3],
+    backwards: bool,
+    scale: f64,
+) -> (Motion, Vec<(String, f64)>, kin::Tolerance) {
     let mut m = Mechanism::new("slider-crank");
     if scale != 1.0 {
         m.units("mm", "s");
@@ -25,7 +29,8 @@ fn made(names: [&str; 3], backwards: bool, scale: f64) -> (Motion, Vec<(String, 
     }
     made.sort_by_key(|(k, _)| *k);
     let [a, b, e] = [made[0].1, made[1].1, made[2].1];
-    let (crank, rod) = (m.link("crank", a).expect("a link"), m.link("rod", b).expect("a link"));
+    let crank = m.link("crank", a).expect("a link");
+    let rod = m.link("rod", b).expect("a link");
     let slider = m.planar("slider", pose(a + b, e, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
@@ -46,7 +51,9 @@ const NAMES: [&str; 3] = ["crank", "rod", "offset"];
 #[test]
 fn other_names_and_another_order_give_the_same_bits() {
     let (motion, slopes, tolerance) = made(NAMES, false, 1.0);
-    for (names, backwards) in [(NAMES, true), (["z", "a b", "R_x"], false), (["z", "a b", "R_x"], true)] {
+    for (names, backwards) in
+        [(NAMES, true), (["z", "a b", "R_x"], false), (["z", "a b", "R_x"], true)]
+    {
         let (other, renamed, told) = made(names, backwards, 1.0);
         assert!(same_bits(&motion, &other), "{names:?}");
         for (k, (one, other)) in slopes.iter().zip(&renamed).enumerate() {
@@ -60,17 +67,19 @@ fn other_names_and_another_order_give_the_same_bits() {
     }
 }
 
-/// In millimetres all lengths are a thousand times as large, and angles and derivatives of lengths by lengths
-/// what they are.
+/// In millimetres all lengths are a thousand times as large, and angles and derivatives of lengths
+/// by lengths what they are.
 #[test]
 fn other_units_give_the_same_mechanism() {
-    let ((motion, slopes, tolerance), (other, by, told)) = (made(NAMES, false, 1.0), made(NAMES, false, 1e3));
+    let (motion, slopes, tolerance) = made(NAMES, false, 1.0);
+    let (other, by, told) = made(NAMES, false, 1e3);
     assert!(apart(&motion, &other) > 0.5);
     for k in 0..motion.len() {
         for (j, name) in motion.names().iter().enumerate() {
             let scale = if name.ends_with("theta") { 1.0 } else { 1e3 };
             for (one, other) in [(motion.q(k), other.q(k)), (motion.qdd(k), other.qdd(k))] {
-                let (one, other) = (scale * one[j], other[j]);
+                let one = scale * one[j];
+                let other = other[j];
                 assert!((one - other).abs() < 1e-11 * (scale + one.abs()), "{name}: {one} {other}");
             }
         }

@@ -1,5 +1,5 @@
-//! Poses, guesses and links between points that hang on dimensions: set, they are those of a mechanism built
-//! so.
+//! Poses, guesses and links between points that hang on dimensions: set, they are those of a
+//! mechanism built so.
 
 use kin::prelude::*;
 use kin::{Mechanism, Registry};
@@ -7,13 +7,17 @@ use kin::{Mechanism, Registry};
 use crate::engines::Engines;
 use crate::{apart, times};
 
-/// A door of two hinges whose frame is `out` from the axis, told by its pose: set by dimensions, or built.
+/// A door of two hinges whose frame is `out` from the axis, told by its pose: set by dimensions, or
+/// built.
 fn door<N: kin::IntoNumber>(m: &mut Mechanism, [out, angle]: [N; 2]) -> kin::Result<SpatialBody> {
     let z = vec3(0.0, 0.0, 1.0);
     let pose = SpatialPose::turned([out, N::from(0.0), N::from(0.3)], z, angle);
     let door = m.spatial("door", pose)?;
     let at = (out, N::from(0.0), N::from(0.3));
-    m.add("hinge", spatial::revolute(Ground, door, (0.0, 0.0, 0.3), [-at.0, at.1, N::from(0.0)], z, z))?;
+    m.add(
+        "hinge",
+        spatial::revolute(Ground, door, (0.0, 0.0, 0.3), [-at.0, at.1, N::from(0.0)], z, z),
+    )?;
     m.add("motor", spatial::drive_turn(door, Ground, z, z, Law::linear(0.2, 1.0)))?;
     Ok(door)
 }
@@ -58,7 +62,8 @@ fn one_end_of_a_link_may_be_a_plain_point() -> kin::Result<()> {
 fn guesses_that_are_given_later_hang_on_dimensions_too() -> kin::Result<()> {
     let mut m = Mechanism::new("crank");
     let [a, b] = [("a", 0.3), ("b", 0.1)].map(|(name, x)| m.dimension(name, x));
-    let (a, b) = (a?, b?);
+    let a = a?;
+    let b = b?;
     let crank = m.link("crank", a)?;
     let shaft = m.spatial("shaft", SpatialPose::at((0.0, 0.0, 0.0)))?;
     let x = m.length("x", 0.0)?;
@@ -67,7 +72,10 @@ fn guesses_that_are_given_later_hang_on_dimensions_too() -> kin::Result<()> {
     m.guess(x, a + b)?;
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
     m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
-    m.add("held", spatial::fixed(shaft, (0.0, 0.0, 0.0), EulerParameters::new(1.0, 0.0, 0.0, 0.0)))?;
+    m.add(
+        "held",
+        spatial::fixed(shaft, (0.0, 0.0, 0.0), EulerParameters::new(1.0, 0.0, 0.0, 0.0)),
+    )?;
     m.add("pump", drive(x, Law::ramp(1.0)))?;
     let mut system = m.clone().build()?;
     system.set("a", 0.5)?;

@@ -1,5 +1,5 @@
-//! Worst cases that are proved: they hold every sample, are hardly wider than what is attained, and are
-//! refused where a mechanism within the tolerances may not be assembled.
+//! Worst cases that are proved: they hold every sample, are hardly wider than what is attained, and
+//! are refused where a mechanism within the tolerances may not be assembled.
 
 use kin::prelude::*;
 use kin::{Coordinate, Distribution, Feature, Sampling, Tolerance};
@@ -8,7 +8,8 @@ use crate::engines::Engines;
 
 const UNIFORM: Sampling = Sampling { count: 1500, seed: 3, distribution: Distribution::Uniform };
 
-/// Checks a bound against samples of the whole box, and gives how far they are apart beside the bound.
+/// Checks a bound against samples of the whole box, and gives how far they are apart beside the
+/// bound.
 fn holds_samples(
     system: &System,
     motion: &Motion,
@@ -24,20 +25,23 @@ fn holds_samples(
     assert!(proved.low <= least && most <= proved.high, "{proved:?}: {least} {most}");
     for (corner, bound) in found.corners.iter().zip([proved.low, proved.high]) {
         let corner = corner.expect("assembled");
-        assert!((corner - bound).abs() <= 0.006 * (bound - found.nominal).abs(), "{found}: {corner} {bound}");
+        assert!(
+            (corner - bound).abs() <= 0.006 * (bound - found.nominal).abs(),
+            "{found}: {corner} {bound}"
+        );
     }
     found
 }
 
-/// A four-bar with play in its pin A and dimensions in its lengths; `mu` is the angle between coupler and
-/// rocker.
+/// A four-bar with play in its pin A and dimensions in its lengths; `mu` is the angle between
+/// coupler and rocker.
 fn four_bar() -> (System, [PlanarBody; 2], Coordinate) {
     let mut m = Mechanism::new("four-bar");
     let [a, b, c, d] = [("a", 0.04, 5e-5), ("b", 0.12, 1e-4), ("c", 0.08, 8e-5), ("d", 0.1, 1e-4)]
         .map(|(name, x, t)| m.dimension(name, x).expect("a dimension").tolerance(t));
     let gap = m.clearance("gap", 1e-4).expect("a clearance");
-    let [crank, coupler, rocker] =
-        [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
+    let [crank, coupler, rocker] = [("crank", a), ("coupler", b), ("rocker", c)]
+        .map(|(name, l)| m.link(name, l).expect("a link"));
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end() + gap, coupler.start())).expect("adds");
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
@@ -76,9 +80,10 @@ fn bounds_hold_every_sample_and_are_hardly_wider() {
 fn the_least_transmission_angle_as_a_coordinate() {
     let mut m = Mechanism::new("four-bar");
     let values = [("a", 0.04, 5e-5), ("b", 0.12, 1e-4), ("c", 0.08, 8e-5), ("d", 0.1, 1e-4)];
-    let [a, b, c, d] = values.map(|(name, x, t)| m.dimension(name, x).expect("a dimension").tolerance(t));
-    let [crank, coupler, rocker] =
-        [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
+    let [a, b, c, d] =
+        values.map(|(name, x, t)| m.dimension(name, x).expect("a dimension").tolerance(t));
+    let [crank, coupler, rocker] = [("crank", a), ("coupler", b), ("rocker", c)]
+        .map(|(name, l)| m.link(name, l).expect("a link"));
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");
@@ -103,8 +108,8 @@ fn the_least_transmission_angle_as_a_coordinate() {
     assert!((low - 0.456_719_192_200_879_7).abs() < 1e-12, "{low}"); // `fourbar_transmission_minimum`
 }
 
-/// x = √p far from where that is linear: bounds on both sides, and of what is not at a corner, x = |p| + p²
-/// being least in the middle.
+/// x = √p far from where that is linear: bounds on both sides, and of what is not at a corner,
+/// x = |p| + p² being least in the middle.
 #[test]
 fn bounds_of_what_is_not_linear_at_all() {
     let build = |bowl: bool| {
@@ -137,7 +142,8 @@ fn in_bowl(x: Coord, p: f64) -> f64 {
     x - (1.0 + p * p)
 }
 
-/// A rod from the origin to a slider at the height h; of `share` of the box it does not reach so far.
+/// A rod from the origin to a slider at the height h; of `share` of the box it does not reach so
+/// far.
 fn reach(h: f64) -> (System, Motion, PlanarBody) {
     let mut m = Mechanism::new("reach");
     let rod = m.dimension("rod", 1.0).expect("a dimension").tolerance(0.02);
@@ -163,13 +169,21 @@ fn level(slider: Planar, h: f64) -> f64 {
 fn a_box_of_which_a_fifth_cannot_be_assembled_is_no_proof() {
     let (system, motion, slider) = reach(0.94);
     let told = system.tolerance_proved(&motion, slider.x(), 0.0).expect_err("no proof").to_string();
-    assert!(told.starts_with("the worst case of slider.R_x cannot be proved: near rod = "), "{told}");
+    assert!(
+        told.starts_with("the worst case of slider.R_x cannot be proved: near rod = "),
+        "{told}"
+    );
     assert!(told.contains("may not be assembled") && told.contains("h = "), "{told}");
     // A little lower all of it can, by a hair: √(0.98² − 0.975²) = 0.0989 is the least.
     let (system, motion, slider) = reach(0.875);
-    let found = system.tolerance_proved(&motion, slider.x(), 0.0).expect("a proof").proved.expect("bounds");
-    let [low, high] = [(0.98_f64, 0.975_f64), (1.02, 0.775)].map(|(rod, h)| (rod * rod - h * h).sqrt());
-    assert!(found.low <= low && high <= found.high && found.low > low - 0.01, "{found:?} {low} {high}");
+    let found =
+        system.tolerance_proved(&motion, slider.x(), 0.0).expect("a proof").proved.expect("bounds");
+    let [low, high] =
+        [(0.98_f64, 0.975_f64), (1.02, 0.775)].map(|(rod, h)| (rod * rod - h * h).sqrt());
+    assert!(
+        found.low <= low && high <= found.high && found.low > low - 0.01,
+        "{found:?} {low} {high}"
+    );
 }
 
 #[constraint]
@@ -218,8 +232,8 @@ fn of_what_no_bounds_are_known_there_is_no_proof() {
     assert!(odd.contains("`odd"), "{odd}");
 }
 
-/// An axis is worked out of its directions beside the equations, where no bounds are known of it: a tolerance
-/// on one is refused by name, and one on another dimension of the same mechanism is not.
+/// An axis is worked out of its directions beside the equations, where no bounds are known of it: a
+/// tolerance on one is refused by name, and one on another dimension of the same mechanism is not.
 #[test]
 fn an_axis_that_hangs_on_a_toleranced_dimension_is_refused_by_name() {
     let build = |tilted: bool| {
@@ -231,12 +245,15 @@ fn an_axis_that_hangs_on_a_toleranced_dimension_is_refused_by_name() {
         } else {
             out.tolerance(1e-3)
         };
-        let (zero, z) = (kin::Dimension::from(0.0), vec3(0.0, 0.0, 1.0));
+        let zero = kin::Dimension::from(0.0);
+        let z = vec3(0.0, 0.0, 1.0);
         let door = m.spatial("door", SpatialPose::at((0.4, 0.0, 0.0))).expect("a body");
         let along = [tilt, zero, 1.0.into()];
         let at = [-out, zero, zero];
-        m.add("hinge", spatial::revolute(door, Ground, at, (0.0, 0.0, 0.0), z, along)).expect("adds");
-        m.add("motor", spatial::drive_turn(door, Ground, z, along, Law::linear(0.2, 1.0))).expect("adds");
+        m.add("hinge", spatial::revolute(door, Ground, at, (0.0, 0.0, 0.0), z, along))
+            .expect("adds");
+        m.add("motor", spatial::drive_turn(door, Ground, z, along, Law::linear(0.2, 1.0)))
+            .expect("adds");
         let system = m.build().expect("a door");
         let motion = system.run_both([0.0, 0.5]).expect("a motion");
         system.tolerance_proved(&motion, "door.R_x", 0.5).map(|found| found.proved.expect("bounds"))

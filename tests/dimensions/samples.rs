@@ -8,9 +8,12 @@ use crate::engines::Engines;
 /// A link that hangs from the origin on another one: its end is at (a, b).
 fn square(of: impl Fn(Dimension) -> Dimension) -> (System, [Coordinate; 2]) {
     let mut m = Mechanism::new("square");
-    let (a, b) = (m.dimension("a", 1.0).expect("a"), m.dimension("b", 2.0).expect("b"));
-    let (a, b) = (of(a.tolerance(0.01)), b.tolerance(0.02));
-    let (x, y) = (m.length("x", 1.0).expect("x"), m.length("y", 2.0).expect("y"));
+    let a = m.dimension("a", 1.0).expect("a");
+    let b = m.dimension("b", 2.0).expect("b");
+    let a = of(a.tolerance(0.01));
+    let b = b.tolerance(0.02);
+    let x = m.length("x", 1.0).expect("x");
+    let y = m.length("y", 2.0).expect("y");
     m.add("x", drive(x, Law::constant(a))).expect("adds");
     m.add("y", drive(y, Law::constant(b))).expect("adds");
     (m.build().expect("a system"), [x, y])
@@ -22,7 +25,8 @@ const fn sampling(count: usize, distribution: Distribution) -> Sampling {
     Sampling { count, seed: 11, distribution }
 }
 
-/// Means, standard deviations and the farthest sample of each distribution; x is the dimension itself.
+/// Means, standard deviations and the farthest sample of each distribution; x is the dimension
+/// itself.
 #[test]
 fn each_distribution_is_the_one_that_it_is_called() {
     for (distribution, sigma, most) in [
@@ -39,7 +43,9 @@ fn each_distribution_is_the_one_that_it_is_called() {
         let off = found.values().iter().map(|x| (x - 1.0).abs() / 0.01).fold(0.0, f64::max);
         assert!(most.contains(&off), "{distribution:?}: {off}");
         // The one that names none has the one that is asked for.
-        let other = system.samples(&motion, y, 0.0, &sampling(4000, Distribution::Uniform)).expect("samples");
+        let other = system
+            .samples(&motion, y, 0.0, &sampling(4000, Distribution::Uniform))
+            .expect("samples");
         assert!((other.sigma() / 0.02 * 3.0_f64.sqrt() - 1.0).abs() < 0.06);
         let told: Tolerance = system.tolerance(&motion, x).expect("a tolerance");
         assert!((told.sigma() / (0.01 * sigma) - 1.0).abs() < 1e-6);
@@ -59,8 +65,9 @@ fn a_seed_gives_the_same_samples() {
     assert!(of(1) == of(1) && of(1) != of(2));
 }
 
-/// A rod from the origin to a slider at the height h: x = √(rod² − h²), which has no value where h > rod.
-/// With rod = 1 ± 0.02 and h = 0.94 ± 0.1, both uniform, these are E((1 − 0.6 − 0.2 u)/2) = 1/5 of all.
+/// A rod from the origin to a slider at the height h: x = √(rod² − h²), which has no value where
+/// h > rod. With rod = 1 ± 0.02 and h = 0.94 ± 0.1, both uniform, these are E((1 − 0.6 − 0.2
+/// u)/2) = 1/5 of all.
 #[test]
 fn a_fifth_of_a_box_that_cannot_be_assembled_is_told_with_its_share() {
     let mut m = Mechanism::new("reach");
@@ -80,13 +87,16 @@ fn a_fifth_of_a_box_that_cannot_be_assembled_is_told_with_its_share() {
     let error = (0.2 * 0.8 / count as f64).sqrt();
     assert!((found.share_missing() - 0.2).abs() < 4.0 * error, "{}", found.share_missing());
     // All of the others are on this side of the toggle.
-    assert!(found.values().iter().all(|x| *x > 0.0) && found.values().len() + found.missing() == count);
+    assert!(
+        found.values().iter().all(|x| *x > 0.0) && found.values().len() + found.missing() == count
+    );
     // E(x) of those that can be assembled, by a sum over the box.
     let n = 1000;
     let at = |k: i32| (f64::from(k) + 0.5) / f64::from(n) * 2.0 - 1.0;
     let box_of = (0..n).flat_map(|i| (0..n).map(move |j| (at(i), at(j))));
     let all = box_of.map(|(u, v)| (1.0 + 0.02 * u).powi(2) - (0.94 + 0.1 * v).powi(2));
-    let (sum, inside) = all.filter(|x| *x >= 0.0).fold((0.0, 0.0), |(sum, n), x| (sum + x.sqrt(), n + 1.0));
+    let (sum, inside) =
+        all.filter(|x| *x >= 0.0).fold((0.0, 0.0), |(sum, n), x| (sum + x.sqrt(), n + 1.0));
     assert!((found.mean() - sum / inside).abs() < 5.0 * found.sigma() / (count as f64).sqrt());
     let told = found.to_string();
     let share = format!("{} of them, {:.1}", found.missing(), 100.0 * found.share_missing());
@@ -96,8 +106,8 @@ fn a_fifth_of_a_box_that_cannot_be_assembled_is_told_with_its_share() {
     assert!(stack.corners.contains(&None), "{stack}");
 }
 
-/// A crank whose pin has play: as much as it may be off in every direction, it is off to both sides; the four
-/// corners of a square around the disc are none of it.
+/// A crank whose pin has play: as much as it may be off in every direction, it is off to both
+/// sides; the four corners of a square around the disc are none of it.
 #[test]
 fn the_clearance_of_a_joint_is_one_dimension() {
     let mut m = Mechanism::new("play");
@@ -114,7 +124,10 @@ fn the_clearance_of_a_joint_is_one_dimension() {
     let nominal = 0.2 * 0.6;
     assert!((found.nominal - nominal).abs() < 1e-15 && (found.worst_case() - 0.01).abs() < 1e-14);
     let [low, high] = found.corners.map(|corner| corner.expect("assembled"));
-    assert!((low - nominal + 0.01).abs() < 1e-14 && (high - nominal - 0.01).abs() < 1e-14, "{low} {high}");
+    assert!(
+        (low - nominal + 0.01).abs() < 1e-14 && (high - nominal - 0.01).abs() < 1e-14,
+        "{low} {high}"
+    );
     assert!((found.sigma() - 0.005).abs() < 1e-14); // of a disc r/2
     let samples = system.samples(&motion, along, 0.0, &SAMPLING).expect("samples");
     assert!((samples.sigma() / 0.005 - 1.0).abs() < 0.05, "{samples}");
@@ -160,7 +173,10 @@ fn clearances_and_distributions_that_make_no_sense_are_told_by_name() {
     let count = |count: usize| {
         let (system, [x, _]) = square(|a| a);
         let motion = system.run_both([0.0]).expect("a motion");
-        system.samples(&motion, x, 0.0, &sampling(count, Distribution::Normal)).expect_err("none").to_string()
+        system
+            .samples(&motion, x, 0.0, &sampling(count, Distribution::Normal))
+            .expect_err("none")
+            .to_string()
     };
     assert!(count(0).contains("0 samples") && count(usize::MAX).contains("samples"));
 }

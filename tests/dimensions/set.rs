@@ -19,7 +19,10 @@ fn set(system: &mut System, order: [usize; 3]) {
 fn set_equals_a_mechanism_built_with_that_number() {
     let mut system = NOMINAL.described().unwrap().build().unwrap();
     let nominal = system.run_both(times()).unwrap();
-    assert!(apart(&nominal, &NOMINAL.plain().unwrap().build().unwrap().run_both(times()).unwrap()) < 1e-13);
+    assert!(
+        apart(&nominal, &NOMINAL.plain().unwrap().build().unwrap().run_both(times()).unwrap())
+            < 1e-13
+    );
     set(&mut system, [0, 1, 2]);
     let moved = system.run_both(times()).unwrap();
     assert!(apart(&moved, &nominal) > 0.01);
@@ -61,12 +64,14 @@ fn any_way_there_gives_the_same_bits() {
 #[test]
 fn sweeps_name_dimensions() {
     let system = NOMINAL.described().unwrap().build().unwrap();
-    let cases: Vec<[f64; 2]> = (0..40).map(|k| [0.06 + 0.002 * k as f64, 0.0005 * k as f64]).collect();
+    let cases: Vec<[f64; 2]> =
+        (0..40).map(|k| [0.06 + 0.002 * k as f64, 0.0005 * k as f64]).collect();
     let keep = |_: usize, motion: kin::Result<Motion>| motion.unwrap();
     let sweep = |lanes| system.sweep(["crank", "offset"]).unwrap().lanes(lanes);
-    let (wide, single) = (kin::extend::Lanes::Best, kin::extend::Lanes::Off);
-    let (wide, single) =
-        (sweep(wide).run(&cases, times(), keep).unwrap(), sweep(single).run(&cases, times(), keep).unwrap());
+    let wide = kin::extend::Lanes::Best;
+    let single = kin::extend::Lanes::Off;
+    let wide = sweep(wide).run(&cases, times(), keep).unwrap();
+    let single = sweep(single).run(&cases, times(), keep).unwrap();
     for ((case, wide), single) in cases.iter().zip(wide).zip(single) {
         let mut alone = system.clone();
         alone.set("crank", case[0]).unwrap();
@@ -80,15 +85,20 @@ fn sweeps_name_dimensions() {
 #[test]
 fn expressions_have_their_values_wherever_numbers_stand() {
     let mut m = Mechanism::new("everywhere");
-    let (a, b) = (m.dimension("a", 3.0).unwrap(), m.dimension("b", 4.0).unwrap());
-    let (arm, other) =
-        (m.planar("arm", pose(0.0, a, b)).unwrap(), m.planar("other", pose(0.0, 0.0, 0.0)).unwrap());
+    let a = m.dimension("a", 3.0).unwrap();
+    let b = m.dimension("b", 4.0).unwrap();
+    let arm = m.planar("arm", pose(0.0, a, b)).unwrap();
+    let other = m.planar("other", pose(0.0, 0.0, 0.0)).unwrap();
     let x = m.length("x", a / 2.0).unwrap();
     let point = vec2(a, 1.0) + vec2(b, 0.0) * a;
     m.add("pin", revolute(arm, other, point, [a.hypot(b), -a])).unwrap();
-    m.add("turn", drive(x, (a * 2.0) * Law::polynomial(&[a.sqrt(), b.powi(2)]).shifted(b / 8.0))).unwrap();
-    m.add("table", drive_angle(arm, Law::spline(&[(0.0, a), (1.0, b), (2.0, a - b)], Ends::Natural)))
+    m.add("turn", drive(x, (a * 2.0) * Law::polynomial(&[a.sqrt(), b.powi(2)]).shifted(b / 8.0)))
         .unwrap();
+    m.add(
+        "table",
+        drive_angle(arm, Law::spline(&[(0.0, a), (1.0, b), (2.0, a - b)], Ends::Natural)),
+    )
+    .unwrap();
     m.add("slope", drive_angle(other, Law::sequence(a, [(b, Law::ramp(a.max(b)))]))).unwrap();
     let diagnosis = m.diagnose(0.0);
     assert!(diagnosis.is_ok());
@@ -184,7 +194,9 @@ fn a_copy_of_a_mechanism_has_the_same_dimensions() {
     let mut second = first.clone();
     let a = second.dimension_named("crank").unwrap();
     let slider = second.planar_named("slider").unwrap();
-    second.add("stop", point_on_line(slider, Ground, (0.0, 0.0), (0.0, a / 1e3), (1.0, 0.0))).unwrap();
+    second
+        .add("stop", point_on_line(slider, Ground, (0.0, 0.0), (0.0, a / 1e3), (1.0, 0.0)))
+        .unwrap();
     drop(first);
     assert_eq!((a * 2.0).value(), 0.2);
 }

@@ -15,9 +15,14 @@ fn differences(system: &System, name: &str, h: f64) -> Vec<f64> {
         let m = moved.run_both(times()).unwrap();
         (0..m.len()).flat_map(|k| [m.q(k), m.qd(k), m.qdd(k)].concat()).collect()
     };
-    let central =
-        |h: f64| -> Vec<f64> { at(h).iter().zip(at(-h)).map(|(a, b)| (a - b) / (2.0 * h)).collect() };
-    central(h).iter().zip(central(h / 2.0)).map(|(wide, narrow)| (4.0 * narrow - wide) / 3.0).collect()
+    let central = |h: f64| -> Vec<f64> {
+        at(h).iter().zip(at(-h)).map(|(a, b)| (a - b) / (2.0 * h)).collect()
+    };
+    central(h)
+        .iter()
+        .zip(central(h / 2.0))
+        .map(|(wide, narrow)| (4.0 * narrow - wide) / 3.0)
+        .collect()
 }
 
 #[test]
@@ -55,21 +60,25 @@ fn forward_and_backward_agree_and_follow_the_chain_rule() {
             a * one.q(k)[slider] + b * one.qd(k)[slider] + c * one.qdd(k)[slider]
         };
         let forward: f64 = (0..motion.len()).map(at).sum();
-        assert!((forward - backward).abs() < 1e-12 * (1.0 + forward.abs()), "{name}: {forward} {backward}");
+        assert!(
+            (forward - backward).abs() < 1e-12 * (1.0 + forward.abs()),
+            "{name}: {forward} {backward}"
+        );
     }
     // crank stands in both pins of the crank and, times the ratio, in both of the rod.
     let parts = ["O.u_i.x", "A.u_i.x", "A.u_j.x", "B.u_i.x"];
     let slopes = [-0.5, 0.5, -1.5, 1.5];
     let parts = system.sensitivities(&motion, parts).unwrap();
     for k in 0..motion.len() {
-        let sum: f64 = parts.all().iter().zip(slopes).map(|(part, slope)| slope * part.qdd(k)[slider]).sum();
+        let sum: f64 =
+            parts.all().iter().zip(slopes).map(|(part, slope)| slope * part.qdd(k)[slider]).sum();
         let whole = by.by("crank").unwrap().qdd(k)[slider];
         assert!((sum - whole).abs() < 1e-12 * (1.0 + whole.abs()), "{sum} {whole}");
     }
 }
 
-/// A parallelogram with a third crank closes only while all three are alike: no derivative by one of them,
-/// one by the dimension that all of them hang on.
+/// A parallelogram with a third crank closes only while all three are alike: no derivative by one
+/// of them, one by the dimension that all of them hang on.
 #[test]
 fn of_a_redundant_mechanism_what_moves_together_has_a_derivative() {
     let mut m = Mechanism::new("parallelogram");
@@ -77,7 +86,8 @@ fn of_a_redundant_mechanism_what_moves_together_has_a_derivative() {
     let own = m.dimension("own", 0.5).unwrap();
     let bar = m.planar("bar", pose(1.0, 0.5, 0.0)).unwrap();
     for (k, length) in [length, length, length + 0.0 * own].into_iter().enumerate() {
-        let (x, name) = (k as f64, format!("crank {k}"));
+        let x = k as f64;
+        let name = format!("crank {k}");
         let crank = m.link(&name, length).unwrap();
         m.add(&format!("O{k}"), revolute(crank, Ground, crank.start(), (x, 0.0))).unwrap();
         m.add(&format!("A{k}"), revolute(crank, bar, crank.end(), (x - 1.0, 0.0))).unwrap();
@@ -89,10 +99,14 @@ fn of_a_redundant_mechanism_what_moves_together_has_a_derivative() {
     let system = m.build().unwrap();
     let motion = system.run_both(linspace(0.0, 1.0, 5)).unwrap();
     let refused = system.sensitivities(&motion, ["A2.u_i.x"]).map(|_| ()).unwrap_err().to_string();
-    assert!(refused.contains("no derivative by `A2.u_i.x`: the mechanism is redundant"), "{refused}");
+    assert!(
+        refused.contains("no derivative by `A2.u_i.x`: the mechanism is redundant"),
+        "{refused}"
+    );
     let by = system.sensitivities(&motion, ["length"]).unwrap();
     // The bar's middle is at length · (cos θ, sin θ) from the middle pin.
-    let (x, theta) = (by.all()[0].q(4)[0], deg(80.0) + 0.1);
+    let x = by.all()[0].q(4)[0];
+    let theta = deg(80.0) + 0.1;
     assert!((x - theta.cos()).abs() < 1e-12, "{x}");
 }
 
@@ -102,7 +116,8 @@ fn what_has_no_derivative_is_told_by_name() {
     let a = m.dimension("a", 0.0).unwrap();
     let half = m.dimension("half", a / 2.0).unwrap();
     let guess = m.dimension("guess", 0.1).unwrap();
-    let (x, y) = (m.length("x", guess).unwrap(), m.length("y", 0.0).unwrap());
+    let x = m.length("x", guess).unwrap();
+    let y = m.length("y", 0.0).unwrap();
     m.add("x drive", drive(x, Law::constant(a.sqrt()))).unwrap();
     m.add("y drive", drive(y, Law::constant(half))).unwrap();
     let system = m.build().unwrap();

@@ -29,8 +29,8 @@ fn near(found: f64, exact: f64, limit: f64, what: &str) {
     assert!((found - exact).abs() <= limit * (1.0 + exact.abs()), "{what}: {found} {exact}");
 }
 
-/// Compares the second-order term with its reference. The clutch's was made by differences that are right to
-/// four digits only; closed forms of its own are in `the_second_order_of_the_clutch`.
+/// Compares the second-order term with its reference. The clutch's was made by differences that are
+/// right to four digits only; closed forms of its own are in `the_second_order_of_the_clutch`.
 fn compare_second_order(found: &Tolerance, case: &Value) {
     let id = case["id"].as_str().expect("a name");
     let limit = if case["family"] == "clutch" { 3e-4 } else { 1e-6 };
@@ -48,7 +48,8 @@ fn compare_second_order(found: &Tolerance, case: &Value) {
             relative(second.hessian[i][j], exact(place(name), place(other)), size, name);
         }
     }
-    let [shift, sigma] = ["mean_shift_second_order", "sigma_second_order"].map(|name| number(&case[name]));
+    let [shift, sigma] =
+        ["mean_shift_second_order", "sigma_second_order"].map(|name| number(&case[name]));
     relative(second.mean_shift, shift, shift.abs(), "mean");
     relative(second.sigma, sigma, sigma, "sigma");
     relative(found.sigma(), number(&case["sigma_first_order"]), 1e-6 * sigma, "first order");
@@ -62,7 +63,8 @@ fn compare(found: &Tolerance, case: &Value) {
     near(found.rss(), number(&case["rss_of_tolerances"]), 1e-12, id);
     let mut sum = 0.0;
     for own in case["dimensions"].as_array().expect("a list") {
-        let one = found.contributions.iter().find(|one| own["name"] == one.name.as_str()).expect("told");
+        let one =
+            found.contributions.iter().find(|one| own["name"] == one.name.as_str()).expect("told");
         near(one.slope, number(&own["sensitivity"]), 1e-12, id);
         assert_eq!(one.distribution, Distribution::Normal);
         near(found.share_of_variance(one), number(&own["contribution_to_variance"]), 1e-10, id);
@@ -81,9 +83,11 @@ fn compare(found: &Tolerance, case: &Value) {
 
 /// Compares samples with those of the reference, which are a million, closed form by closed form.
 fn compare_samples(found: &Samples, case: &Value) {
-    let (id, exact) = (case["id"].as_str().expect("a name"), &case["monte_carlo"]);
+    let id = case["id"].as_str().expect("a name");
+    let exact = &case["monte_carlo"];
     assert_eq!(found.missing(), 0, "{id}");
-    let (n, all) = (found.values().len() as f64, number(&exact["samples"]));
+    let n = found.values().len() as f64;
+    let all = number(&exact["samples"]);
     // Both have an error of their own.
     let wider = (1.0 + all / n).sqrt();
     for (what, own) in [("mean", found.mean()), ("sigma", found.sigma())] {
@@ -96,18 +100,21 @@ fn compare_samples(found: &Samples, case: &Value) {
         let (p, value): (f64, f64) = (p.parse().expect("a number"), number(value));
         let limit = if (0.04..0.96).contains(&p) { 0.01 } else { 0.03 };
         // Of fewer samples five standard errors of a quantile of a normal distribution.
-        let density = (-0.5 * ((value - number(&exact["mean"])) / sigma).powi(2)).exp() / TAU.sqrt();
+        let density =
+            (-0.5 * ((value - number(&exact["mean"])) / sigma).powi(2)).exp() / TAU.sqrt();
         let error = 5.0 * wider * (p * (1.0 - p) / all).sqrt() / density;
         let off = (found.quantile(p) - value).abs() / sigma;
         assert!(off <= f64::max(limit, error), "{id}: quantile {p} is off by {off} σ");
     }
 }
 
-/// Compares a proved worst case with its reference: it holds the true one and every sample of the box, and
-/// is little wider where the mechanism is nearly linear.
+/// Compares a proved worst case with its reference: it holds the true one and every sample of the
+/// box, and is little wider where the mechanism is nearly linear.
 fn compare_proved(found: &Tolerance, case: &Value) {
-    let (id, proved) = (case["id"].as_str().expect("a name"), found.proved.as_ref().expect("a proof"));
-    for (name, low, high) in [("true_worst_case", "minimum", "maximum"), ("box_sample", "minimum", "maximum")]
+    let id = case["id"].as_str().expect("a name");
+    let proved = found.proved.as_ref().expect("a proof");
+    for (name, low, high) in
+        [("true_worst_case", "minimum", "maximum"), ("box_sample", "minimum", "maximum")]
     {
         let [low, high] = [low, high].map(|end| number(&case[name][end]));
         assert!(proved.low <= low && high <= proved.high, "{id}: {proved:?} {low} {high}");
@@ -131,8 +138,11 @@ fn sampling() -> Sampling {
 fn slider_crank(case: &Value, law: Law, degrees: f64) -> kin::Result<(System, PlanarBody)> {
     let mut m = Mechanism::new("slider-crank");
     let [r, l, e] = ["r", "l", "e"].map(|name| dimension(&mut m, case, name));
-    let (r, l, e) = (r?, l?, e?);
-    let (crank, rod) = (m.link("crank", r)?, m.link("rod", l)?);
+    let r = r?;
+    let l = l?;
+    let e = e?;
+    let crank = m.link("crank", r)?;
+    let rod = m.link("rod", l)?;
     let slider = m.planar("slider", pose(r * degrees.to_radians().cos() + l, e, 0.0))?;
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
     m.add("A", revolute(crank, rod, crank.end(), rod.start()))?;
@@ -176,12 +186,18 @@ fn positions_of_a_slider_crank() {
     assert_eq!(count, 6);
 }
 
-/// The open four-bar of a case with its coupler and rocker; its frame is turned by g where the case says so.
+/// The open four-bar of a case with its coupler and rocker; its frame is turned by g where the case
+/// says so.
 fn four_bar(case: &Value, law: Law, rocker_at: f64) -> kin::Result<(System, [PlanarBody; 2])> {
     let mut m = Mechanism::new("four-bar");
     let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| dimension(&mut m, case, name));
-    let (a, b, c, d) = (a?, b?, c?, d?);
-    let (crank, coupler, rocker) = (m.link("crank", a)?, m.link("coupler", b)?, m.link("rocker", c)?);
+    let a = a?;
+    let b = b?;
+    let c = c?;
+    let d = d?;
+    let crank = m.link("crank", a)?;
+    let coupler = m.link("coupler", b)?;
+    let rocker = m.link("rocker", c)?;
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0)))?;
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
@@ -204,7 +220,8 @@ fn rocker_angles_of_a_four_bar() {
         if let Some(degrees) = id.strip_prefix("fourbar_rocker_") {
             let degrees: f64 = degrees.parse().expect("degrees");
             let law = Law::constant(degrees.to_radians());
-            let (system, [_, rocker]) = four_bar(&case, law, number(&case["nominal"])).expect("a four-bar");
+            let (system, [_, rocker]) =
+                four_bar(&case, law, number(&case["nominal"])).expect("a four-bar");
             let motion = system.run_both([0.0]).expect("a motion");
             compare_all(&system, &motion, rocker.theta(), 0.0, &case);
             count += 1;
@@ -216,8 +233,10 @@ fn rocker_angles_of_a_four_bar() {
 #[test]
 fn the_least_transmission_angle_of_a_four_bar() {
     let all = cases("fourbar");
-    let case = all.iter().find(|case| case["id"] == "fourbar_transmission_minimum").expect("a case");
-    let (system, [coupler, rocker]) = four_bar(case, Law::linear(-0.5, 1.0), 0.9).expect("a four-bar");
+    let case =
+        all.iter().find(|case| case["id"] == "fourbar_transmission_minimum").expect("a case");
+    let (system, [coupler, rocker]) =
+        four_bar(case, Law::linear(-0.5, 1.0), 0.9).expect("a four-bar");
     let motion = system.run_both(linspace(0.0, 1.0, 21)).expect("a motion");
     let x = vec2(1.0, 0.0);
     let angle = |motion: &Motion| motion.transmission_angle((coupler, x), (rocker, x));
@@ -230,15 +249,18 @@ fn the_least_transmission_angle_of_a_four_bar() {
 fn the_stroke_of_a_slider_crank() {
     let all = cases("slider_crank");
     let case = all.iter().find(|case| case["id"] == "slider_crank_stroke").expect("a case");
-    let (system, slider) = slider_crank(case, Law::linear(-0.5, 1.0), -28.0).expect("a slider-crank");
+    let (system, slider) =
+        slider_crank(case, Law::linear(-0.5, 1.0), -28.0).expect("a slider-crank");
     let motion = system.run_both(linspace(0.0, 6.5, 66)).expect("a motion");
     let extremes = system.extremes(&motion, slider.x()).expect("extremes");
     compare_all(&system, &motion, slider.x(), &extremes, case);
-    let told = system.tolerance_of(&motion, slider.x(), &extremes).expect("a tolerance").to_string();
+    let told =
+        system.tolerance_of(&motion, slider.x(), &extremes).expect("a tolerance").to_string();
     assert!(told.starts_with("stroke of slider.R_x (0.10042 m): ± 0.000211 worst case"), "{told}");
 }
 
-/// The crank shaper: a block on the crank slides in the rocker, whose rod moves the ram at the height H.
+/// The crank shaper: a block on the crank slides in the rocker, whose rod moves the ram at the
+/// height H.
 #[test]
 fn the_stroke_of_a_crank_shaper() {
     let case = &cases("quick_return")[0];
@@ -246,7 +268,9 @@ fn the_stroke_of_a_crank_shaper() {
     let [r, d, l4, l5, h] =
         ["r", "d", "L4", "L5", "H"].map(|name| dimension(&mut m, case, name).expect("a dimension"));
     let build = || {
-        let (crank, rocker, rod) = (m.link("crank", r)?, m.link("rocker", l4)?, m.link("rod", l5)?);
+        let crank = m.link("crank", r)?;
+        let rocker = m.link("rocker", l4)?;
+        let rod = m.link("rod", l5)?;
         let block = m.planar("block", pose(0.1, 0.25, 1.2))?;
         let ram = m.planar("ram", pose(0.0, h, 0.0))?;
         m.add("O2", revolute(crank, Ground, crank.start(), (0.0, d)))?;
@@ -277,8 +301,8 @@ fn wedged(phi: Coord, hub: f64, roller1: f64, roller2: f64, cage: f64) -> f64 {
 fn clutch() -> (System, Coordinate) {
     let case = &cases("clutch")[0];
     let mut m = Mechanism::new("clutch");
-    let [hub, one, two, cage] =
-        ["hub", "roller1", "roller2", "cage"].map(|name| dimension(&mut m, case, name).expect("a dimension"));
+    let [hub, one, two, cage] = ["hub", "roller1", "roller2", "cage"]
+        .map(|name| dimension(&mut m, case, name).expect("a dimension"));
     let phi = m.angle("phi", 0.12).expect("an angle");
     m.add("wedge", wedged(phi, hub, one, two, cage)).expect("a constraint");
     (m.build().expect("a system"), phi)
@@ -286,7 +310,8 @@ fn clutch() -> (System, Coordinate) {
 
 #[test]
 fn the_clutch_is_told_to_mislead_the_stack() {
-    let (case, (system, phi)) = (&cases("clutch")[0], clutch());
+    let case = &cases("clutch")[0];
+    let (system, phi) = clutch();
     let motion = system.run_both([0.0]).expect("a motion");
     let found = system.tolerance(&motion, phi).expect("a tolerance");
     compare(&found, case);
@@ -297,7 +322,9 @@ fn the_clutch_is_told_to_mislead_the_stack() {
     assert!(told.contains("the stack misleads by 44 %"), "{told}");
     assert_eq!(
         told.lines().next(),
-        Some("phi (0.12249 rad at 0 s): -0.075 to +0.0439 worst case (linear stack ± 0.0519), ± 0.0349 RSS."),
+        Some(
+            "phi (0.12249 rad at 0 s): -0.075 to +0.0439 worst case (linear stack ± 0.0519), ± 0.0349 RSS."
+        ),
         "{told}"
     );
 }
@@ -306,14 +333,18 @@ fn the_clutch_is_told_to_mislead_the_stack() {
 #[test]
 fn the_second_order_of_the_clutch() {
     let (system, phi) = clutch();
-    let found = system.tolerance(&system.run_both([0.0]).expect("a motion"), phi).expect("a tolerance");
+    let found =
+        system.tolerance(&system.run_both([0.0]).expect("a motion"), phi).expect("a tolerance");
     let second = found.second_order.as_ref().expect("a second order");
     let place = |name: &str| second.names.iter().position(|own| own == name).expect("a dimension");
-    let (hub, cage) = (place("hub"), place("cage"));
-    let (d, phi) = (101.6_f64 - 22.86, ((55.29_f64 + 22.86) / (101.6 - 22.86)).acos());
+    let hub = place("hub");
+    let cage = place("cage");
+    let d = 101.6_f64 - 22.86;
+    let phi = ((55.29_f64 + 22.86) / (101.6 - 22.86)).acos();
     let (sin, cos) = phi.sin_cos();
     let by_x = [-1.0 / sin, -cos / sin.powi(3)];
-    let (x_hub, x_cage) = (1.0 / d, -cos / d);
+    let x_hub = 1.0 / d;
+    let x_cage = -cos / d;
     for (i, j, exact) in [
         (hub, hub, by_x[1] * x_hub * x_hub),
         (hub, cage, by_x[1] * x_hub * x_cage - by_x[0] / (d * d)),
@@ -332,7 +363,8 @@ fn an_extreme_is_off_where_it_moves_to() {
     let r = m.dimension("r", 0.05).expect("a dimension").tolerance(1e-4);
     let l = m.dimension("l", 0.12).expect("a dimension").tolerance(2e-4);
     let e = m.dimension("e", 0.01).expect("a dimension").tolerance(3e-4);
-    let (crank, rod) = (m.link("crank", r).expect("a link"), m.link("rod", l).expect("a link"));
+    let crank = m.link("crank", r).expect("a link");
+    let rod = m.link("rod", l).expect("a link");
     let slider = m.planar("slider", pose(r + l, e, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
@@ -345,7 +377,8 @@ fn an_extreme_is_off_where_it_moves_to() {
     let found = system.tolerance_of(&motion, slider.x(), outer).expect("a tolerance");
     let value = |[r, l, e]: [f64; 3]| ((l + r).powi(2) - e * e).sqrt();
     let x = value([0.05, 0.12, 0.01]);
-    let by = |name: &str| found.contributions.iter().find(|one| one.name == name).expect("told").slope;
+    let by =
+        |name: &str| found.contributions.iter().find(|one| one.name == name).expect("told").slope;
     for (name, exact) in [("r", 0.17 / x), ("l", 0.17 / x), ("e", -0.01 / x)] {
         near(by(name), exact, 1e-12, name);
     }
@@ -359,12 +392,14 @@ fn an_extreme_is_off_where_it_moves_to() {
 fn corners_that_cannot_be_assembled_are_told() {
     let mut m = Mechanism::new("stretched");
     let b = m.dimension("b", 1.0).expect("a dimension").tolerance(0.02);
-    let (crank, rod) = (m.link("crank", 1.0).expect("a link"), m.link("rod", b).expect("a link"));
+    let crank = m.link("crank", 1.0).expect("a link");
+    let rod = m.link("rod", b).expect("a link");
     let slider = m.planar("slider", pose(1.1, 0.99, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
     m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0))).expect("adds");
-    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, -0.99), (0.0, 1.0), 0.0)).expect("adds");
+    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, -0.99), (0.0, 1.0), 0.0))
+        .expect("adds");
     m.add("motor", drive_angle(crank, Law::constant(0.0))).expect("adds");
     let system = m.build().expect("builds");
     let motion = system.run_both([0.0]).expect("a motion");

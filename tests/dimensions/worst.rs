@@ -1,5 +1,5 @@
-//! The worst of a box of tolerances where the linear stack does not say it: slopes that vanish, extremes
-//! inside, corners that do not close, and many dimensions.
+//! The worst of a box of tolerances where the linear stack does not say it: slopes that vanish,
+//! extremes inside, corners that do not close, and many dimensions.
 
 use kin::prelude::*;
 use kin::{Coordinate, Tolerance};
@@ -11,7 +11,8 @@ fn chain(angles: &[f64], tolerance: f64) -> (System, Coordinate) {
     let mut m = Mechanism::new("chain");
     let x = m.length("x", 0.5 * angles.len() as f64).expect("a coordinate");
     let mut turned: Option<Dimension> = None;
-    let (mut last, mut at) = (None, vec2(0.0, 0.0));
+    let mut last = None;
+    let mut at = vec2(0.0, 0.0);
     for (k, own) in angles.iter().enumerate() {
         let q = m.dimension(&format!("q{k}"), *own).expect("a dimension").tolerance(tolerance);
         let sum = turned.map_or(q + 0.0, |turned| turned + q);
@@ -19,7 +20,9 @@ fn chain(angles: &[f64], tolerance: f64) -> (System, Coordinate) {
         let link = m.planar(&format!("link{k}"), pose(0.5 * k as f64, 0.0, 0.0)).expect("a body");
         match last {
             None => m.add("O", revolute(link, Ground, (0.0, 0.0), at)).expect("adds"),
-            Some(last) => m.add(&format!("O{k}"), revolute(link, last, (0.0, 0.0), at)).expect("adds"),
+            Some(last) => {
+                m.add(&format!("O{k}"), revolute(link, last, (0.0, 0.0), at)).expect("adds")
+            }
         };
         m.add(&format!("fix{k}"), angle(link, Ground, sum)).expect("adds");
         (last, at) = (Some(link), vec2(0.5, 0.0));
@@ -41,7 +44,10 @@ fn stack_of(system: &System, x: Coordinate) -> Tolerance {
 
 fn between(found: &Tolerance, [low, high]: [f64; 2], limit: f64) {
     let [a, b] = found.corners.map(|corner| corner.expect("assembled"));
-    assert!((a - low).abs() < limit && (b - high).abs() < limit, "{a} … {b}, not {low} … {high}\n{found}");
+    assert!(
+        (a - low).abs() < limit && (b - high).abs() < limit,
+        "{a} … {b}, not {low} … {high}\n{found}"
+    );
 }
 
 #[test]
@@ -50,7 +56,10 @@ fn a_worst_case_where_slopes_vanish() {
     let found = stack_of(&system, x);
     between(&found, [0.5 * 0.04_f64.cos(), 0.5], 1e-15);
     let text = found.to_string();
-    assert!(text.starts_with("x (0.5 m at 0 s): -0.0004 to +0 worst case (linear stack ± 0),"), "{text}");
+    assert!(
+        text.starts_with("x (0.5 m at 0 s): -0.0004 to +0 worst case (linear stack ± 0),"),
+        "{text}"
+    );
     assert!(text.contains("the slopes vanish here, and the stack says nothing"), "{text}");
     assert!(text.contains("Looked at all 2 corners of the box of tolerances"), "{text}");
     assert!(found.looked_at.highest.is_empty() && found.looked_at.lowest[0].by.abs() == 0.04);
@@ -66,10 +75,13 @@ fn an_upper_corner_is_never_below_the_nominal_value() {
     let (system, x) = chain(&[0.02, -0.01], 0.03);
     let found = stack_of(&system, x);
     between(&found, [0.5 * 0.05_f64.cos() + 0.5 * 0.07_f64.cos(), 1.0], 1e-13);
-    assert!(found.looked_at.all_corners && found.looked_at.corners == 4 && found.looked_at.inside > 0);
+    assert!(
+        found.looked_at.all_corners && found.looked_at.corners == 4 && found.looked_at.inside > 0
+    );
 }
 
-/// Two angles of fourteen are worst one way, and all others the other way round: 2¹⁴ corners are not walked.
+/// Two angles of fourteen are worst one way, and all others the other way round: 2¹⁴ corners are
+/// not walked.
 #[test]
 fn many_dimensions_are_looked_at_with_bounded_effort() {
     let (system, x) = chain(&[0.0; 14], 0.01);
@@ -80,10 +92,14 @@ fn many_dimensions_are_looked_at_with_bounded_effort() {
     assert!(!looked.all_corners && looked.corners + looked.inside <= 600, "{looked:?}");
     let text = found.to_string();
     let said = format!("Looked at {} corners of the box of 14 tolerances", looked.corners);
-    assert!(text.contains(&said) && text.ends_with("a corner that was left out may be worse."), "{text}");
+    assert!(
+        text.contains(&said) && text.ends_with("a corner that was left out may be worse."),
+        "{text}"
+    );
 }
 
-/// x = a b: no slope, no second derivative by one of them alone, and the corners are worst in pairs.
+/// x = a b: no slope, no second derivative by one of them alone, and the corners are worst in
+/// pairs.
 #[constraint]
 fn product(x: Coord, a: f64, b: f64) -> f64 {
     x - a * b
@@ -103,8 +119,25 @@ fn corners_are_walked_beyond_those_of_the_signs() {
 /// x = k0 a + k1 b + k2 a b + k3 a² + k4 b² + k5 a² b + k6 a⁴.
 #[constraint]
 #[allow(clippy::too_many_arguments)]
-fn surface(x: Coord, a: f64, b: f64, k0: f64, k1: f64, k2: f64, k3: f64, k4: f64, k5: f64, k6: f64) -> f64 {
-    x - (k0 * a + k1 * b + k2 * a * b + k3 * a * a + k4 * b * b + k5 * a * a * b + k6 * a * a * a * a)
+fn surface(
+    x: Coord,
+    a: f64,
+    b: f64,
+    k0: f64,
+    k1: f64,
+    k2: f64,
+    k3: f64,
+    k4: f64,
+    k5: f64,
+    k6: f64,
+) -> f64 {
+    x - (k0 * a
+        + k1 * b
+        + k2 * a * b
+        + k3 * a * a
+        + k4 * b * b
+        + k5 * a * a * b
+        + k6 * a * a * a * a)
 }
 
 #[test]
@@ -123,8 +156,10 @@ fn the_worst_of_surfaces_at_random_is_that_of_a_fine_grid() {
         m.add("surface", surface(x, a, b, k[0], k[1], k[2], k[3], k[4], k[5], k[6])).expect("adds");
         let found = stack_of(&m.build().expect("builds"), x);
         let at = |i: i32, j: i32| {
-            let (a, b) = (0.1 * f64::from(i) / 100.0, 0.2 * f64::from(j) / 100.0);
-            let bent = k[2] * a * b + k[3] * a * a + k[4] * b * b + k[5] * a * a * b + k[6] * a.powi(4);
+            let a = 0.1 * f64::from(i) / 100.0;
+            let b = 0.2 * f64::from(j) / 100.0;
+            let bent =
+                k[2] * a * b + k[3] * a * a + k[4] * b * b + k[5] * a * a * b + k[6] * a.powi(4);
             k[0] * a + k[1] * b + bent
         };
         let all = (-100..=100).flat_map(|i| (-100..=100).map(move |j| at(i, j)));
@@ -142,12 +177,14 @@ fn a_box_that_does_not_close_has_no_worst_case_and_names_the_corner() {
     let mut m = Mechanism::new("stretched");
     let b = m.dimension("b", 1.0).expect("a dimension").tolerance(0.02).unit("m");
     let a = m.dimension("a", 1.0).expect("a dimension").tolerance(0.001);
-    let (crank, rod) = (m.link("crank", a).expect("a link"), m.link("rod", b).expect("a link"));
+    let crank = m.link("crank", a).expect("a link");
+    let rod = m.link("rod", b).expect("a link");
     let slider = m.planar("slider", pose(1.1, 0.99, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), (0.0, 0.0))).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
     m.add("B", revolute(rod, slider, rod.end(), (0.0, 0.0))).expect("adds");
-    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, -0.99), (0.0, 1.0), 0.0)).expect("adds");
+    m.add("guide", prismatic(slider, Ground, (0.0, 0.0), (0.0, -0.99), (0.0, 1.0), 0.0))
+        .expect("adds");
     m.add("motor", drive_angle(crank, Law::constant(0.0))).expect("adds");
     let system = m.build().expect("builds");
     let motion = system.run_both([0.0]).expect("a motion");
@@ -158,6 +195,9 @@ fn a_box_that_does_not_close_has_no_worst_case_and_names_the_corner() {
     let text = found.to_string();
     let first = text.lines().next().expect("a line");
     assert!(!first.contains("± 0") || !first.contains("worst case ±"), "{first}");
-    assert!(first.contains("no worst case, because the mechanism cannot be assembled where"), "{first}");
+    assert!(
+        first.contains("no worst case, because the mechanism cannot be assembled where"),
+        "{first}"
+    );
     assert!(first.contains("`b` is off by -0.02 m"), "{first}");
 }

@@ -8,8 +8,8 @@ use crate::models::{FourBar, slider_crank};
 
 /// Rest, out by `by` as a cycloid, back, rest: within one second.
 fn out_and_back(from: f64, by: f64) -> Law {
-    let (out, back) =
-        (Law::constant(from) + Law::cycloidal(by, 0.4), Law::constant(from + by) - Law::cycloidal(by, 0.4));
+    let out = Law::constant(from) + Law::cycloidal(by, 0.4);
+    let back = Law::constant(from + by) - Law::cycloidal(by, 0.4);
     Law::sequence(0.1, [(0.4, out), (0.4, back)])
 }
 
@@ -69,12 +69,15 @@ fn crank_that_goes_out_and_back_within_one_step_does_not_pass_its_toggle() {
 #[test]
 fn four_bars_that_go_out_and_back_end_at_their_toggle_or_come_back_where_they_were() {
     let mut random = fastrand::Rng::with_seed(11);
-    let (mut toggles, mut returns) = (0, 0);
+    let mut toggles = 0;
+    let mut returns = 0;
     while toggles + returns < 60 {
         let mut within = |low: f64, high: f64| low + (high - low) * random.f64();
         let lengths = [0; 4].map(|_| within(0.3, 3.0));
-        let (start, by) = (within(0.0, TAU), within(-6.0, 6.0));
-        let (by_coupler, side) = (random.bool(), if random.bool() { 1.0 } else { -1.0 });
+        let start = within(0.0, TAU);
+        let by = within(-6.0, 6.0);
+        let by_coupler = random.bool();
+        let side = if random.bool() { 1.0 } else { -1.0 };
         let bar = FourBar {
             driven: lengths[0],
             next: lengths[1],
@@ -82,8 +85,11 @@ fn four_bars_that_go_out_and_back_end_at_their_toggle_or_come_back_where_they_we
             ground: lengths[3],
             by_coupler,
         };
-        let ahead = bar.toggle(start, by.signum()).map_or(f64::INFINITY, |angle| (angle - start).abs());
-        if bar.angles(start, side).is_none() || !(1e-3..).contains(&ahead) || (ahead - by.abs()).abs() < 1e-3
+        let ahead =
+            bar.toggle(start, by.signum()).map_or(f64::INFINITY, |angle| (angle - start).abs());
+        if bar.angles(start, side).is_none()
+            || !(1e-3..).contains(&ahead)
+            || (ahead - by.abs()).abs() < 1e-3
         {
             continue;
         }
@@ -92,7 +98,11 @@ fn four_bars_that_go_out_and_back_end_at_their_toggle_or_come_back_where_they_we
         let times = &grids()[random.usize(0..4)];
         let what = format!("{bar:?} from {start} by {by}, {times:?}");
         if ahead < by.abs() {
-            ends_at(system.run_both(times), reached(&law, start + ahead.copysign(by), [0.1, 0.5]), &what);
+            ends_at(
+                system.run_both(times),
+                reached(&law, start + ahead.copysign(by), [0.1, 0.5]),
+                &what,
+            );
             toggles += 1;
         } else {
             let motion = system.run_both(times).unwrap_or_else(|error| panic!("{what}: {error}"));
@@ -135,8 +145,10 @@ impl LawFunction for Silent {
     fn jet(&self, x: f64) -> [f64; 4] {
         let w = 3.0 * PI;
         // sin⁴ u = (3 − 4 cos 2u + cos 4u) / 8
-        let ((s2, c2), (s4, c4)) = ((2.0 * w * x).sin_cos(), (4.0 * w * x).sin_cos());
-        let (a, b) = (2.0 * w, 4.0 * w);
+        let (s2, c2) = (2.0 * w * x).sin_cos();
+        let (s4, c4) = (4.0 * w * x).sin_cos();
+        let a = 2.0 * w;
+        let b = 4.0 * w;
         [
             (3.0 - 4.0 * c2 + c4) / 8.0,
             (4.0 * a * s2 - b * s4) / 8.0,
@@ -146,7 +158,8 @@ impl LawFunction for Silent {
     }
 }
 
-/// The rod of a slider-crank whose crank stands at the angle x: beyond |sin x| = 0.8 there is no position.
+/// The rod of a slider-crank whose crank stands at the angle x: beyond |sin x| = 0.8 there is no
+/// position.
 fn with_rod(
     name: &str,
     drive: impl FnOnce(&mut Mechanism, Coordinate) -> kin::Result<()>,
@@ -156,7 +169,8 @@ fn with_rod(
         x.sin() - 0.8 * phi.sin()
     }
     let mut m = Mechanism::new(name);
-    let (x, phi) = (m.angle("x", 0.0)?, m.angle("phi", 0.0)?);
+    let x = m.angle("x", 0.0)?;
+    let phi = m.angle("phi", 0.0)?;
     m.add("loop", closed(x, phi))?;
     drive(&mut m, x)?;
     m.build()
@@ -165,11 +179,13 @@ fn with_rod(
 #[test]
 fn a_driver_is_seen_in_whatever_constraint_it_stands() {
     let limit = 0.8_f64.asin();
-    // Pulses of height 1 that are zero, with their first three derivatives, at every third of a second.
+    // Pulses of height 1 that are zero, with their first three derivatives, at every third of a
+    // second.
     let sin4 = |t: f64| (3.0 * PI * t).sin().powi(4);
     let pulse_law = || Law::new(Silent);
     let first = |height: f64| {
-        let (mut low, mut high) = (0.0, 1.0 / 6.0);
+        let mut low = 0.0;
+        let mut high = 1.0 / 6.0;
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
             if height * sin4(middle) < limit { low = middle } else { high = middle }
@@ -180,16 +196,22 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
         let what = |name: &str| format!("{name} over {times:?}");
         let swing = || out_and_back(0.0, 1.2).compose(&Law::linear(0.0, 3.0));
         let at = reached(&out_and_back(0.0, 1.2), limit, [0.1, 0.5]) / 3.0;
-        let system =
-            with_rod("beyond", |m, x| m.add("d", beyond(x, swing() + Law::constant(-0.3), 0.3)).map(|_| ()));
+        let system = with_rod("beyond", |m, x| {
+            m.add("d", beyond(x, swing() + Law::constant(-0.3), 0.3)).map(|_| ())
+        });
         ends_at(system.unwrap().run_both(&times), at, &what("a law and a number"));
         let half = Law::constant(0.5);
         let system = with_rod("two", |m, x| m.add("d", by_two(x, 2.0 * swing(), half)).map(|_| ()));
         ends_at(system.unwrap().run_both(&times), at, &what("two laws"));
         let system = with_rod("pulse", |m, x| m.add("d", pulse(x, 1.1, 3.0 * PI)).map(|_| ()));
         ends_at(system.unwrap().run_both(&times), first(1.1), &what("an expression of t"));
-        let system = with_rod("dual pulse", |m, x| m.add("d", dual_pulse(x, 1.1, 3.0 * PI)).map(|_| ()));
-        ends_at(system.unwrap().run_both(&times), first(1.1), &what("an expression of t by dual numbers"));
+        let system =
+            with_rod("dual pulse", |m, x| m.add("d", dual_pulse(x, 1.1, 3.0 * PI)).map(|_| ()));
+        ends_at(
+            system.unwrap().run_both(&times),
+            first(1.1),
+            &what("an expression of t by dual numbers"),
+        );
         let system = with_rod("silent", |m, x| m.add("d", drive(x, 1.1 * pulse_law())).map(|_| ()));
         ends_at(system.unwrap().run_both(&times), first(1.1), &what("a law without bounds"));
         let system = with_rod("squared", |m, x| {
@@ -197,7 +219,8 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
             m.add("d", squared(x, Law::constant(0.5) + 0.6 * pulse_law())).map(|_| ())
         });
         let at = {
-            let (mut low, mut high) = (0.0, 1.0 / 6.0);
+            let mut low = 0.0;
+            let mut high = 1.0 / 6.0;
             for _ in 0..100 {
                 let middle = 0.5 * (low + high);
                 if 0.5 + 0.6 * sin4(middle) < limit { low = middle } else { high = middle }
@@ -208,17 +231,26 @@ fn a_driver_is_seen_in_whatever_constraint_it_stands() {
         // A mechanism that stays short of the toggle runs, and is back.
         let system = with_rod("short", |m, x| m.add("d", pulse(x, 0.9, 3.0 * PI)).map(|_| ()));
         let motion = system.unwrap().run_both(&times).unwrap();
-        assert!(motion.q(times.len() - 1).iter().all(|q| q.abs() < 1e-12), "{:?}", motion.q(times.len() - 1));
+        assert!(
+            motion.q(times.len() - 1).iter().all(|q| q.abs() < 1e-12),
+            "{:?}",
+            motion.q(times.len() - 1)
+        );
     }
 }
 
-/// A parallelogram whose coupler is longer by 1e-9 has a toggle 3e-5 before it is flat. A crank that swings
-/// past that and back within a step comes from and goes to positions that are as smooth as those of the
-/// parallelogram, whose branches cross there.
+/// A parallelogram whose coupler is longer by 1e-9 has a toggle 3e-5 before it is flat. A crank
+/// that swings past that and back within a step comes from and goes to positions that are as smooth
+/// as those of the parallelogram, whose branches cross there.
 #[test]
 fn crank_that_swings_past_a_near_change_point_and_back_ends_at_its_toggle() {
-    let bar =
-        |excess: f64| FourBar { driven: 1.0, next: 2.0 + excess, last: 1.0, ground: 2.0, by_coupler: false };
+    let bar = |excess: f64| FourBar {
+        driven: 1.0,
+        next: 2.0 + excess,
+        last: 1.0,
+        ground: 2.0,
+        by_coupler: false,
+    };
     for excess in [1e-6, 1e-9] {
         for (start, beyond) in [(-0.5, 0.1), (-0.3, 0.01), (-0.02, 0.3), (-0.1, 1e-3)] {
             let toggle = bar(excess).toggle(start, 1.0).unwrap();
@@ -248,12 +280,16 @@ fn crank_that_swings_past_a_near_change_point_and_back_ends_at_its_toggle() {
 fn redundant_mechanisms_are_followed_between_times_too() {
     let guided = |law: Law| {
         let mut m = Mechanism::new("two guides");
-        let (a, b) = (m.link("crank", 1.0)?, m.link("rod", 0.8)?);
+        let a = m.link("crank", 1.0)?;
+        let b = m.link("rod", 0.8)?;
         let slider = m.planar("slider", pose(1.8, 0.0, 0.0))?;
         m.add("O", revolute(Ground, a, vec2(0.0, 0.0), a.start()))?;
         m.add("A", revolute(a, b, a.end(), b.start()))?;
         m.add("B", revolute(b, slider, b.end(), vec2(0.0, 0.0)))?;
-        m.add("guide", prismatic(slider, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))?;
+        m.add(
+            "guide",
+            prismatic(slider, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0),
+        )?;
         m.add(
             "second guide",
             prismatic(slider, Ground, vec2(0.1, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0),
@@ -275,8 +311,10 @@ fn cases_of_a_sweep_are_followed_between_times_in_lanes_as_alone() {
     let system = slider_crank(1.0, 1.5, out_and_back(0.0, PI), 0.0).unwrap();
     let names = ["A.u_j.x", "B.u_i.x", "rod.R_x", "slider.R_x"];
     // Half the rod's length: those below ½ end in a toggle; at ½ itself branches cross.
-    let cases: Vec<[f64; 4]> =
-        (0..24).map(|k| 0.29 + 0.02 * f64::from(k)).map(|u| [-u, u, 1.0 + u, 1.0 + 2.0 * u]).collect();
+    let cases: Vec<[f64; 4]> = (0..24)
+        .map(|k| 0.29 + 0.02 * f64::from(k))
+        .map(|u| [-u, u, 1.0 + u, 1.0 + 2.0 * u])
+        .collect();
     for times in grids() {
         for options in [Options::default(), Options { predict: false, ..Options::default() }] {
             let found = system
@@ -296,18 +334,16 @@ fn cases_of_a_sweep_are_followed_between_times_in_lanes_as_alone() {
     }
 }
 
-/// Millions of turns between two times are not followed one by one, and that is said at once; what is
-/// straight needs no steps.
+/// Millions of turns between two times are not followed one by one, and that is said at once; what
+/// is straight needs no steps.
 #[test]
 fn a_step_over_millions_of_swings_is_refused_or_needs_none() {
     let mut m = Mechanism::new("one");
     let x = m.length("x", 0.0).unwrap();
     m.add("motor", drive(x, Law::sine(0.3, PI, 0.0))).unwrap();
     assert!(m.build().unwrap().run_both([0.0, 1e6]).is_ok());
-    let (bar, law) = (
-        FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false },
-        Law::sine(1.2, TAU, 0.0),
-    );
+    let bar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
+    let law = Law::sine(1.2, TAU, 0.0);
     let (system, _) = bar.system(law, 0.0, 1.0).unwrap();
     assert!(system.run_both([0.0, 10.0]).is_ok());
     for end in [1e7, 1e9, 1e12] {
@@ -320,8 +356,8 @@ fn a_step_over_millions_of_swings_is_refused_or_needs_none() {
     }
 }
 
-/// A driver that rests with its first three derivatives at each time of the grid, and starts again by the
-/// fourth power of time.
+/// A driver that rests with its first three derivatives at each time of the grid, and starts again
+/// by the fourth power of time.
 #[test]
 fn a_driver_that_has_come_to_rest_is_not_refused() {
     let bar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };

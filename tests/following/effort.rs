@@ -1,4 +1,5 @@
-//! A run that cannot be followed says so soon, by counted work, and the work it may spend is an option.
+//! A run that cannot be followed says so soon, by counted work, and the work it may spend is an
+//! option.
 
 use std::time::{Duration, Instant};
 
@@ -17,7 +18,8 @@ fn wavy(x: Coord, z: Coord) -> f64 {
 /// z of a wavy line is led so far in one second, in one step.
 fn wave(far: f64, effort: f64) -> kin::Result<Motion> {
     let mut m = Mechanism::new("wavy");
-    let (x, z) = (m.length("x", 0.0)?, m.length("z", 0.0)?);
+    let x = m.length("x", 0.0)?;
+    let z = m.length("z", 0.0)?;
     m.add("x", drive(x, Law::ramp(far)))?;
     m.add("z", wavy(x, z))?;
     m.build()?.run_with([0.0, 1.0], &Options { effort, ..Options::default() })
@@ -38,30 +40,38 @@ fn effort_is_the_work_that_a_run_may_spend_on_smaller_steps() {
     }
     for effort in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = wave(1.0, effort).expect_err("no effort");
-        assert!(matches!(&error, Error::InvalidOptions { reason } if reason.contains("effort")), "{error}");
+        assert!(
+            matches!(&error, Error::InvalidOptions { reason } if reason.contains("effort")),
+            "{error}"
+        );
     }
 }
 
-/// The reasons of a failure are looked for with as much work. Of a search that is cut off nothing is
-/// reported.
+/// The reasons of a failure are looked for with as much work. Of a search that is cut off nothing
+/// is reported.
 #[test]
 fn effort_bounds_the_diagnosis_after_a_failure() {
     let system = slider_crank(1.0, 0.8, Law::ramp(1.0), 0.0).unwrap();
     let end = |effort: f64| {
         // Hardly any of it is spent on smaller steps.
-        let options = Options { effort, follow: Follow::Unchecked, halvings: 3, ..Options::default() };
-        system.run_with(linspace(0.0, 2.0, 2001), &options).expect_err("no position beyond a toggle")
+        let options =
+            Options { effort, follow: Follow::Unchecked, halvings: 3, ..Options::default() };
+        system
+            .run_with(linspace(0.0, 2.0, 2001), &options)
+            .expect_err("no position beyond a toggle")
     };
     let [full, cut] = [1.0, 1e-5].map(end);
     for error in [&full, &cut] {
-        let (Error::NoConvergence { t, .. } | Error::SingularAt { t, .. }) = error else { panic!("{error}") };
+        let (Error::NoConvergence { t, .. } | Error::SingularAt { t, .. }) = error else {
+            panic!("{error}")
+        };
         assert!((t - 0.8_f64.asin()).abs() < 1e-2, "{error}");
     }
     assert!(full.diagnosis().is_some() && cut.diagnosis().is_none(), "{full} {cut}");
 }
 
-/// How many mechanisms of either kind a test run takes; `KIN_CAMPAIGN=2000` for a measurement, in a release
-/// build.
+/// How many mechanisms of either kind a test run takes; `KIN_CAMPAIGN=2000` for a measurement, in a
+/// release build.
 fn count() -> usize {
     std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(12)
 }
@@ -105,7 +115,9 @@ fn runs_that_cannot_be_followed_end_soon() {
     let mut longest = Longest::default();
     for number in 0..count() {
         let family = number % FAMILIES.len();
-        let Ok(mechanism) = system(family, &mut Random::of(number), Frame::default()) else { continue };
+        let Ok(mechanism) = system(family, &mut Random::of(number), Frame::default()) else {
+            continue;
+        };
         for (points, engine) in [(2, Engine::Plain), (4, Engine::Plain), (37, Engine::Compiled)] {
             let words = format!("number {number}, {}, {points} times", FAMILIES[family]);
             longest.run(&mechanism, &linspace(0.0, 1.0, points), engine, &words);

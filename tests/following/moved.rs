@@ -35,10 +35,12 @@ fn run(system: &System, times: &[f64], engine: Engine) -> kin::Result<Motion> {
     system.run_with(times, &Options { engine, ..Options::default() })
 }
 
-/// Kinds and times of what happens, the toggle at the end among them; the rest of errors by their words.
+/// Kinds and times of what happens, the toggle at the end among them; the rest of errors by their
+/// words.
 fn happens(result: &kin::Result<Motion>) -> Result<Vec<(String, f64)>, String> {
     let of = |motion: &Motion| -> Vec<(String, f64)> {
-        let singular = motion.singular_positions().iter().map(|at| (format!("{:?}", at.kind), at.t));
+        let singular =
+            motion.singular_positions().iter().map(|at| (format!("{:?}", at.kind), at.t));
         singular.chain(motion.events().iter().map(|event| ("event".to_string(), event.t))).collect()
     };
     match result {
@@ -53,11 +55,17 @@ fn happens(result: &kin::Result<Motion>) -> Result<Vec<(String, f64)>, String> {
 }
 
 /// The same must happen, at the same times but for rounding of this size.
-fn alike(one: &kin::Result<Motion>, other: &kin::Result<Motion>, rounding: f64, what: &str) -> usize {
+fn alike(
+    one: &kin::Result<Motion>,
+    other: &kin::Result<Motion>,
+    rounding: f64,
+    what: &str,
+) -> usize {
     let (Ok(one), Ok(other)) = (happens(one), happens(other)) else {
         panic!("{what}: {:?} {:?}", happens(one), happens(other))
     };
-    let kinds = |all: &[(String, f64)]| all.iter().map(|(kind, _)| kind.clone()).collect::<Vec<_>>();
+    let kinds =
+        |all: &[(String, f64)]| all.iter().map(|(kind, _)| kind.clone()).collect::<Vec<_>>();
     assert_eq!(kinds(&one), kinds(&other), "{what}: {one:?} {other:?}");
     for ((kind, t), (_, expected)) in one.iter().zip(&other) {
         let allowed = 1e-9 + 1e2 * rounding;
@@ -74,7 +82,8 @@ fn a_fold_is_found_wherever_the_origin_is() {
     {
         let far = turns * PI;
         let mut m = Mechanism::new("moved");
-        let (x, z) = (m.length("x", far).unwrap(), m.length("z", far).unwrap());
+        let x = m.length("x", far).unwrap();
+        let z = m.length("z", far).unwrap();
         m.add("x", drive(x, Law::sine(2.0, 3.0, 0.0) + Law::constant(far))).unwrap();
         m.add("z", periodic(x, z)).unwrap();
         let system = m.build().unwrap();
@@ -98,14 +107,17 @@ fn a_fold_is_found_beside_long_links() {
         let crank = m.link("crank", length).unwrap();
         m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
         m.add("motor", drive_angle(crank, Law::linear(0.3, 0.1))).unwrap();
-        let (x, z) = (m.length("x", 0.0).unwrap(), m.length("z", 0.0).unwrap());
+        let x = m.length("x", 0.0).unwrap();
+        let z = m.length("z", 0.0).unwrap();
         m.add("x", drive(x, Law::sine(2.0, 3.0, 0.0))).unwrap();
         m.add("z", periodic(x, z)).unwrap();
         let system = m.build().unwrap();
         for engine in [Engine::Plain, Engine::Compiled] {
             for points in [8, 20, 50] {
                 let found = run(&system, &linspace(0.0, 1.0, points), engine);
-                let Err(Error::Toggle { t, .. }) = found else { panic!("{length} {points} {engine:?}") };
+                let Err(Error::Toggle { t, .. }) = found else {
+                    panic!("{length} {points} {engine:?}")
+                };
                 assert!((t - 0.311_783_3).abs() < 1e-6, "{length} {points} {engine:?}: {t}");
             }
         }
@@ -117,7 +129,8 @@ fn explicit(kind: usize, scale: f64, place: f64) -> kin::Result<System> {
     let mut m = Mechanism::new("explicit");
     let start = [0.0, 0.0, 0.2, 0.2][kind] * scale;
     let beside = [0.0, 0.0, -0.96_f64.sqrt(), 0.456_776][kind] * scale;
-    let (x, y) = (m.length("x", place + start)?, m.length("y", place + beside)?);
+    let x = m.length("x", place + start)?;
+    let y = m.length("y", place + beside)?;
     let law = Law::sine(2.0 * scale, 3.0, 0.0) + Law::constant(place + start);
     m.add("x", drive(x, law))?;
     match kind {
@@ -135,13 +148,20 @@ fn explicit_equations_that_are_moved_and_scaled_do_the_same() {
     for (kind, points) in (0..4).flat_map(|kind| [7, 20, 90].map(|points| (kind, points))) {
         let times = linspace(0.0, 1.0, points);
         let expected = run(&explicit(kind, 1.0, 0.0).unwrap(), &times, Engine::Plain);
-        for (scale, place) in
-            [(1.0, 1e6), (1.0, -1e6), (1.0, 777.7), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0), (1e6, -1e12)]
-        {
+        for (scale, place) in [
+            (1.0, 1e6),
+            (1.0, -1e6),
+            (1.0, 777.7),
+            (1e6, 0.0),
+            (1e-6, 0.0),
+            (1e-6, 1.0),
+            (1e6, -1e12),
+        ] {
             for engine in [Engine::Plain, Engine::Compiled] {
                 let found = run(&explicit(kind, scale, place).unwrap(), &times, engine);
                 let rounding = f64::EPSILON * place.abs() / scale;
-                let what = format!("equation {kind}, {points} times, by {scale} to {place}, {engine:?}");
+                let what =
+                    format!("equation {kind}, {points} times, by {scale} to {place}, {engine:?}");
                 seen += alike(&found, &expected, rounding, &what);
             }
         }
@@ -152,7 +172,8 @@ fn explicit_equations_that_are_moved_and_scaled_do_the_same() {
 /// The mechanism at the origin and its like elsewhere, each from its own first position.
 fn pair(number: usize, frame: Frame) -> Option<[System; 2]> {
     let build = |frame| system(number % FAMILIES.len(), &mut Random::of(number), frame).ok();
-    // Where it is not moved it is compared with what is of order 1, else with what rounding leaves of it.
+    // Where it is not moved it is compared with what is of order 1, else with what rounding leaves
+    // of it.
     let scale = if frame.place == 0.0 { 1.0 } else { frame.scale };
     let mut here = build(Frame { scale, is_moved: false, ..frame })?;
     let mut there = build(frame)?;
@@ -174,20 +195,24 @@ fn count() -> usize {
 
 #[test]
 fn mechanisms_that_are_moved_and_scaled_do_the_same() {
-    let (mut seen, mut tried) = (0, 0);
+    let mut seen = 0;
+    let mut tried = 0;
     for number in 0..count() {
         let steps = Random::of(number + 7).one_of(&[3, 9, 36]);
         let times = linspace(0.0, 1.0, steps + 1);
         for (scale, place) in [(1.0_f64, 1e6_f64), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0)] {
-            // Rounding of the moved points, of which a loop has several, decides how links pass their line.
-            let (family, rounding) = (number % FAMILIES.len(), f64::EPSILON * place.abs() / scale);
+            // Rounding of the moved points, of which a loop has several, decides how links pass
+            // their line.
+            let family = number % FAMILIES.len();
+            let rounding = f64::EPSILON * place.abs() / scale;
             let margin = margin(family, &mut Random::of(number));
             if margin <= 64.0 * rounding {
                 continue;
             }
             let frame = Frame { scale, place, ..Frame::default() };
-            // Branches come as near one another as the root of that margin, and turns within a length of
-            // the cube root of rounding are not told from it: there a run may end and say so.
+            // Branches come as near one another as the root of that margin, and turns within a
+            // length of the cube root of rounding are not told from it: there a run may end and say
+            // so.
             let may_end = margin <= (64.0 * rounding).powf(2.0 / 3.0);
             let Some([here, there]) = pair(number, frame) else { continue };
             let expected = run(&here, &times, Engine::Plain);
@@ -198,7 +223,9 @@ fn mechanisms_that_are_moved_and_scaled_do_the_same() {
                     FAMILIES[family]
                 );
                 tried += 1;
-                if may_end && found.as_ref().is_err_and(|error| !matches!(error, Error::Toggle { .. })) {
+                if may_end
+                    && found.as_ref().is_err_and(|error| !matches!(error, Error::Toggle { .. }))
+                {
                     continue;
                 }
                 seen += alike(&found, &expected, rounding, &what);
@@ -257,28 +284,31 @@ fn carried(far: f64, size: f64, begin: f64, rides: bool) -> System {
     m.add("feed", drive(carriage, Law::linear(begin, far))).unwrap();
     let own = Law::sine(2.0 * size, 3.0, 0.0);
     if rides {
-        let (x, z) = (m.length("x", begin).unwrap(), m.length("z", begin).unwrap());
+        let x = m.length("x", begin).unwrap();
+        let z = m.length("z", begin).unwrap();
         m.add("x", drive(x, Law::linear(begin, far) + own)).unwrap();
         m.add("z", riding(x, z, carriage, size)).unwrap();
     } else {
-        let (x, z) = (m.length("x", 0.0).unwrap(), m.length("z", 0.0).unwrap());
+        let x = m.length("x", 0.0).unwrap();
+        let z = m.length("z", 0.0).unwrap();
         m.add("x", drive(x, own)).unwrap();
         m.add("z", implicit(x, z, 0.0, size)).unwrap();
     }
     m.build().unwrap()
 }
 
-/// The same beside a carriage that goes far away during the run, and on it: sizes are those of the first
-/// position.
+/// The same beside a carriage that goes far away during the run, and on it: sizes are those of the
+/// first position.
 ///
-/// Rounding of where the carriage is, ε v, moves what rides on it at the fold by the root of that, and the
-/// fold turns within size² / v: from v = 1e5 sizes a second on rounding hides how it turns. Then the run
-/// still ends there, with an error of another kind.
+/// Rounding of where the carriage is, ε v, moves what rides on it at the fold by the root of that,
+/// and the fold turns within size² / v: from v = 1e5 sizes a second on rounding hides how it turns.
+/// Then the run still ends there, with an error of another kind.
 #[test]
 fn a_fold_is_found_beside_what_is_carried_far_away() {
     let at = 0.5 * (-1.0_f64 / 1.2).acos();
     let expected = ((at + 0.6 * (2.0 * at).sin()) / 2.0).asin() / 3.0;
-    let beside = [(1.0, 1.0), (1e3, 1.0), (1e6, 1.0), (1e6, 1e-3), (-1e9, 1.0), (1e12, 1e-3), (1e9, 1e3)];
+    let beside =
+        [(1.0, 1.0), (1e3, 1.0), (1e6, 1.0), (1e6, 1e-3), (-1e9, 1.0), (1e12, 1e-3), (1e9, 1e3)];
     let riding = [(1.0, 1.0), (1e3, 1.0), (-1e4, 1.0), (10.0, 1e-3), (1e6, 1.0), (-1e9, 1e3)];
     let all = beside.map(|case| (case, false)).into_iter().chain(riding.map(|case| (case, true)));
     for (((far, size), rides), begin) in all.flat_map(|case| [(case, 0.0), (case, 1.0)]) {
@@ -302,15 +332,16 @@ fn a_fold_is_found_beside_what_is_carried_far_away() {
     }
 }
 
-/// A slider whose first position is the rounding of zero has no length: its steps are not judged by that
-/// rounding.
+/// A slider whose first position is the rounding of zero has no length: its steps are not judged by
+/// that rounding.
 #[test]
 fn a_slider_that_starts_at_the_rounding_of_zero_runs() {
     for phase in [0.0, 1e-18, 1e-15, 1e-14, 1e-12, 1e-9, 1e-3, std::f64::consts::PI] {
         for drawn in [0.0, 0.1] {
             let mut m = Mechanism::new("slider");
             let slider = m.planar("slider", pose(drawn, 0.0, 0.0)).unwrap();
-            let (o, up) = (vec2(0.0, 0.0), vec2(0.0, 1.0));
+            let o = vec2(0.0, 0.0);
+            let up = vec2(0.0, 1.0);
             m.add("guide", prismatic(slider, m.ground(), o, o, up, 0.0)).unwrap();
             m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, phase))).unwrap();
             let system = m.build().unwrap();

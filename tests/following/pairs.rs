@@ -1,4 +1,5 @@
-//! The same motion on a coarse and on a fine grid: ten families of mechanisms under six kinds of laws.
+//! The same motion on a coarse and on a fine grid: ten families of mechanisms under six kinds of
+//! laws.
 
 use kin::Error;
 use kin::prelude::*;
@@ -33,10 +34,15 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
     let each = fine() / steps;
     let fine_times = linspace(0.0, 1.0, steps * each + 1);
     let coarse_times: Vec<f64> = fine_times.iter().step_by(each).copied().collect();
-    let (coarse, fine) = (system.run_both(&coarse_times), system.run_compiled(&fine_times));
+    let coarse = system.run_both(&coarse_times);
+    let fine = system.run_compiled(&fine_times);
     let error = |coarse: &Motion, fine: &Motion| {
         let off = |k: usize| {
-            coarse.q(k).iter().zip(fine.q(k * each)).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))
+            coarse
+                .q(k)
+                .iter()
+                .zip(fine.q(k * each))
+                .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))
         };
         (0..coarse.len()).map(off).fold(0.0, f64::max)
     };
@@ -45,7 +51,8 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
             assert!(error(coarse, fine) < 1e-6, "{name}: apart by {:e}", error(coarse, fine));
             tally.moved += 1;
             if tally.moved.is_multiple_of(PROVED) {
-                tally.proved += usize::from(system.prove(fine).is_ok_and(|proof| proof.is_complete()));
+                tally.proved +=
+                    usize::from(system.prove(fine).is_ok_and(|proof| proof.is_complete()));
             }
         }
         (Err(Error::Toggle { t, .. }), Err(Error::Toggle { t: expected, .. })) => {
@@ -54,7 +61,10 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
         }
         (Err(error), Ok(_)) => {
             let finer: Vec<f64> = linspace(0.0, 1.0, 2 * steps + 1).to_vec();
-            assert!(error.to_string().contains("t = ") && system.run_both(&finer).is_ok(), "{name}: {error}");
+            assert!(
+                error.to_string().contains("t = ") && system.run_both(&finer).is_ok(),
+                "{name}: {error}"
+            );
             tally.refused.push(format!("{name}: {error}"));
         }
         (Ok(_), Err(error)) => panic!("{name}: passed in silence: {error}"),
@@ -64,10 +74,13 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
 
 #[test]
 fn pairs_of_coarse_and_fine_grids_give_the_same_motion_or_the_same_end() {
-    let (mut tally, mut tried, mut number) = (Tally::default(), 0, 0);
+    let mut tally = Tally::default();
+    let mut tried = 0;
+    let mut number = 0;
     let mut of_family = [0; FAMILIES.len()];
     while tried < count() {
-        let (family, mut random) = (number % FAMILIES.len(), Random::of(number));
+        let family = number % FAMILIES.len();
+        let mut random = Random::of(number);
         number += 1;
         let Ok(mut system) = system(family, &mut random, Frame::default()) else { continue };
         // Parts that do not go together are no motion.

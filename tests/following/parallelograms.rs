@@ -1,4 +1,5 @@
-//! Near-parallelograms, their couplers off by 1e-12 to 1e-6: the verdict does not depend on the grid.
+//! Near-parallelograms, their couplers off by 1e-12 to 1e-6: the verdict does not depend on the
+//! grid.
 
 use kin::prelude::*;
 use kin::{Engine, Error, Options};
@@ -18,14 +19,17 @@ fn first() -> usize {
 /// The end of a run in words, with the times at which something happens.
 fn verdict(system: &System, steps: usize, engine: Engine) -> (String, Vec<f64>) {
     let options = Options { engine, ..Options::default() };
-    let passed = |motion: &Motion| motion.singular_positions().iter().map(|at| at.t).collect::<Vec<f64>>();
+    let passed =
+        |motion: &Motion| motion.singular_positions().iter().map(|at| at.t).collect::<Vec<f64>>();
     match system.run_with(linspace(0.0, 1.0, steps + 1), &options) {
         Ok(motion) => ("moves".to_string(), passed(&motion)),
         Err(Error::Toggle { t, motion, .. }) => {
             let before = motion.iter().flat_map(|motion| passed(motion));
             ("toggle".to_string(), before.chain([t]).collect())
         }
-        Err(error) => (error.to_string().lines().next().unwrap_or_default().to_string(), Vec::new()),
+        Err(error) => {
+            (error.to_string().lines().next().unwrap_or_default().to_string(), Vec::new())
+        }
     }
 }
 
@@ -36,11 +40,14 @@ fn is_same((one, times): &(String, Vec<f64>), (other, expected): &(String, Vec<f
 
 #[test]
 fn near_parallelograms_end_alike_on_coarse_and_fine_grids() {
-    let (mut wrong, mut toggles, mut apart) = (Vec::new(), 0, 0);
+    let mut wrong = Vec::new();
+    let mut toggles = 0;
+    let mut apart = 0;
     for number in first()..first() + count() {
         let mut random = Random::of(number);
         let (mut system, off) = near_parallelogram(&mut random, Frame::default()).expect("builds");
-        // A coupler that is too short leaves no position where the run would begin with all links in line.
+        // A coupler that is too short leaves no position where the run would begin with all links
+        // in line.
         let Ok(begin) = system.position(0.0) else {
             apart += 1;
             continue;

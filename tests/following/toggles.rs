@@ -12,8 +12,8 @@ fn toggle(error: &kin::Error) -> (f64, &Motion) {
     (*t, motion)
 }
 
-/// Four-bars whose driven link cannot turn round, on grids from coarse to fine, both ways and in both
-/// assemblies.
+/// Four-bars whose driven link cannot turn round, on grids from coarse to fine, both ways and in
+/// both assemblies.
 #[test]
 fn non_grashof_four_bar_ends_at_its_toggle() {
     for bar in [
@@ -22,9 +22,11 @@ fn non_grashof_four_bar_ends_at_its_toggle() {
         FourBar { driven: 3.0, next: 1.0, last: 2.0, ground: 3.1, by_coupler: false },
     ] {
         for (side, sense) in [(1.0, 1.0), (-1.0, -1.0), (-1.0, 1.0)] {
-            let start =
-                (0..60).map(|k| 0.1 * f64::from(k)).find(|angle| bar.angles(*angle, side).is_some()).unwrap()
-                    + 0.05;
+            let start = (0..60)
+                .map(|k| 0.1 * f64::from(k))
+                .find(|angle| bar.angles(*angle, side).is_some())
+                .unwrap()
+                + 0.05;
             let expected = sense * (bar.toggle(start, sense).unwrap() - start);
             let (system, _) = bar.system(Law::linear(start, sense), start, side).unwrap();
             for points in [9, 41, 721] {
@@ -36,7 +38,11 @@ fn non_grashof_four_bar_ends_at_its_toggle() {
                     "{bar:?} {points}: {found} {expected} {:e}",
                     found - expected
                 );
-                assert_eq!(motion.len(), times.iter().filter(|t| **t < expected).count(), "{error}");
+                assert_eq!(
+                    motion.len(),
+                    times.iter().filter(|t| **t < expected).count(),
+                    "{error}"
+                );
                 assert!((0..motion.len()).all(|k| bar.error(motion.q(k), side) < 1e-8));
                 assert_eq!(motion.singular_positions().len(), 1);
             }
@@ -47,16 +53,21 @@ fn non_grashof_four_bar_ends_at_its_toggle() {
 /// A slider-crank driven by its slider, to both dead centres.
 #[test]
 fn slider_drives_a_slider_crank_to_its_dead_centres() {
-    let (a, b) = (1.0, 2.5);
+    let a = 1.0;
+    let b = 2.5;
     for (speed, end) in [(0.4, a + b), (-0.4, b - a)] {
         let mut m = Mechanism::new("pump");
-        let (crank, rod) = (m.link("crank", a).unwrap(), m.link("rod", b).unwrap());
+        let crank = m.link("crank", a).unwrap();
+        let rod = m.link("rod", b).unwrap();
         let slider = m.planar("slider", pose(2.4, 0.0, 0.0)).unwrap();
         m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
         m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
         m.add("B", revolute(rod, slider, rod.end(), vec2(0.0, 0.0))).unwrap();
-        m.add("guide", prismatic(slider, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))
-            .unwrap();
+        m.add(
+            "guide",
+            prismatic(slider, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0),
+        )
+        .unwrap();
         m.add("motor", drive(slider.x(), Law::linear(2.4, speed))).unwrap();
         m.prefer(crank, deg(60.0));
         let system = m.build().unwrap();
@@ -76,8 +87,8 @@ fn slider_drives_a_slider_crank_to_its_dead_centres() {
     }
 }
 
-/// The crank of a slider-crank with a rod that is too short stops where the rod stands upright; the same in
-/// millimetres and in kilometres.
+/// The crank of a slider-crank with a rod that is too short stops where the rod stands upright; the
+/// same in millimetres and in kilometres.
 #[test]
 fn verdict_does_not_depend_on_the_unit_of_length() {
     for scale in [1e-3, 1.0, 1e3] {
@@ -91,17 +102,22 @@ fn verdict_does_not_depend_on_the_unit_of_length() {
     }
 }
 
-/// Neither does it depend on the order in which parts are declared: the slider-driven slider-crank, its
-/// bodies and constraints in many orders.
+/// Neither does it depend on the order in which parts are declared: the slider-driven slider-crank,
+/// its bodies and constraints in many orders.
 #[test]
 fn verdict_does_not_depend_on_the_order_of_the_parts() {
-    let (a, b, speed) = (1.0, 2.5, 0.4);
+    let a = 1.0;
+    let b = 2.5;
+    let speed = 0.4;
     let orders = [[0, 1, 2, 3, 4], [4, 3, 2, 1, 0], [2, 4, 0, 3, 1], [3, 0, 4, 1, 2]];
-    for (bodies, joints) in
-        [[0, 1, 2], [2, 1, 0], [1, 2, 0]].into_iter().flat_map(|bodies| orders.map(|joints| (bodies, joints)))
+    for (bodies, joints) in [[0, 1, 2], [2, 1, 0], [1, 2, 0]]
+        .into_iter()
+        .flat_map(|bodies| orders.map(|joints| (bodies, joints)))
     {
         let mut m = Mechanism::new("pump");
-        let (mut crank, mut rod, mut slider) = (None, None, None);
+        let mut crank = None;
+        let mut rod = None;
+        let mut slider = None;
         for body in bodies {
             match body {
                 0 => crank = Some(m.link("crank", a).unwrap()),
@@ -109,7 +125,9 @@ fn verdict_does_not_depend_on_the_order_of_the_parts() {
                 _ => slider = Some(m.planar("slider", pose(2.4, 0.0, 0.0)).unwrap()),
             }
         }
-        let (crank, rod, slider) = (crank.unwrap(), rod.unwrap(), slider.unwrap());
+        let crank = crank.unwrap();
+        let rod = rod.unwrap();
+        let slider = slider.unwrap();
         let zero = vec2(0.0, 0.0);
         for joint in joints {
             match joint {
@@ -135,15 +153,16 @@ fn verdict_does_not_depend_on_the_order_of_the_parts() {
     }
 }
 
-/// A motor that comes to rest at the toggle: the grid reaches t* or the run ends there, and nothing turns
-/// over.
+/// A motor that comes to rest at the toggle: the grid reaches t* or the run ends there, and nothing
+/// turns over.
 #[test]
 fn driver_that_swings_beyond_the_toggle_and_back_does_not_hide_it() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };
     let end = bar.toggle(0.2, 1.0).unwrap();
     for amplitude in [1.001, 1.05, 1.3] {
         let swing = amplitude * (end - 0.2);
-        let (system, _) = bar.system(Law::sine(swing, 1.0, 0.0) + Law::constant(0.2), 0.2, 1.0).unwrap();
+        let (system, _) =
+            bar.system(Law::sine(swing, 1.0, 0.0) + Law::constant(0.2), 0.2, 1.0).unwrap();
         let expected = amplitude.recip().asin();
         for points in [5, 9, 17, 101] {
             let error = system.run_both(linspace(0.0, 3.0, points)).unwrap_err();
@@ -152,16 +171,17 @@ fn driver_that_swings_beyond_the_toggle_and_back_does_not_hide_it() {
         }
     }
     // Just short of it the run goes on, and comes back on the same side.
-    let (system, _) =
-        bar.system(Law::sine(0.999 * (end - 0.2), 1.0, 0.0) + Law::constant(0.2), 0.2, 1.0).unwrap();
+    let (system, _) = bar
+        .system(Law::sine(0.999 * (end - 0.2), 1.0, 0.0) + Law::constant(0.2), 0.2, 1.0)
+        .unwrap();
     for points in [5, 9, 101] {
         let motion = system.run_both(linspace(0.0, 3.0, points)).unwrap();
         assert!((0..points).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
     }
 }
 
-/// A time of the grid so near before the toggle that the curve has turned round when the next one is met: the
-/// position is that of the way there.
+/// A time of the grid so near before the toggle that the curve has turned round when the next one
+/// is met: the position is that of the way there.
 #[test]
 fn time_just_before_a_toggle_is_met_before_the_curve_turns() {
     let bar = FourBar { driven: 0.7, next: 1.0, last: 1.8, ground: 2.3, by_coupler: false };
@@ -179,8 +199,8 @@ fn time_just_before_a_toggle_is_met_before_the_curve_turns() {
     }
 }
 
-/// Four-bars that are mirror images of one another on one crank: all come to their toggle at once, and all of
-/// them are named.
+/// Four-bars that are mirror images of one another on one crank: all come to their toggle at once,
+/// and all of them are named.
 #[test]
 fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
     for (lengths, start, sense) in [
@@ -198,14 +218,14 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
             m.add("motor", drive_angle(crank, Law::linear(start, sense))).unwrap();
             let mut guess = bar.pose(start, 1.0).unwrap()[..3].to_vec();
             for k in 0..loops {
-                let (b, c) = (
-                    m.link(&format!("coupler {k}"), next).unwrap(),
-                    m.link(&format!("rocker {k}"), last).unwrap(),
-                );
+                let b = m.link(&format!("coupler {k}"), next).unwrap();
+                let c = m.link(&format!("rocker {k}"), last).unwrap();
                 m.add(&format!("A{k}"), revolute(crank, b, crank.end(), b.start())).unwrap();
                 m.add(&format!("B{k}"), revolute(b, c, b.end(), c.end())).unwrap();
                 m.add(&format!("C{k}"), revolute(c, Ground, c.start(), vec2(ground, 0.0))).unwrap();
-                guess.extend_from_slice(&bar.pose(start, if k % 2 == 0 { 1.0 } else { -1.0 }).unwrap()[3..]);
+                guess.extend_from_slice(
+                    &bar.pose(start, if k % 2 == 0 { 1.0 } else { -1.0 }).unwrap()[3..],
+                );
             }
             m.set_initial(&guess).unwrap();
             let system = m.build().unwrap();
@@ -215,7 +235,8 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
                     panic!("{loops} {points}: {error}")
                 };
                 assert!((t - expected).abs() < 1e-9, "{loops} {points}: {t} {expected}");
-                // Each loop alone is locked by the others, and all of them together follow the motor.
+                // Each loop alone is locked by the others, and all of them together follow the
+                // motor.
                 let text = error.to_string();
                 assert!(
                     text.contains("out of reach: `motor` asks for crank.theta"),
@@ -224,7 +245,10 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
                 assert!(!text.contains("does not fit"), "{loops} {points}: {text}");
                 for k in 0..loops {
                     for part in ["coupler", "rocker"] {
-                        assert!(movable.contains(&format!("{part} {k}")), "{loops} {points}: {movable:?}");
+                        assert!(
+                            movable.contains(&format!("{part} {k}")),
+                            "{loops} {points}: {movable:?}"
+                        );
                     }
                 }
             }

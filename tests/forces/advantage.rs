@@ -9,10 +9,12 @@ const ZERO: Vec2 = Vec2::new(0.0, 0.0);
 
 /// A slider-crank in millimetres.
 fn press(load: f64) -> (System, PlanarBody) {
-    let (r, l) = (30.0, 100.0);
+    let r = 30.0;
+    let l = 100.0;
     let mut m = Mechanism::new("press");
     m.units("mm", "s").mass("t");
-    let (crank, rod) = (m.link("crank", r).expect("a link"), m.link("rod", l).expect("a link"));
+    let crank = m.link("crank", r).expect("a link");
+    let rod = m.link("rod", l).expect("a link");
     let ram = m.planar("ram", pose(r + l, 0.0, 0.0)).expect("a body");
     m.add("O", revolute(crank, Ground, crank.start(), ZERO)).expect("a pin");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("a pin");
@@ -26,7 +28,9 @@ fn press(load: f64) -> (System, PlanarBody) {
 /// dx/dφ of a slider-crank, and the drive's effort against a load: two routes.
 #[test]
 fn a_slider_crank_gives_force_by_torque() {
-    let (r, l, load) = (30.0, 100.0, 250.0);
+    let r = 30.0;
+    let l = 100.0;
+    let load = 250.0;
     let (system, ram) = press(load);
     let motion = system.run_both(linspace(0.0, 1.7, 35)).expect("a motion");
     let advantage = system.mechanical_advantage(&motion, "motor", ram.x()).expect("an advantage");
@@ -36,7 +40,8 @@ fn a_slider_crank_gives_force_by_torque() {
     assert_eq!((advantage.values().len(), effort.len()), (35, 35));
     for ((t, found), effort) in motion.times().iter().zip(advantage.values()).zip(effort) {
         let phi = 0.3 + 1.5 * t;
-        let slope = -r * phi.sin() * (1.0 + r * phi.cos() / (l * l - (r * phi.sin()).powi(2)).sqrt());
+        let slope =
+            -r * phi.sin() * (1.0 + r * phi.cos() / (l * l - (r * phi.sin()).powi(2)).sqrt());
         assert!((found * slope - 1.0).abs() < 1e-12, "{t}: {found} {}", 1.0 / slope);
         assert!((found * effort / load - 1.0).abs() < 1e-11, "{t}: {found} {}", load / effort);
     }
@@ -48,7 +53,8 @@ fn a_slider_crank_gives_force_by_torque() {
 fn a_toggle_press_gives_force_by_force() {
     let arm = 0.4;
     let mut m = Mechanism::new("toggle press");
-    let (lower, upper) = (m.link("lower", arm).expect("a link"), m.link("upper", arm).expect("a link"));
+    let lower = m.link("lower", arm).expect("a link");
+    let upper = m.link("upper", arm).expect("a link");
     let ram = m.planar("ram", pose(0.0, 0.75, 0.0)).expect("a body");
     m.add("foot", revolute(lower, Ground, lower.start(), ZERO)).expect("a pin");
     m.add("knee", revolute(lower, upper, lower.end(), upper.start())).expect("a pin");
@@ -68,12 +74,13 @@ fn a_toggle_press_gives_force_by_force() {
     }
 }
 
-/// Two drives: each alone, the other standing still, though both move. An output that one of them does not
-/// move is infinitely strong.
+/// Two drives: each alone, the other standing still, though both move. An output that one of them
+/// does not move is infinitely strong.
 #[test]
 fn of_several_drives_the_others_stand_still() {
     let mut m = Mechanism::new("arm");
-    let (upper, fore) = (m.link("upper", 0.5).expect("a link"), m.link("fore", 0.3).expect("a link"));
+    let upper = m.link("upper", 0.5).expect("a link");
+    let fore = m.link("fore", 0.3).expect("a link");
     m.add("shoulder", revolute(upper, Ground, upper.start(), ZERO)).expect("a pin");
     m.add("elbow", revolute(fore, upper, fore.start(), upper.end())).expect("a pin");
     m.add("motor 1", drive_angle(upper, Law::linear(0.2, 0.7))).expect("a driver");
@@ -81,14 +88,19 @@ fn of_several_drives_the_others_stand_still() {
     let system = m.build().expect("a system");
     let motion = system.run_both(linspace(0.0, 0.5, 6)).expect("a motion");
     for (drive, by) in [("motor 1", true), ("motor 2", false)] {
-        let on_turn = system.mechanical_advantage(&motion, drive, fore.theta()).expect("an advantage");
+        let on_turn =
+            system.mechanical_advantage(&motion, drive, fore.theta()).expect("an advantage");
         assert_eq!(on_turn.values().len(), 6);
         assert!(on_turn.values().iter().all(|x| (x - 1.0).abs() < 1e-12));
-        let on_upper = system.mechanical_advantage(&motion, drive, "upper.R_x").expect("an advantage");
+        let on_upper =
+            system.mechanical_advantage(&motion, drive, "upper.R_x").expect("an advantage");
         for (t, found) in motion.times().iter().zip(on_upper.values()) {
             let slope = -0.25 * (0.2 + 0.7 * t).sin();
             let expected = if by { 1.0 / slope } else { f64::INFINITY };
-            assert!(*found == expected || (found / expected - 1.0).abs() < 1e-12, "{drive} {t}: {found}");
+            assert!(
+                *found == expected || (found / expected - 1.0).abs() < 1e-12,
+                "{drive} {t}: {found}"
+            );
         }
     }
 }
@@ -96,8 +108,11 @@ fn of_several_drives_the_others_stand_still() {
 /// A planar mechanism in space is redundant: its advantage is that of the plane.
 #[test]
 fn of_redundant_mechanisms_too() {
-    let (mut m, z) = (Mechanism::new("press in space"), vec3(0.0, 0.0, 1.0));
-    let (r, l, o) = (0.3, 1.0, vec3(0.0, 0.0, 0.0));
+    let mut m = Mechanism::new("press in space");
+    let z = vec3(0.0, 0.0, 1.0);
+    let r = 0.3;
+    let l = 1.0;
+    let o = vec3(0.0, 0.0, 0.0);
     let phi: f64 = 0.4;
     let beta = -(r * phi.sin() / l).asin();
     let at = vec3(r * phi.cos(), r * phi.sin(), 0.0);
@@ -109,8 +124,10 @@ fn of_redundant_mechanisms_too() {
     m.add("A", spatial::revolute(rod, crank, o, vec3(r, 0.0, 0.0), z, z)).expect("a pin");
     m.add("B", spatial::revolute(ram, rod, o, vec3(l, 0.0, 0.0), z, z)).expect("a pin");
     let x = vec3(1.0, 0.0, 0.0);
-    m.add("guide", spatial::prismatic(ram, Ground, o, o, x, EulerParameters::identity())).expect("a guide");
-    m.add("motor", spatial::drive_turn(crank, Ground, z, z, Law::linear(phi, 1.0))).expect("a driver");
+    m.add("guide", spatial::prismatic(ram, Ground, o, o, x, EulerParameters::identity()))
+        .expect("a guide");
+    m.add("motor", spatial::drive_turn(crank, Ground, z, z, Law::linear(phi, 1.0)))
+        .expect("a driver");
     let system = m.build().expect("a system");
     let motion = system.run_both(linspace(0.0, 1.0, 6)).expect("a motion");
     assert!(system.n_equations() > system.n_coordinates());
@@ -118,7 +135,8 @@ fn of_redundant_mechanisms_too() {
     assert_eq!(advantage.values().len(), 6);
     for (t, found) in motion.times().iter().zip(advantage.values()) {
         let phi = phi + t;
-        let slope = -r * phi.sin() * (1.0 + r * phi.cos() / (l * l - (r * phi.sin()).powi(2)).sqrt());
+        let slope =
+            -r * phi.sin() * (1.0 + r * phi.cos() / (l * l - (r * phi.sin()).powi(2)).sqrt());
         assert!((found * slope - 1.0).abs() < 1e-9, "{t}: {found} {}", 1.0 / slope);
     }
 }
@@ -131,7 +149,8 @@ fn mistakes_are_told_by_name() {
         system.mechanical_advantage(&motion, drive, output).expect_err("a mistake").to_string()
     };
     assert!(
-        told("A", "ram.R_x").contains("there is no driver `A`") && told("A", "ram.R_x").contains("motor")
+        told("A", "ram.R_x").contains("there is no driver `A`")
+            && told("A", "ram.R_x").contains("motor")
     );
     assert!(told("motor", "ram.z").contains("ram.z"));
     let mut m = Mechanism::new("platform");
@@ -148,23 +167,29 @@ fn mistakes_are_told_by_name() {
         }
         other => panic!("{other:?}"),
     }
-    assert!(system.mechanical_advantage(&motion, "motor", ram.x()).is_err(), "another system's motion");
+    assert!(
+        system.mechanical_advantage(&motion, "motor", ram.x()).is_err(),
+        "another system's motion"
+    );
 }
 
-/// Other dimensions make another mechanism: neither its forces nor its advantage are those of an old motion.
+/// Other dimensions make another mechanism: neither its forces nor its advantage are those of an
+/// old motion.
 #[test]
 fn a_motion_of_other_dimensions_is_refused() {
     let (mut system, ram) = press(250.0);
     let motion = system.run_both([0.0, 0.1]).expect("a motion");
     system.set("B.u_i.x", 45.0).expect("a parameter");
-    for told in
-        [system.forces(&motion).map(drop), system.mechanical_advantage(&motion, "motor", ram.x()).map(drop)]
-    {
+    for told in [
+        system.forces(&motion).map(drop),
+        system.mechanical_advantage(&motion, "motor", ram.x()).map(drop),
+    ] {
         assert!(matches!(told, Err(Error::OtherMotion(_))), "{told:?}");
     }
 }
 
-/// At its dead centres a ram is infinitely strong, along whichever axis and however the crank turns.
+/// At its dead centres a ram is infinitely strong, along whichever axis and however the crank
+/// turns.
 #[test]
 fn at_dead_centres_of_the_output_the_advantage_is_infinite() {
     let mut m = Mechanism::new("shaft");
@@ -210,7 +235,8 @@ fn what_time_itself_makes_of_an_output_does_not_count() {
     let system = m.build().expect("a system");
     let motion = system.run_both([0.0, 1.0]).expect("a motion");
     for (drive, due) in [("jack", 1.0), ("level", f64::INFINITY)] {
-        let found = system.mechanical_advantage(&motion, drive, "rail.ahead").expect("an advantage");
+        let found =
+            system.mechanical_advantage(&motion, drive, "rail.ahead").expect("an advantage");
         assert_eq!(found.values(), [due, due], "{drive}");
     }
 }
@@ -222,7 +248,8 @@ fn a_drive_that_another_one_holds_has_no_advantage() {
         let mut m = Mechanism::new("twins");
         let ground = PlanarBody::from(m.ground());
         let slide = m.planar("slide", pose(0.0, 0.0, 0.0)).expect("a body");
-        m.add("guide", prismatic(slide, ground, ZERO, ZERO, vec2(0.0, scale), 0.0)).expect("a joint");
+        m.add("guide", prismatic(slide, ground, ZERO, ZERO, vec2(0.0, scale), 0.0))
+            .expect("a joint");
         m.add("jack 1", drive(slide.x(), Law::ramp(scale))).expect("a driver");
         m.add("jack 2", drive_slide(slide, ground, ZERO, ZERO, vec2(1.0, 0.0), Law::ramp(scale)))
             .expect("a driver");
@@ -234,12 +261,16 @@ fn a_drive_that_another_one_holds_has_no_advantage() {
         for jack in ["jack 1", "jack 2"] {
             match system.mechanical_advantage(&motion, jack, slide.x()) {
                 Err(Error::InvalidParameters { constraint, reason, .. }) => {
-                    assert!(constraint == jack && reason.contains("do not let it move alone"), "{reason}");
+                    assert!(
+                        constraint == jack && reason.contains("do not let it move alone"),
+                        "{reason}"
+                    );
                 }
                 other => panic!("{scale}, {jack}: {other:?}"),
             }
         }
-        let alone = system.mechanical_advantage(&motion, "motor", shaft.theta()).expect("an advantage");
+        let alone =
+            system.mechanical_advantage(&motion, "motor", shaft.theta()).expect("an advantage");
         assert!(alone.values().iter().all(|x| (x - 1.0).abs() < 1e-12), "{scale}");
     }
 }

@@ -1,5 +1,6 @@
-//! Tables of Chrono's joint tests, which ADAMS computed: their positions, rates and accelerations are given
-//! as states. They are another project's and not kept here: `KIN_OUTSIDE` names the folder that holds them.
+//! Tables of Chrono's joint tests, which ADAMS computed: their positions, rates and accelerations
+//! are given as states. They are another project's and not kept here: `KIN_OUTSIDE` names the
+//! folder that holds them.
 
 use kin::prelude::*;
 use kin::{Mechanism, loads};
@@ -45,9 +46,11 @@ fn table(name: &str) -> Option<Table> {
         return None;
     };
     let path = std::path::Path::new(&folder).join(format!("forces/chrono_{name}.json"));
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let file: Value = serde_json::from_str(&text).expect("JSON");
-    let (r, turn) = (v3(&rows(&file["series"], "r")[0]), p(&rows(&file["series"], "quaternion")[0]));
+    let r = v3(&rows(&file["series"], "r")[0]);
+    let turn = p(&rows(&file["series"], "quaternion")[0]);
     let mut m = Mechanism::new(name);
     let body = m.spatial("body", SpatialPose::new(r, turn)).expect("a body");
     let [x, y, z] = array::<3>(&file, "inertia_principal");
@@ -72,8 +75,11 @@ impl Table {
     fn states(&self, system: &System) -> Motion {
         let series = |field: &str| rows(&self.file["series"], field);
         let [r, v, a, w, alpha] = ["r", "v", "a", "omega", "alpha"].map(series);
-        let (times, turn) = (numbers(&self.file, "times"), series("quaternion"));
-        let (mut q, mut qd, mut qdd) = (Vec::new(), Vec::new(), Vec::new());
+        let times = numbers(&self.file, "times");
+        let turn = series("quaternion");
+        let mut q = Vec::new();
+        let mut qd = Vec::new();
+        let mut qdd = Vec::new();
         for k in 0..times.len() {
             let half = |w: &[f64]| EulerParameters::new(0.0, 0.5 * w[0], 0.5 * w[1], 0.5 * w[2]);
             let p = p(&turn[k]);
@@ -87,13 +93,14 @@ impl Table {
         Motion::from_states(system, &times, &q, &qd, &qdd).expect("a motion")
     }
 
-    /// The wrench of the joint, and of loads in it, on the ground; nothing that drives a free turn gives
-    /// anything.
+    /// The wrench of the joint, and of loads in it, on the ground; nothing that drives a free turn
+    /// gives anything.
     fn check(&self, joint: &str, free: &[&str], loads: &[&str]) {
         let system = self.m.clone().build().expect("a system");
         let motion = self.states(&system);
         let forces = system.forces(&motion).expect("forces");
-        let (ground, at) = (SpatialBody::from(self.m.ground()), self.vector("joint_point"));
+        let ground = SpatialBody::from(self.m.ground());
+        let at = self.vector("joint_point");
         let on_ground = |reaction: kin::Reaction<'_>| {
             let acted = reaction.on(ground).expect("the ground").about(at);
             (acted.force().expect("unique"), acted.torque().expect("unique"))
@@ -101,10 +108,13 @@ impl Table {
         let mut all = vec![on_ground(forces.reaction(joint).expect("a joint"))];
         all.extend(loads.iter().map(|load| on_ground(forces.load(load).expect("a load"))));
         let exact = &self.file["reactions"][0];
-        let (force, torque) = (rows(exact, "force"), rows(exact, "torque"));
-        let (mut off, mut largest) = (0.0_f64, 0.0_f64);
+        let force = rows(exact, "force");
+        let torque = rows(exact, "torque");
+        let mut off = 0.0_f64;
+        let mut largest = 0.0_f64;
         for k in 0..motion.len() {
-            let (mut f, mut t) = (Vec3::zeros(), Vec3::zeros());
+            let mut f = Vec3::zeros();
+            let mut t = Vec3::zeros();
             for (force, torque) in &all {
                 f += force[k];
                 t += torque[k];
@@ -130,12 +140,24 @@ impl Table {
 fn linear_actuators() {
     for name in ["linactuator_case01", "linactuator_case02"] {
         let Some(mut table) = table(name) else { return };
-        let ([own, fixed], o, ground) = (table.axes(), vec3(0.0, 0.0, 0.0), table.m.ground());
+        let [own, fixed] = table.axes();
+        let o = vec3(0.0, 0.0, 0.0);
+        let ground = table.m.ground();
         let p_ij = EulerParameters::from_rotation(table.a);
-        let (at, speed) = (table.vector("joint_point"), number(&table.file, "speed"));
-        table.m.add("joint", spatial::prismatic(table.body, ground, o, at, own, p_ij)).expect("a joint");
-        let drive =
-            kin::joints::drivers::spatial::drive_slide(table.body, ground, o, at, fixed, Law::ramp(speed));
+        let at = table.vector("joint_point");
+        let speed = number(&table.file, "speed");
+        table
+            .m
+            .add("joint", spatial::prismatic(table.body, ground, o, at, own, p_ij))
+            .expect("a joint");
+        let drive = kin::joints::drivers::spatial::drive_slide(
+            table.body,
+            ground,
+            o,
+            at,
+            fixed,
+            Law::ramp(speed),
+        );
         table.m.add("drive", drive).expect("a driver");
         table.check("joint", &[], &[]);
     }
@@ -144,10 +166,14 @@ fn linear_actuators() {
 /// A body on a hinge that nothing drives, with a load on its turn.
 fn hinged(name: &str, load: Option<fn(loads::spatial::turn) -> kin::Load>) {
     let Some(mut table) = table(name) else { return };
-    let ([own, fixed], ground) = (table.axes(), table.m.ground());
+    let [own, fixed] = table.axes();
+    let ground = table.m.ground();
     let at = table.vector("joint_point");
     let u = table.m.local(table.body, at).expect("a point");
-    table.m.add("joint", spatial::revolute(table.body, ground, u, at, own, fixed.h)).expect("a joint");
+    table
+        .m
+        .add("joint", spatial::revolute(table.body, ground, u, at, own, fixed.h))
+        .expect("a joint");
     let free = spatial::drive_turn(table.body, ground, own, fixed, Law::constant(0.0));
     table.m.add("free", free).expect("a driver");
     if let Some(load) = load {
@@ -171,8 +197,11 @@ fn torsion_springs() {
 #[test]
 fn a_pendulum_on_a_cross() {
     let Some(mut table) = table("universal_case03") else { return };
-    let (bar, held, ground) = (table.vector("axis_body"), table.vector("axis_ground"), table.m.ground());
-    let (o, u) = (vec3(0.0, 0.0, 0.0), table.m.local(table.body, vec3(0.0, 0.0, 0.0)).expect("a point"));
+    let bar = table.vector("axis_body");
+    let held = table.vector("axis_ground");
+    let ground = table.m.ground();
+    let o = vec3(0.0, 0.0, 0.0);
+    let u = table.m.local(table.body, vec3(0.0, 0.0, 0.0)).expect("a point");
     let body = table.body;
     table.m.add("joint", spatial::universal(body, ground, u, o, bar, held)).expect("a joint");
     table.m.add("free", turn_of_the_bar(body, ground, bar, held)).expect("a turn");
@@ -183,7 +212,8 @@ fn a_pendulum_on_a_cross() {
     let motion = table.states(&system);
     let forces = system.forces(&motion).expect("forces");
     for free in ["free", "free too"] {
-        let torque = forces.reaction(free).expect("a turn").on(body).expect("on it").torque_magnitude();
+        let torque =
+            forces.reaction(free).expect("a turn").on(body).expect("on it").torque_magnitude();
         assert!(torque.expect("unique").max() < PRINTED);
     }
 }

@@ -8,21 +8,26 @@ use crate::both::Engines;
 const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
 const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
-/// Two shafts at an angle β by a Hooke's joint, the second one braked by a torque: at the turn φ of the first
-/// one, counted from where its bar of the cross lies in the plane of the shafts, the joint holds T / √D and
-/// the drive gives T cos β / D, D = 1 − sin² β cos² φ.
+/// Two shafts at an angle β by a Hooke's joint, the second one braked by a torque: at the turn φ of
+/// the first one, counted from where its bar of the cross lies in the plane of the shafts, the
+/// joint holds T / √D and the drive gives T cos β / D, D = 1 − sin² β cos² φ.
 #[test]
 fn hookes_joint() {
     for beta in [0.2_f64, 0.7, 1.2] {
-        let (brake, ground_point) = (13.0, vec3(0.0, 0.0, 0.0));
+        let brake = 13.0;
+        let ground_point = vec3(0.0, 0.0, 0.0);
         let out = vec3(beta.cos(), beta.sin(), 0.0);
         let mut m = Mechanism::new("two shafts");
         let first = m.spatial("first", SpatialPose::at(vec3(-0.3, 0.0, 0.0))).expect("a body");
         let second = m.spatial("second", SpatialPose::turned(out * 0.4, Z, beta)).expect("a body");
         let ground = m.ground();
-        m.add("bearing", spatial::revolute(first, ground, ground_point, vec3(-0.3, 0.0, 0.0), X, X))
-            .expect("a joint");
-        // The bars at the start: of the first along y, in the plane of the shafts; of the second along z.
+        m.add(
+            "bearing",
+            spatial::revolute(first, ground, ground_point, vec3(-0.3, 0.0, 0.0), X, X),
+        )
+        .expect("a joint");
+        // The bars at the start: of the first along y, in the plane of the shafts; of the second
+        // along z.
         let cross = spatial::universal(
             second,
             first,
@@ -40,8 +45,13 @@ fn hookes_joint() {
         let motion = system.run_both(linspace(0.0, 2.2, 45)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         let effort = forces.drive("motor").expect("a driver").effort().values().to_vec();
-        let torque =
-            forces.reaction("cross").expect("a joint").on(second).expect("on it").torque().expect("unique");
+        let torque = forces
+            .reaction("cross")
+            .expect("a joint")
+            .on(second)
+            .expect("on it")
+            .torque()
+            .expect("unique");
         let mut off = 0.0_f64;
         for (k, t) in motion.times().iter().enumerate() {
             let d = 1.0 - (beta.sin() * (3.0 * t).cos()).powi(2);
@@ -55,12 +65,18 @@ fn hookes_joint() {
     }
 }
 
-/// A heavy top that is turned at ω about the vertical, leaning by b and spinning at s: its bearing holds
-/// I3 (s + ω cos b) ω sin b − (I1 + m h²) ω² sin b cos b − m g h sin b about the line across both axes.
+/// A heavy top that is turned at ω about the vertical, leaning by b and spinning at s: its bearing
+/// holds I3 (s + ω cos b) ω sin b − (I1 + m h²) ω² sin b cos b − m g h sin b about the line across
+/// both axes.
 #[test]
 fn a_top_that_is_led_round() {
-    let (mass, h, i1, i3, g) = (2.3, 0.45, 0.05, 0.08, 9.81);
-    let (w, spin) = (2.1, 37.0);
+    let mass = 2.3;
+    let h = 0.45;
+    let i1 = 0.05;
+    let i3 = 0.08;
+    let g = 9.81;
+    let w = 2.1;
+    let spin = 37.0;
     for b in [0.3_f64, 1.1, std::f64::consts::FRAC_PI_2, 2.4] {
         let mut m = Mechanism::new("top");
         let lean = vec3(b.sin(), 0.0, b.cos());
@@ -68,7 +84,8 @@ fn a_top_that_is_led_round() {
         let top = m
             .spatial("top", SpatialPose::turned(vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), b))
             .expect("a body");
-        let (o, ground) = (vec3(0.0, 0.0, 0.0), m.ground());
+        let o = vec3(0.0, 0.0, 0.0);
+        let ground = m.ground();
         m.add("column", spatial::revolute(yoke, ground, o, o, Z, Z)).expect("a joint");
         m.add("turn", spatial::drive_turn(yoke, ground, Z, Z, Law::ramp(w))).expect("a driver");
         m.add("bearing", spatial::revolute(top, yoke, o, o, Z, lean)).expect("a joint");
@@ -80,7 +97,8 @@ fn a_top_that_is_led_round() {
         let motion = system.run_both(linspace(0.0, 3.0, 61)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         // The yoke carries the opposite, in whose axes the line across is y.
-        let on_yoke = forces.reaction("bearing").expect("a joint").on(yoke).expect("on it").in_body();
+        let on_yoke =
+            forces.reaction("bearing").expect("a joint").on(yoke).expect("on it").in_body();
         let due = i3 * (spin + w * b.cos()) * w * b.sin()
             - (i1 + mass * h * h) * w * w * b.sin() * b.cos()
             - mass * g * h * b.sin();

@@ -16,7 +16,8 @@ fn machine() -> Mechanism {
     m.friction("pin", Friction::pin(0.1, 0.01, 0.1)).expect("friction");
     m.add("motor", drive_angle(arm, Law::linear(0.3, 2.0))).expect("a driver");
     let zero = vec3(0.0, 0.0, 0.0);
-    let (x, wheel) = (vec3(1.0, 0.0, 0.0), m.spatial("wheel", SpatialPose::at(zero)).expect("a body"));
+    let x = vec3(1.0, 0.0, 0.0);
+    let wheel = m.spatial("wheel", SpatialPose::at(zero)).expect("a body");
     m.add("hub", spatial::revolute(wheel, m.ground(), zero, zero, x, x)).expect("a joint");
     m.add("spin", spatial::drive_turn(wheel, m.ground(), x, x, Law::ramp(2.0))).expect("a driver");
     m.load("push", Load::force(wheel, zero, vec3(0.0, 3.0, 4.0))).expect("a load");
@@ -82,7 +83,10 @@ fn every_number_has_a_column_in_order() {
     }
     match forces.named("pin on bar.F_x") {
         Err(Error::UnknownName { what, name, known }) => {
-            assert_eq!((what, name.as_str(), known.len()), ("column of forces", "pin on bar.F_x", 39));
+            assert_eq!(
+                (what, name.as_str(), known.len()),
+                ("column of forces", "pin on bar.F_x", 39)
+            );
         }
         other => panic!("{other:?}"),
     }
@@ -93,7 +97,8 @@ fn every_number_has_a_column_in_order() {
     assert!(sizes[1].values().iter().all(|size| (size - 5.0).abs() < 1e-12));
 }
 
-/// A joint whose force is small beside the others, but no rounding, is named, whichever unit forces have.
+/// A joint whose force is small beside the others, but no rounding, is named, whichever unit forces
+/// have.
 #[test]
 fn small_forces_are_told_beside_large_ones() {
     for scale in [1.0, 1e6, 1e-6] {
@@ -102,8 +107,11 @@ fn small_forces_are_told_beside_large_ones() {
             let bar = m.planar(name, pose(0.0, 0.0, 0.0)).expect("a body");
             m.add(&format!("{name} pin"), revolute(bar, m.ground(), O, O)).expect("a joint");
             m.add(&format!("{name} motor"), drive_angle(bar, Law::ramp(1.0))).expect("a driver");
-            m.load(name, Load::force(bar, O, [Law::sine(push * scale, 2.0, 0.0), Law::constant(0.0)]))
-                .expect("a load");
+            m.load(
+                name,
+                Load::force(bar, O, [Law::sine(push * scale, 2.0, 0.0), Law::constant(0.0)]),
+            )
+            .expect("a load");
         }
         let system = m.build().expect("a system");
         let motion = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");

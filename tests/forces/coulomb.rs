@@ -23,13 +23,14 @@ struct Case {
 /// The rate at which friction sets in.
 const ONSET: f64 = 0.05;
 
-/// Force and torque of a slide's friction on the body that moves, by the reaction on it: the normal forces at
-/// both ends of the guide, F/2 ± T × h/L, those across its width, 2 T · h/b, and each of them μ tanh(v/v₀)
-/// times against the motion, off the line by half of the width.
+/// Force and torque of a slide's friction on the body that moves, by the reaction on it: the normal
+/// forces at both ends of the guide, F/2 ± T × h/L, those across its width, 2 T · h/b, and each of
+/// them μ tanh(v/v₀) times against the motion, off the line by half of the width.
 fn slide(case: Case, force: Vec3, torque: Vec3) -> [Vec3; 2] {
     let h = case.axis;
     let across = |v: Vec3| v - h * h.dot(v);
-    let (force, bend) = (across(force), across(torque).cross(h) * (1.0 / case.length));
+    let force = across(force);
+    let bend = across(torque).cross(h) * (1.0 / case.length);
     let held = h.dot(torque);
     let turn = if held == 0.0 { 0.0 } else { (2.0 * held / case.width).abs() };
     let sum = (force * 0.5 + bend).norm() + (force * 0.5 - bend).norm() + turn;
@@ -40,19 +41,24 @@ fn slide(case: Case, force: Vec3, torque: Vec3) -> [Vec3; 2] {
 }
 
 fn near(found: Vec3, due: Vec3, what: &str) {
-    assert!((found - due).norm() < 1e-9 * (1.0 + due.norm()), "{what}: {found:?} instead of {due:?}");
+    assert!(
+        (found - due).norm() < 1e-9 * (1.0 + due.norm()),
+        "{what}: {found:?} instead of {due:?}"
+    );
 }
 
 /// A carriage with a load, led beside the line of its rail, so that friction makes friction.
 fn carriage(case: Case) -> (System, SpatialBody) {
     let mut m = Mechanism::new("carriage");
     let ground = SpatialBody::from(m.ground());
-    let (h, start) = (case.axis, case.axis * 0.1);
+    let h = case.axis;
+    let start = case.axis * 0.1;
     let body = m.spatial("carriage", SpatialPose::at(start)).expect("a body");
     let same = EulerParameters::identity();
     let [i, j] = if case.swapped { [ground, body] } else { [body, ground] };
     m.add("rail", spatial::prismatic(i, j, ZERO, ZERO, h, same)).expect("a joint");
-    m.friction("rail", Friction::slide(case.mu, [case.length, case.width], ONSET)).expect("friction");
+    m.friction("rail", Friction::slide(case.mu, [case.length, case.width], ONSET))
+        .expect("friction");
     let beside = vec3(0.1, -0.05, 0.12);
     let law = Law::linear(0.1 + h.dot(beside), case.rate);
     m.add("winch", spatial::drive_slide(body, ground, beside, ZERO, h, law)).expect("a driver");
@@ -71,22 +77,32 @@ fn friction_of_a_rail_is_that_of_its_contacts() {
     let z = vec3(0.0, 0.0, 1.0);
     for (mu, length, width) in [(0.2, 0.4, 0.1), (0.7, 0.5, 0.15), (0.5, 0.3, 0.6)] {
         for axis in [x, x * -1.0, z, z * -1.0, leaning, vec3(0.36, 0.48, -0.8)] {
-            for (rate, swapped) in [(0.3, false), (-0.3, false), (0.02, true), (-0.02, true), (-0.2, true)] {
+            for (rate, swapped) in
+                [(0.3, false), (-0.3, false), (0.02, true), (-0.02, true), (-0.2, true)]
+            {
                 let case = Case { axis, mu, length, width, rate, swapped };
                 let (system, body) = carriage(case);
                 let motion = system.run([0.0, 0.5]).expect("a motion");
-                let forces = system.forces(&motion).unwrap_or_else(|error| panic!("{case:?}: {error}"));
+                let forces =
+                    system.forces(&motion).unwrap_or_else(|error| panic!("{case:?}: {error}"));
                 let held = forces.reaction("rail").expect("a joint").on(body).expect("its body");
-                let friction = forces.friction("rail").expect("friction").on(body).expect("its body");
+                let friction =
+                    forces.friction("rail").expect("friction").on(body).expect("its body");
                 for k in 0..2 {
                     // Contacts are about the point of body i.
                     let middle = friction.points()[k];
                     let force = held.force().expect("unique")[k];
-                    let torque = held.torque().expect("unique")[k] + (held.points()[k] - middle).cross(force);
+                    let torque = held.torque().expect("unique")[k]
+                        + (held.points()[k] - middle).cross(force);
                     let [due, twist] = slide(case, force, torque);
                     near(friction.force().expect("unique")[k], due, &format!("force, {case:?}"));
-                    near(friction.torque().expect("unique")[k], twist, &format!("torque, {case:?}"));
-                    let start = if swapped { ZERO } else { axis * (0.1 + rate * motion.times()[k]) };
+                    near(
+                        friction.torque().expect("unique")[k],
+                        twist,
+                        &format!("torque, {case:?}"),
+                    );
+                    let start =
+                        if swapped { ZERO } else { axis * (0.1 + rate * motion.times()[k]) };
                     near(middle, start, "the middle of the guide");
                 }
                 assert!(forces.balance().worst() < 1e-12, "{case:?}: {}", forces.balance());
@@ -102,7 +118,8 @@ fn friction_of_a_rail_is_that_of_its_contacts() {
 fn friction_of_a_flat_slide_is_that_of_its_contacts() {
     for (mu, length, width) in [(0.2, 0.4, 0.0), (0.9, 0.5, 0.2), (0.5, 0.3, 0.5)] {
         for (rate, swapped) in [(0.3, false), (-0.3, false), (0.02, true), (-0.2, true)] {
-            let (angle, beside) = (0.4_f64, vec2(0.05, -0.15));
+            let angle = 0.4_f64;
+            let beside = vec2(0.05, -0.15);
             let h = vec2(angle.cos(), angle.sin());
             let case = Case { axis: vec3(h.x, h.y, 0.0), mu, length, width, rate, swapped };
             let mut m = Mechanism::new("slide");
@@ -120,7 +137,8 @@ fn friction_of_a_flat_slide_is_that_of_its_contacts() {
             m.add("winch", drive_point_along(body, beside, h, law)).expect("a driver");
             m.mass(body, 2.0, vec2(0.05, 0.02), 0.3).expect("a mass");
             m.gravity(vec2(0.5, -9.81));
-            let work = Load::force(body, vec2(0.2, 0.1), vec2(8.0, -5.0)).and(Load::torque(body, 0.7));
+            let work =
+                Load::force(body, vec2(0.2, 0.1), vec2(8.0, -5.0)).and(Load::torque(body, 0.7));
             m.load("work", work).expect("a load");
             let system = m.build().expect("a system");
             let motion = system.run([0.0, 0.5]).expect("a motion");
@@ -129,11 +147,17 @@ fn friction_of_a_flat_slide_is_that_of_its_contacts() {
             let friction = forces.friction("guide").expect("friction").on(body).expect("its body");
             let lifted = |v: Vec2| vec3(v.x, v.y, 0.0);
             for k in 0..2 {
-                let (force, middle) = (held.force().expect("unique")[k], friction.points()[k]);
-                let torque = held.torque().expect("unique")[k] + (held.points()[k] - middle).cross(force);
+                let force = held.force().expect("unique")[k];
+                let middle = friction.points()[k];
+                let torque =
+                    held.torque().expect("unique")[k] + (held.points()[k] - middle).cross(force);
                 let bent = vec3(0.0, 0.0, torque);
                 let [due, twist] = slide(case, lifted(force), bent);
-                near(lifted(friction.force().expect("unique")[k]), due, &format!("force, {case:?}"));
+                near(
+                    lifted(friction.force().expect("unique")[k]),
+                    due,
+                    &format!("force, {case:?}"),
+                );
                 let found = friction.torque().expect("unique")[k];
                 assert!((found - twist.z).abs() < 1e-9, "torque, {case:?}: {found} {twist:?}");
             }
@@ -142,10 +166,14 @@ fn friction_of_a_flat_slide_is_that_of_its_contacts() {
     }
 }
 
-/// A pin in space rubs by what is across it: neither a thrust along it nor the order of its bodies counts.
+/// A pin in space rubs by what is across it: neither a thrust along it nor the order of its bodies
+/// counts.
 #[test]
 fn a_thrust_along_a_pin_makes_no_friction() {
-    let (h, mu, r, push) = (vec3(0.0, 0.6, 0.8), 0.3, 0.02, vec3(0.0, 8.0, -6.0));
+    let h = vec3(0.0, 0.6, 0.8);
+    let mu = 0.3;
+    let r = 0.02;
+    let push = vec3(0.0, 8.0, -6.0);
     for (swapped, rate, thrust) in [(false, 2.0, 0.0), (false, -2.0, 70.0), (true, 2.0, -90.0)] {
         let mut m = Mechanism::new("shaft");
         let ground = SpatialBody::from(m.ground());
@@ -153,7 +181,8 @@ fn a_thrust_along_a_pin_makes_no_friction() {
         let [i, j] = if swapped { [ground, shaft] } else { [shaft, ground] };
         m.add("pin", spatial::revolute(i, j, ZERO, ZERO, h, h)).expect("a joint");
         m.friction("pin", Friction::pin(mu, r, 1e-3)).expect("friction");
-        m.add("motor", spatial::drive_turn(shaft, ground, h, h, Law::ramp(rate))).expect("a driver");
+        m.add("motor", spatial::drive_turn(shaft, ground, h, h, Law::ramp(rate)))
+            .expect("a driver");
         m.load("push", Load::force(shaft, ZERO, push + h * thrust)).expect("a load");
         let system = m.build().expect("a system");
         let motion = system.run_both([0.0, 0.5]).expect("a motion");
@@ -168,7 +197,8 @@ fn a_thrust_along_a_pin_makes_no_friction() {
 #[test]
 fn a_joint_that_holds_nothing_does_not_rub() {
     let mut m = Mechanism::new("drum");
-    let (drum, o) = (m.planar("drum", pose(0.0, 0.0, 0.0)).expect("a body"), vec2(0.0, 0.0));
+    let drum = m.planar("drum", pose(0.0, 0.0, 0.0)).expect("a body");
+    let o = vec2(0.0, 0.0);
     m.add("shaft", revolute(drum, m.ground(), o, o)).expect("a joint");
     m.friction("shaft", Friction::pin(0.2, 0.02, 1e-3)).expect("friction");
     m.add("motor", drive_angle(drum, Law::ramp(3.0))).expect("a driver");
@@ -199,20 +229,24 @@ fn the_joint_that_jams_and_its_drive_are_named_in_any_order() {
         }
         let system = m.build().expect("a system");
         let motion = system.run_both([0.0, 0.5]).expect("a motion");
-        let Err(Error::Jammed(jammed)) = system.forces(&motion).map(drop) else { panic!("it moves") };
+        let Err(Error::Jammed(jammed)) = system.forces(&motion).map(drop) else {
+            panic!("it moves")
+        };
         assert_eq!((jammed.constraint.as_str(), jammed.t), ("left guide", 0.0));
         assert_eq!(jammed.drives, ["left winch"]);
         assert!((jammed.share - 0.8).abs() < 1e-9, "{}", jammed.share);
     }
 }
 
-/// Redundant drives elsewhere do not touch a bearing's force; a torque that two guides share is refused.
+/// Redundant drives elsewhere do not touch a bearing's force; a torque that two guides share is
+/// refused.
 #[test]
 fn friction_needs_a_unique_force_at_its_own_joint_alone() {
     for scale in [1.0, 1e9, 1e-9] {
         let twins = |shared: bool| {
             let mut m = Mechanism::new("twins");
-            let (ground, x) = (SpatialBody::from(m.ground()), vec3(1.0, 0.0, 0.0));
+            let ground = SpatialBody::from(m.ground());
+            let x = vec3(1.0, 0.0, 0.0);
             let at = vec3(0.1, 0.2, -0.3) * scale;
             let body = m.spatial("body", SpatialPose::at(at)).expect("a body");
             let same = EulerParameters::identity();
@@ -227,7 +261,8 @@ fn friction_needs_a_unique_force_at_its_own_joint_alone() {
             } else {
                 m.add("winch 2", winch()).expect("a driver");
             }
-            m.load("weight", Load::force(body, ZERO, vec3(0.0, 0.0, -50.0 * scale))).expect("a load");
+            m.load("weight", Load::force(body, ZERO, vec3(0.0, 0.0, -50.0 * scale)))
+                .expect("a load");
             let system = m.build().expect("a system");
             let motion = system.run([0.0, 0.5]).expect("a motion");
             // The loss, and what both winches give together.
@@ -243,6 +278,9 @@ fn friction_needs_a_unique_force_at_its_own_joint_alone() {
         let shares = found.map(|force| force / (10.0 * scale));
         assert!((shares[0] + 1.0).abs() + (shares[1] - 1.0).abs() < 1e-9, "{scale}: {shares:?}");
         let told = twins(true).expect_err("not unique");
-        assert!(told.starts_with("`rail`: the force that its friction comes from is not unique"), "{told}");
+        assert!(
+            told.starts_with("`rail`: the force that its friction comes from is not unique"),
+            "{told}"
+        );
     }
 }

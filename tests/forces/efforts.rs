@@ -42,7 +42,10 @@ fn a_peak_is_the_largest_magnitude_with_its_sign_and_its_first_time() {
     ] {
         let peak = plate(accelerated(a, b), none()).effort().peak();
         let found = (peak.value, peak.t, peak.unit.as_str());
-        assert!((peak.value - value).abs() < 1e-14 && peak.t == t && found.2 == "N", "{a} {b}: {found:?}");
+        assert!(
+            (peak.value - value).abs() < 1e-14 && peak.t == t && found.2 == "N",
+            "{a} {b}: {found:?}"
+        );
     }
     let peak = plate(accelerated(1.0, -6.0), none()).peak();
     assert_eq!(peak.to_string(), "-10 N at 1 s");
@@ -64,12 +67,14 @@ fn the_peak_of_a_driver_is_that_of_its_largest_effort() {
         let drive = plate(accelerated(x[0], x[1]), accelerated(y[0], y[1]));
         let peak = drive.peak();
         assert!((peak.value - value).abs() < 1e-14 && peak.t == t, "{x:?} {y:?}: {peak}");
-        let named: Vec<(&str, &str)> = drive.efforts().iter().map(|one| (one.name(), one.unit())).collect();
+        let named: Vec<(&str, &str)> =
+            drive.efforts().iter().map(|one| (one.name(), one.unit())).collect();
         assert_eq!(named, [("hand.x", "N"), ("hand.y", "N")]);
     }
 }
 
-/// Two motors on one shaft and two jacks on one slide: neither has an effort, in whatever unit of length.
+/// Two motors on one shaft and two jacks on one slide: neither has an effort, in whatever unit of
+/// length.
 #[test]
 fn drives_that_share_their_load_have_no_effort() {
     for scale in [1.0, 1e9, 1e-9] {
@@ -97,9 +102,12 @@ fn drives_that_share_their_load_have_no_effort() {
         let system = m.build().expect("a system");
         let motion = system.run_both([0.0, 0.5]).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
-        for (name, other) in
-            [("jack 1", "jack 2"), ("jack 2", "jack 1"), ("motor 1", "motor 2"), ("motor 2", "motor 1")]
-        {
+        for (name, other) in [
+            ("jack 1", "jack 2"),
+            ("jack 2", "jack 1"),
+            ("motor 1", "motor 2"),
+            ("motor 2", "motor 1"),
+        ] {
             match forces.drive(name) {
                 Err(error @ Error::NotUnique(_)) => {
                     let told = error.to_string();
@@ -163,8 +171,8 @@ fn pulley(i: Planar, u: Vec2, h: Vec2, law: Law, t: Time) -> f64 {
     h.dot(i.point(u)) - 2.0 * law.at(t)
 }
 
-/// Efforts of a driver of a body of mass 2 that is pulled by 3 N along x and turned by 5 N m, as their names,
-/// units and values at the first time; effort · ḟ of all laws must be the power.
+/// Efforts of a driver of a body of mass 2 that is pulled by 3 N along x and turned by 5 N m, as
+/// their names, units and values at the first time; effort · ḟ of all laws must be the power.
 fn efforts<C: Constraint + 'static>(
     laws: &[Law],
     make: impl FnOnce(PlanarBody) -> C,
@@ -182,15 +190,21 @@ fn efforts<C: Constraint + 'static>(
     let forces = system.forces(&motion).expect("forces");
     let drive = forces.drive("driver").expect("a driver");
     for (k, t) in motion.times().iter().enumerate().filter(|_| !laws.is_empty()) {
-        let each = drive.efforts().iter().zip(laws).map(|(effort, law)| effort.values()[k] * law.jet(*t)[1]);
+        let each = drive
+            .efforts()
+            .iter()
+            .zip(laws)
+            .map(|(effort, law)| effort.values()[k] * law.jet(*t)[1]);
         assert!((each.sum::<f64>() - drive.power().values()[k]).abs() < 1e-12, "{t}");
     }
-    let told = |one: &kin::Series| (one.name().to_string(), one.unit().to_string(), one.values()[0]);
+    let told =
+        |one: &kin::Series| (one.name().to_string(), one.unit().to_string(), one.values()[0]);
     drive.efforts().iter().map(told).collect()
 }
 
 fn is(found: Vec<(String, String, f64)>, due: &[(&str, &str, f64)]) {
-    let named: Vec<(&str, &str)> = found.iter().map(|one| (one.0.as_str(), one.1.as_str())).collect();
+    let named: Vec<(&str, &str)> =
+        found.iter().map(|one| (one.0.as_str(), one.1.as_str())).collect();
     assert_eq!(named, due.iter().map(|one| (one.0, one.1)).collect::<Vec<_>>());
     for (found, due) in found.iter().zip(due) {
         assert!((found.2 - due.2).abs() < 1e-12, "{found:?} {due:?}");
@@ -210,7 +224,8 @@ fn held(m: &mut Mechanism, body: PlanarBody, which: &[&str]) {
 
 #[test]
 fn drivers_of_ones_own_have_an_effort_for_each_law() {
-    let (line, turn) = (Law::linear(0.0, 0.5), Law::linear(0.0, -0.7));
+    let line = Law::linear(0.0, 0.5);
+    let turn = Law::linear(0.0, -0.7);
     // No law at all: its row has the effort.
     let found = efforts(&[], |body| swing(body, O), |m, body| held(m, body, &["y", "theta"]));
     is(found, &[("driver", "N", -3.0)]);
@@ -225,19 +240,27 @@ fn drivers_of_ones_own_have_an_effort_for_each_law() {
         );
         is(found, &named(names));
     }
-    let found =
-        efforts(&laws, |body| plain(body, O, line.clone(), turn.clone()), |m, body| held(m, body, &["y"]));
+    let found = efforts(
+        &laws,
+        |body| plain(body, O, line.clone(), turn.clone()),
+        |m, body| held(m, body, &["y"]),
+    );
     is(found, &named(["driver.1", "driver.2"]));
     let dual = |body| by_dual(plain(body, O, line.clone(), turn.clone()));
     let found = efforts(&laws, dual, |m, body| held(m, body, &["y"]));
     is(found, &named(["driver.1", "driver.2"]));
     let one = [line.clone()];
-    let found = efforts(&one, |body| along_line(body, O, line.clone()), |m, body| held(m, body, &["theta"]));
+    let found = efforts(
+        &one,
+        |body| along_line(body, O, line.clone()),
+        |m, body| held(m, body, &["theta"]),
+    );
     is(found, &[("driver", "N", -3.0)]);
     let rest = |m: &mut Mechanism, body| held(m, body, &["y", "theta"]);
     // x = sin f begins like x = f.
     is(efforts(&one, |body| yoke(body, O, line.clone()), rest), &[("driver", "N m", -3.0)]);
-    let found = efforts(&one, |body| gears(body, line.clone()), |m, body| held(m, body, &["x", "y"]));
+    let found =
+        efforts(&one, |body| gears(body, line.clone()), |m, body| held(m, body, &["x", "y"]));
     is(found, &[("driver", "N m", -10.0)]);
     let found = efforts(&one, |body| pulley(body, O, vec2(1.0, 0.0), line.clone()), rest);
     is(found, &[("driver", "N", -6.0)]);
@@ -277,7 +300,8 @@ fn a_law_that_is_given_twice_has_two_names() {
     let motion = system.run_both([0.0, 0.5]).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let drive = forces.drive("tip").expect("a driver");
-    let told: Vec<(&str, &str)> = drive.efforts().iter().map(|one| (one.name(), one.unit())).collect();
+    let told: Vec<(&str, &str)> =
+        drive.efforts().iter().map(|one| (one.name(), one.unit())).collect();
     assert_eq!(told, [("tip.x_i", "N"), ("tip.y_i", "N")]);
     assert!((drive.efforts()[0].values()[0] + 3.0).abs() < 1e-12);
     assert!((drive.efforts()[1].values()[0] + 7.0).abs() < 1e-12);
@@ -292,7 +316,16 @@ fn half_way(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, x: Law, y: Law, t: Time)
 
 /// Half of a way between two points in space.
 #[constraint]
-fn half_way_in_space(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, x: Law, y: Law, z: Law, t: Time) -> Vec3 {
+fn half_way_in_space(
+    i: Spatial,
+    j: Spatial,
+    u_i: Vec3,
+    u_j: Vec3,
+    x: Law,
+    y: Law,
+    z: Law,
+    t: Time,
+) -> Vec3 {
     let way = i.point(u_i) - j.point(u_j);
     Vec3::new(way.x - 2.0 * x.at(t), way.y - 2.0 * y.at(t), way.z - 2.0 * z.at(t))
 }
@@ -307,7 +340,8 @@ fn half_between(i: Coord, j: Coord, law: Law, t: Time) -> f64 {
 #[test]
 fn units_of_laws_follow_from_coordinates_of_the_ground() {
     let mut m = Mechanism::new("bodies");
-    let (ground, law) = (PlanarBody::from(m.ground()), || Law::ramp(0.3));
+    let ground = PlanarBody::from(m.ground());
+    let law = || Law::ramp(0.3);
     let flat = m.planar("flat", pose(0.0, 0.0, 0.0)).expect("a body");
     m.add("flat", half_way(flat, ground, O, O, law(), law())).expect("a driver");
     m.add("turn", half_between(flat.theta(), ground.theta(), law())).expect("a driver");
@@ -315,12 +349,14 @@ fn units_of_laws_follow_from_coordinates_of_the_ground() {
     m.add("x", half_between(line.x(), ground.x(), law())).expect("a driver");
     m.add("y", half_between(line.y(), ground.y(), law())).expect("a driver");
     m.add("theta", drive(line.theta(), law())).expect("a driver");
-    let (zero, space) = (vec3(0.0, 0.0, 0.0), SpatialBody::from(m.ground()));
+    let zero = vec3(0.0, 0.0, 0.0);
+    let space = SpatialBody::from(m.ground());
     let body = m.spatial("body", SpatialPose::at(zero)).expect("a body");
     let driver = half_way_in_space(body, space, zero, zero, law(), law(), law());
     m.add("space", driver).expect("a driver");
     let zero = || Law::constant(0.0);
-    m.add("upright", spatial::drive_orientation(body, space, zero(), zero(), zero())).expect("a driver");
+    m.add("upright", spatial::drive_orientation(body, space, zero(), zero(), zero()))
+        .expect("a driver");
     m.load("pull", kin::Load::force(flat, O, vec2(3.0, 7.0))).expect("a load");
     let system = m.build().expect("a system");
     let motion = system.run_both([0.0, 0.5]).expect("a motion");
@@ -329,6 +365,9 @@ fn units_of_laws_follow_from_coordinates_of_the_ground() {
         let drive = forces.drive(name).expect("a driver");
         drive.efforts().iter().map(|one| one.unit().to_string()).collect::<Vec<_>>()
     };
-    assert_eq!((units("flat"), units("space")), (vec!["N".to_string(); 2], vec!["N".to_string(); 3]));
+    assert_eq!(
+        (units("flat"), units("space")),
+        (vec!["N".to_string(); 2], vec!["N".to_string(); 3])
+    );
     assert_eq!([units("x"), units("y"), units("turn")].concat(), ["N", "N", "N m"]);
 }

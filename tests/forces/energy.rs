@@ -19,8 +19,8 @@ fn off(found: &Series, exact: impl Fn(f64) -> f64) -> f64 {
     found.times().iter().zip(found.values()).map(|(t, x)| (x - exact(*t)).abs()).fold(0.0, f64::max)
 }
 
-/// A bar that swings, with a point that has mass, a torsion spring and a spring to the ground. Its damper has
-/// no energy.
+/// A bar that swings, with a point that has mass, a torsion spring and a spring to the ground. Its
+/// damper has no energy.
 #[test]
 fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     let law = Law::constant(0.4) + Law::sine(0.8, 2.0, 0.3);
@@ -31,7 +31,8 @@ fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     m.point_mass("tip", of_body(bar, vec2(0.6, 0.0)), 0.5).expect("a point");
     m.add("O", revolute(m.ground(), bar, O, O)).expect("a joint");
     m.add("motor", drive_angle(bar, law.clone())).expect("a driver");
-    let (tip, anchor) = (vec2(0.6, 0.0), vec2(0.9, 0.2));
+    let tip = vec2(0.6, 0.0);
+    let anchor = vec2(0.9, 0.2);
     let ground = m.ground();
     m.load("coil", loads::torsion_spring(bar, ground, 7.0, 0.1)).expect("a load");
     m.load("spring", loads::spring(bar, ground, tip, anchor, 80.0, 0.25)).expect("a load");
@@ -67,8 +68,8 @@ fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     }
 }
 
-/// Without friction and dampers the drives put in what energy gains: the power is the rate of T + V, here by
-/// differences of the fourth order.
+/// Without friction and dampers the drives put in what energy gains: the power is the rate of T +
+/// V, here by differences of the fourth order.
 fn gains_what_drives_put_in(m: Mechanism, what: &str) {
     const STEP: f64 = 1e-3;
     let system = m.build().expect("a system");
@@ -98,7 +99,8 @@ fn planar_drives_put_in_what_energy_gains() {
     let bodies = [("a", 0.9, 0.2), ("b", -0.4, 1.0)].map(|(name, x, y)| {
         let body = m.planar(name, pose(x, y, 0.0)).expect("a body");
         m.mass(body, 1.5 + x, vec2(0.1, -0.2), 0.2).expect("a mass");
-        for (axis, coordinate, mean) in [("x", body.x(), x), ("y", body.y(), y), ("theta", body.theta(), 0.3)]
+        for (axis, coordinate, mean) in
+            [("x", body.x(), x), ("y", body.y(), y), ("theta", body.theta(), 0.3)]
         {
             let law = Law::constant(mean) + Law::sine(0.4 * mean, 3.7, 0.4 * x);
             m.add(&format!("{name}.{axis}"), drive(coordinate, law)).expect("a driver");
@@ -106,7 +108,8 @@ fn planar_drives_put_in_what_energy_gains() {
         body
     });
     let [a, b] = bodies;
-    m.load("bush", loads::bushing(a, b, vec2(0.1, 0.2), O, vec2(300.0, 500.0), 9.0, 0.1)).expect("a load");
+    m.load("bush", loads::bushing(a, b, vec2(0.1, 0.2), O, vec2(300.0, 500.0), 9.0, 0.1))
+        .expect("a load");
     m.load("coil", loads::torsion_spring(a, m.ground(), 7.0, 0.2)).expect("a load");
     m.load("along", loads::coordinate_spring(b.x(), 60.0, 0.2)).expect("a load");
     m.point_mass("point", of_body(b, vec2(0.3, 0.1)), 0.7).expect("a point");
@@ -117,18 +120,23 @@ fn planar_drives_put_in_what_energy_gains() {
 fn spatial_drives_put_in_what_energy_gains() {
     let mut m = Mechanism::new("rotor");
     m.gravity(vec3(0.3, -0.2, -9.81));
-    let (zero, h) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.6, 0.8));
+    let zero = vec3(0.0, 0.0, 0.0);
+    let h = vec3(0.0, 0.6, 0.8);
     let rotor = m.spatial("rotor", SpatialPose::at(zero)).expect("a body");
     let ground = m.ground();
     m.add("screw", spatial::cylindrical(rotor, ground, zero, zero, h, h)).expect("a joint");
-    m.add("turn", spatial::drive_turn(rotor, ground, h, h, Law::sine(0.8, 5.0, 0.2))).expect("a driver");
+    m.add("turn", spatial::drive_turn(rotor, ground, h, h, Law::sine(0.8, 5.0, 0.2)))
+        .expect("a driver");
     let along = spatial::drive_slide(rotor, ground, zero, zero, h, Law::sine(0.2, 4.0, 0.0));
     m.add("slide", along).expect("a driver");
-    let (u, v) = (vec3(0.4, 0.1, -0.2), vec3(-0.3, 0.5, 0.6));
+    let u = vec3(0.4, 0.1, -0.2);
+    let v = vec3(-0.3, 0.5, 0.6);
     m.load("spring", loads::spatial::spring(rotor, ground, u, v, 90.0, 0.3)).expect("a load");
     m.load("coil", loads::spatial::torsion_spring(rotor, ground, h, h, 7.0, 0.2)).expect("a load");
-    let (stiff, turning) = (vec3(300.0, 200.0, 400.0), vec3(9.0, 8.0, 7.0));
+    let stiff = vec3(300.0, 200.0, 400.0);
+    let turning = vec3(9.0, 8.0, 7.0);
     let none = EulerParameters::identity();
-    m.load("bush", loads::spatial::bushing(rotor, ground, u, u, none, stiff, turning)).expect("a load");
+    m.load("bush", loads::spatial::bushing(rotor, ground, u, u, none, stiff, turning))
+        .expect("a load");
     gains_what_drives_put_in(m, "spatial");
 }

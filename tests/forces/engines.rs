@@ -1,5 +1,5 @@
-//! Forces by a program against those one time after the other: the same numbers, and told by name what has
-//! no program.
+//! Forces by a program against those one time after the other: the same numbers, and told by name
+//! what has no program.
 
 use kin::prelude::*;
 use kin::{Engine, Forces, Friction, Load, Mechanism, loads};
@@ -25,8 +25,8 @@ fn strut(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 {
 /// A four-bar with masses, weight and loads of all kinds that are read.
 fn four_bar() -> (Mechanism, Link) {
     let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] =
-        [("crank", 0.4), ("coupler", 1.2), ("rocker", 0.9)].map(|(name, l)| m.link(name, l).expect("a link"));
+    let [crank, coupler, rocker] = [("crank", 0.4), ("coupler", 1.2), ("rocker", 0.9)]
+        .map(|(name, l)| m.link(name, l).expect("a link"));
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).expect("a pin");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("a pin");
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("a pin");
@@ -42,16 +42,21 @@ fn four_bar() -> (Mechanism, Link) {
     let along = strut(m.ground(), rocker, vec2(0.5, 1.5), rocker.end());
     m.load("seal", seal(along, 30.0)).expect("a load");
     m.load("tool", Load::force_in_body(rocker, rocker.end(), vec2(-20.0, 3.0))).expect("a load");
-    m.load("wind", Load::force(coupler, vec2(0.0, 0.1), [Law::sine(5.0, 3.0, 0.0), Law::constant(1.0)]))
-        .expect("a load");
+    m.load(
+        "wind",
+        Load::force(coupler, vec2(0.0, 0.1), [Law::sine(5.0, 3.0, 0.0), Law::constant(1.0)]),
+    )
+    .expect("a load");
     m.load("brake", Load::torque(crank, -2.0)).expect("a load");
     (m, crank)
 }
 
 /// All that is told of forces as series.
 fn told(forces: &Forces<'_>) -> Vec<Vec<f64>> {
-    let (energy, balance) = (forces.energy(), forces.balance());
-    let own = [&energy.kinetic, &energy.potential, &balance.drives, &balance.loads, &balance.kinetic];
+    let energy = forces.energy();
+    let balance = forces.balance();
+    let own =
+        [&energy.kinetic, &energy.potential, &balance.drives, &balance.loads, &balance.kinetic];
     let mut all: Vec<Vec<f64>> = own.iter().map(|series| series.values().to_vec()).collect();
     for name in forces.drives() {
         let drive = forces.drive(name).expect("a drive");
@@ -64,10 +69,9 @@ fn told(forces: &Forces<'_>) -> Vec<Vec<f64>> {
 fn apart(a: &Forces<'_>, b: &Forces<'_>) -> f64 {
     told(a).iter().zip(told(b)).fold(0.0, |off, (a, b)| {
         let most = b.iter().fold(1e-3_f64, |m, x| m.max(x.abs()));
-        a.iter().zip(b).fold(
-            off,
-            |off: f64, (a, b)| if (a - b).abs() / most <= off { off } else { (a - b).abs() / most },
-        )
+        a.iter().zip(b).fold(off, |off: f64, (a, b)| {
+            if (a - b).abs() / most <= off { off } else { (a - b).abs() / most }
+        })
     })
 }
 
@@ -111,7 +115,8 @@ fn few_times_are_not_worth_a_program() {
 fn reasons(m: Mechanism) -> [String; 2] {
     let system = m.build().expect("a system");
     let motion = system.run(linspace(0.0, 0.6, 61)).expect("a motion");
-    let refused = system.forces_by(&motion, Engine::Compiled).map(|_| ()).expect_err("an error").to_string();
+    let refused =
+        system.forces_by(&motion, Engine::Compiled).map(|_| ()).expect_err("an error").to_string();
     let forces = system.forces(&motion).expect("forces");
     assert_eq!(forces.engine().compiled, 0);
     [refused, forces.why_plain().unwrap_or_default().to_string()]
@@ -141,8 +146,10 @@ fn redundant_equations_are_told() {
     let beam = m.link("beam", 4.0).expect("a link");
     for (k, (name, link)) in [("a", a), ("b", b), ("c", c)].into_iter().enumerate() {
         let x = 2.0 * k as f64;
-        m.add(&format!("{name}.O"), revolute(m.ground(), link, vec2(x, 0.0), link.start())).expect("a pin");
-        m.add(&format!("{name}.A"), revolute(link, beam, link.end(), vec2(x - 2.0, 0.0))).expect("a pin");
+        m.add(&format!("{name}.O"), revolute(m.ground(), link, vec2(x, 0.0), link.start()))
+            .expect("a pin");
+        m.add(&format!("{name}.A"), revolute(link, beam, link.end(), vec2(x - 2.0, 0.0)))
+            .expect("a pin");
     }
     m.add("motor", drive_angle(a, Law::linear(0.4, 1.0))).expect("a driver");
     m.mass(beam, 3.0, vec2(0.0, 0.0), 0.2).expect("a mass");
@@ -159,14 +166,15 @@ fn what_is_not_finite_is_told_as_by_the_walk() {
     m.load("rope", torn(along, 0.355)).expect("a load");
     let system = m.build().expect("a system");
     let motion = system.run(linspace(0.0, 0.6, 61)).expect("a motion");
-    let told = [Engine::Plain, Engine::Compiled, Engine::Auto]
-        .map(|engine| system.forces_by(&motion, engine).map(|_| ()).expect_err("an error").to_string());
+    let told = [Engine::Plain, Engine::Compiled, Engine::Auto].map(|engine| {
+        system.forces_by(&motion, engine).map(|_| ()).expect_err("an error").to_string()
+    });
     assert!(told[0].contains("force of `rope`") && told[0].contains("t = 0.36"), "{told:?}");
     assert!(told[1] == told[0] && told[2] == told[0], "{told:?}");
 }
 
-/// Each case has the forces of its own mechanism, and its own error: of a crank that locks, of a rope that is
-/// torn.
+/// Each case has the forces of its own mechanism, and its own error: of a crank that locks, of a
+/// rope that is torn.
 #[test]
 fn cases_of_a_sweep_have_their_own_forces_and_errors() {
     let (mut m, crank) = four_bar();
@@ -179,10 +187,14 @@ fn cases_of_a_sweep_have_their_own_forces_and_errors() {
     let keep = |_: usize, forces: kin::Result<Forces<'_>>| {
         forces.map(|forces| told(&forces)).map_err(|error| error.to_string())
     };
-    let swept = system.sweep(names).expect("a sweep").forces(&cases, &times, keep).expect("a sweep");
+    let swept =
+        system.sweep(names).expect("a sweep").forces(&cases, &times, keep).expect("a sweep");
     assert!(swept.iter().filter(|found| found.is_ok()).count() == 4 && swept[2].is_err());
     for (case, found) in cases.iter().zip(swept) {
-        names.iter().zip(case).for_each(|(name, x)| system.set(name, *x).map(|_| ()).expect("a parameter"));
+        names
+            .iter()
+            .zip(case)
+            .for_each(|(name, x)| system.set(name, *x).map(|_| ()).expect("a parameter"));
         let own = system.run(&times).and_then(|motion| {
             let forces = system.forces_by(&motion, Engine::Plain)?;
             Ok(told(&forces))
@@ -196,7 +208,9 @@ fn cases_of_a_sweep_have_their_own_forces_and_errors() {
                 }
             }
             // That of a run tells more: what is wrong with the mechanism there.
-            (Err(found), Err(own)) => assert_eq!(found.lines().next(), own.to_string().lines().next()),
+            (Err(found), Err(own)) => {
+                assert_eq!(found.lines().next(), own.to_string().lines().next())
+            }
             (found, own) => panic!("{case:?}: {found:?} {own:?}"),
         }
     }

@@ -33,10 +33,15 @@ fn masses_that_no_body_can_have() {
             .starts_with("`ground` (mass): the ground does not move")
     );
     let other = Mechanism::new("other").link("arm", 1.0).expect("a link");
-    assert!(told(m.mass(other, 1.0, vec2(0.0, 0.0), 0.1)).contains("is not of the mechanism \"arm\""));
+    assert!(
+        told(m.mass(other, 1.0, vec2(0.0, 0.0), 0.1)).contains("is not of the mechanism \"arm\"")
+    );
     let body = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, 0.0))).expect("a body");
     let tensor = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
-    assert!(told(m.mass(body, 1.0, vec3(0.0, 0.0, 0.0), tensor)).contains("more than the sum of the others"));
+    assert!(
+        told(m.mass(body, 1.0, vec3(0.0, 0.0, 0.0), tensor))
+            .contains("more than the sum of the others")
+    );
 }
 
 /// In a file each number of a mass can be missing.
@@ -48,7 +53,8 @@ fn a_mass_without_a_centre_in_a_file() {
     for number in ["mass", "centre", "inertia", "body"] {
         let mut data = whole.clone();
         data["masses"][0].as_object_mut().expect("a mass").remove(number).expect("a number");
-        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("without_{number}.json"));
+        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("without_{number}.json"));
         std::fs::write(&path, data.to_string()).expect("a file");
         let told = told(Mechanism::read_json(&path, &kin::Registry::new()));
         assert!(told.contains(&format!("`{number}`")) && told.contains("missing"), "{told}");
@@ -60,16 +66,23 @@ fn loads_that_make_no_sense() {
     let (mut m, arm) = arm();
     let ground = PlanarBody::from(m.ground());
     assert!(
-        told(m.load("push", Load::force(ground, vec2(0.0, 0.0), vec2(1.0, 0.0)))).contains("on the ground")
+        told(m.load("push", Load::force(ground, vec2(0.0, 0.0), vec2(1.0, 0.0))))
+            .contains("on the ground")
     );
     assert!(
         told(m.load("push", Load::force(arm, vec2(f64::NAN, 0.0), vec2(1.0, 0.0))))
             .contains("its point is NaN")
     );
     let push = || Load::force(arm, arm.end(), vec2(1.0, f64::NAN));
-    assert!(told(m.load("push", push())).starts_with("`push` (load)"), "{}", told(m.load("push", push())));
+    assert!(
+        told(m.load("push", push())).starts_with("`push` (load)"),
+        "{}",
+        told(m.load("push", push()))
+    );
     let other = Mechanism::new("other").link("arm", 1.0).expect("a link");
-    assert!(told(m.load("push", Load::torque(other, 1.0))).contains("is not of the mechanism \"arm\""));
+    assert!(
+        told(m.load("push", Load::torque(other, 1.0))).contains("is not of the mechanism \"arm\"")
+    );
     m.load("push", Load::torque(arm, 1.0)).expect("a load");
     assert!(told(m.load("push", Load::torque(arm, 1.0))).contains("two loads named `push`"));
     assert!(told(m.load(" ", Load::torque(arm, 1.0))).contains("a load needs a name"));
@@ -229,5 +242,8 @@ fn dimensions_in_other_units() {
         with("m"),
         "`reach` (dimension): it is in m, and lengths are in mm by `m.units`: nothing is converted; give it in mm"
     );
-    assert_eq!((with("mm"), with("rad"), with("mm^2")), (String::new(), String::new(), String::new()));
+    assert_eq!(
+        (with("mm"), with("rad"), with("mm^2")),
+        (String::new(), String::new(), String::new())
+    );
 }

@@ -1,4 +1,5 @@
-//! The examples of forces against their closed forms, which a changed mass, load or table would miss.
+//! The examples of forces against their closed forms, which a changed mass, load or table would
+//! miss.
 
 use kin::prelude::*;
 
@@ -27,7 +28,8 @@ fn the_arm_has_the_torques_of_lagrange() -> kin::Result<()> {
     let system = m.build()?;
     let motion = system.run_both(linspace(0.0, 4.0, 1601))?;
     let forces = system.forces(&motion)?;
-    let (shoulder, elbow) = (forces.drive("shoulder motor")?, forces.drive("elbow motor")?);
+    let shoulder = forces.drive("shoulder motor")?;
+    let elbow = forces.drive("elbow motor")?;
     let torques = [shoulder.effort(), elbow.effort()];
     let off = arm::off(&motion, links, solids, torques);
     assert!(off < 1e-12, "{off:e} of {}", shoulder.peak());
@@ -63,7 +65,10 @@ fn the_engine_shakes_and_is_driven_as_by_hand() -> kin::Result<()> {
             let [off, most] = apart(found, &exact);
             assert!(off < 1e-12 * most, "{off:e} of {most}");
             let [off, _] = apart(found, &wrong);
-            assert!(off > 1e-5 * most, "a centre that is off by 0.01 mm shows by {off:e} of {most}");
+            assert!(
+                off > 1e-5 * most,
+                "a centre that is off by 0.01 mm shows by {off:e} of {most}"
+            );
         }
         shaken.push(force.iter().fold(0.0_f64, |most, f| most.max(f.norm())));
     }

@@ -1,4 +1,5 @@
-//! Mechanisms with masses and loads from the files of `tests/data/forces/`, planar and spatial ones.
+//! Mechanisms with masses and loads from the files of `tests/data/forces/`, planar and spatial
+//! ones.
 
 use kin::prelude::*;
 use kin::{Load, Mechanism, Result};
@@ -26,8 +27,11 @@ fn length(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 {
 
 /// A law as the files write it: a sum of constants, multiples of t and of sin(w*t).
 pub fn law(file: &Value, text: &str) -> Law {
-    let value = |word: &str| word.parse::<f64>().unwrap_or_else(|_| number(&file["parameters"], word.trim()));
-    let (mut sum, mut sign) = ([0.0; 4], 1.0);
+    let value = |word: &str| {
+        word.parse::<f64>().unwrap_or_else(|_| number(&file["parameters"], word.trim()))
+    };
+    let mut sum = [0.0; 4];
+    let mut sign = 1.0;
     for word in text.split_whitespace() {
         match word {
             "+" | "-" => sign = if word == "-" { -1.0 } else { 1.0 },
@@ -59,7 +63,8 @@ pub fn build(file: &Value) -> Result<(Mechanism, Bodies)> {
 }
 
 fn planar(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
-    let (guess, mut bodies) = (numbers(file, "initial_guess"), vec![]);
+    let guess = numbers(file, "initial_guess");
+    let mut bodies = vec![];
     let mut poses = guess.chunks(3);
     for body in list(file, "bodies") {
         let name = text(body, "name");
@@ -75,17 +80,20 @@ fn planar(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
     m.gravity(vec2_of(file, "gravity"));
     let body = |of: &Value, field: &str| find(&bodies, text(of, field));
     for c in list(file, "constraints").iter().chain(list(file, "drivers")) {
-        let (name, j) = (text(c, "name"), body(c, "j"));
+        let name = text(c, "name");
+        let j = body(c, "j");
         let i = || body(c, "i");
-        let (pi, pj) = (|| vec2_of(c, "pi"), || vec2_of(c, "pj"));
+        let pi = || vec2_of(c, "pi");
+        let pj = || vec2_of(c, "pj");
         match text(c, "type") {
             "revolute" => m.add(name, revolute(i(), j, pi(), pj()))?,
             "prismatic" => {
                 m.add(name, prismatic(i(), j, pi(), pj(), vec2_of(c, "hi"), number(c, "theta0")))?
             }
-            "relative_slide" => {
-                m.add(name, drive_slide(j, i(), pj(), pi(), vec2_of(c, "gi"), law(file, text(c, "f"))))?
-            }
+            "relative_slide" => m.add(
+                name,
+                drive_slide(j, i(), pj(), pi(), vec2_of(c, "gi"), law(file, text(c, "f"))),
+            )?,
             "coordinate" => m.add(name, drive(j.theta(), law(file, text(c, "f"))))?,
             other => panic!("a constraint `{other}`"),
         };
@@ -109,7 +117,8 @@ fn planar(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
 }
 
 fn spatial(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
-    let (guess, mut bodies) = (numbers(file, "initial_guess"), vec![]);
+    let guess = numbers(file, "initial_guess");
+    let mut bodies = vec![];
     let mut poses = guess.chunks(7);
     for body in list(file, "bodies") {
         let name = text(body, "name");
@@ -131,15 +140,20 @@ fn spatial(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
     m.gravity(vec3_of(file, "gravity"));
     let body = |of: &Value, field: &str| find(&bodies, text(of, field));
     for c in list(file, "constraints").iter().chain(list(file, "drivers")) {
-        let (name, i, j) = (text(c, "name"), body(c, "i"), body(c, "j"));
-        let (pi, pj) = (|| vec3_of(c, "pi"), || vec3_of(c, "pj"));
+        let name = text(c, "name");
+        let i = body(c, "i");
+        let j = body(c, "j");
+        let pi = || vec3_of(c, "pi");
+        let pj = || vec3_of(c, "pj");
         match text(c, "type") {
-            "revolute" => {
-                m.add(name, spatial::revolute(i, j, pi(), pj(), vec3_of(c, "hi"), vec3_of(c, "hj")))?
-            }
-            "universal" => {
-                m.add(name, spatial::universal(i, j, pi(), pj(), vec3_of(c, "hi"), vec3_of(c, "hj")))?
-            }
+            "revolute" => m.add(
+                name,
+                spatial::revolute(i, j, pi(), pj(), vec3_of(c, "hi"), vec3_of(c, "hj")),
+            )?,
+            "universal" => m.add(
+                name,
+                spatial::universal(i, j, pi(), pj(), vec3_of(c, "hi"), vec3_of(c, "hj")),
+            )?,
             "spherical" => m.add(name, spatial::spherical(i, j, pi(), pj()))?,
             "axis_angle" => {
                 let hinge = list(file, "constraints")
@@ -148,7 +162,10 @@ fn spatial(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
                     .expect("a hinge");
                 let axis_j = Axis::new(vec3_of(hinge, "hj"), vec3_of(c, "bj"));
                 let axis_i = Axis::new(vec3_of(c, "hi"), vec3_of(c, "ai"));
-                m.add(name, kin::spatial::drive_turn(j, i, axis_j, axis_i, law(file, text(c, "f"))))?
+                m.add(
+                    name,
+                    kin::spatial::drive_turn(j, i, axis_j, axis_i, law(file, text(c, "f"))),
+                )?
             }
             other => panic!("a constraint `{other}`"),
         };

@@ -10,17 +10,28 @@ use crate::friction::{O, X, inclined, pushed};
 fn friction_that_makes_no_sense_is_refused_by_name() {
     let (mut m, block) = inclined(0.1, 0.4, 1.0, Law::ramp(1.0));
     m.add("rod", distance(block, m.ground(), O, vec2(3.0, 3.0), 4.0)).expect("a joint");
-    let mut told = |joint: &str, friction: Friction| m.friction(joint, friction).unwrap_err().to_string();
-    let slide = |mu: f64, length: f64, width: f64, rate: f64| Friction::slide(mu, [length, width], rate);
+    let mut told =
+        |joint: &str, friction: Friction| m.friction(joint, friction).unwrap_err().to_string();
+    let slide =
+        |mu: f64, length: f64, width: f64, rate: f64| Friction::slide(mu, [length, width], rate);
     for (friction, due) in [
         (slide(-0.1, 0.4, 0.0, 1.0), "the coefficient is -0.1; give one of at least zero"),
         (slide(f64::NAN, 0.4, 0.0, 1.0), "the coefficient is NaN; give one of at least zero"),
         (slide(0.1, 0.0, 0.0, 1.0), "the length of the guide is 0; give one above zero"),
-        (slide(0.1, f64::INFINITY, 0.0, 1.0), "the length of the guide is inf; give one above zero"),
+        (
+            slide(0.1, f64::INFINITY, 0.0, 1.0),
+            "the length of the guide is inf; give one above zero",
+        ),
         (slide(0.1, 0.4, -0.1, 1.0), "the width of the guide is -0.1; give one of at least zero"),
         (slide(0.1, 0.4, 0.1, 0.0), "the rate at which friction sets in is 0; give one above zero"),
-        (slide(0.1, 0.4, 0.1, -1.0), "the rate at which friction sets in is -1; give one above zero"),
-        (slide(0.1, 0.4, 0.1, f64::NAN), "the rate at which friction sets in is NaN; give one above zero"),
+        (
+            slide(0.1, 0.4, 0.1, -1.0),
+            "the rate at which friction sets in is -1; give one above zero",
+        ),
+        (
+            slide(0.1, 0.4, 0.1, f64::NAN),
+            "the rate at which friction sets in is NaN; give one above zero",
+        ),
         (Friction::pin(0.1, 0.0, 1.0), "the radius of the pin is 0; give one above zero"),
         (
             Friction::pin(0.1, 0.02, 1.0),
@@ -32,14 +43,21 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
     assert!(told("rod", slide(0.1, 0.4, 0.1, 1.0)).contains("and this is `distance`"));
     assert!(told("slide", slide(0.1, 0.4, 0.1, 1.0)).starts_with("there is no constraint `slide`"));
     let body = m.spatial("body", SpatialPose::at(Vec3::zeros())).expect("a body");
-    let (o, own) = (Vec3::zeros(), EulerParameters::new(1.0, 0.0, 0.0, 0.0));
+    let o = Vec3::zeros();
+    let own = EulerParameters::new(1.0, 0.0, 0.0, 0.0);
     m.add("rail", spatial::prismatic(body, m.ground(), o, o, X, own)).expect("a joint");
     let told = m.friction("rail", slide(0.1, 0.4, 0.0, 1.0)).unwrap_err().to_string();
     assert!(told.contains("across its width: give one above zero"), "{told}");
     let (m, _) = inclined(0.1, 0.4, 1.0, Law::ramp(1.0));
     let system = m.build().expect("a system");
     let motion = system.run_both([0.0, 1.0]).expect("a motion");
-    let told = system.forces(&motion).expect("forces").friction("winch").map(|_| ()).unwrap_err().to_string();
+    let told = system
+        .forces(&motion)
+        .expect("forces")
+        .friction("winch")
+        .map(|_| ())
+        .unwrap_err()
+        .to_string();
     assert_eq!(told, "there is no joint with friction `winch`; there are `incline`");
 }
 
@@ -91,7 +109,11 @@ fn friction_comes_back_from_a_file_and_stands_in_the_table() {
     assert!(reject(&text.replace("\"radius\":0.03", "\"radius\":0.03,\"rad\":1")));
     assert!(reject(&text.replace("\"rate\":0.5", "\"rate\":0.5,\"v\":1")));
     assert!(reject(&text.replace(",\"pin\":{\"radius\":0.03}", "")));
-    let wrong = serde_json::from_str(&text.replace("\"rate\":0.5", "\"rate\":-0.5")).expect("reads");
+    let wrong =
+        serde_json::from_str(&text.replace("\"rate\":0.5", "\"rate\":-0.5")).expect("reads");
     let told = Mechanism::from_data(&wrong, &Registry::new()).map(|_| ()).unwrap_err().to_string();
-    assert_eq!(told, "`O` (friction): the rate at which friction sets in is -0.5; give one above zero");
+    assert_eq!(
+        told,
+        "`O` (friction): the rate at which friction sets in is -0.5; give one above zero"
+    );
 }

@@ -1,5 +1,5 @@
-//! Efforts of drivers by their laws, where rows are not x(q) − f(t): against closed forms, and effort · ḟ
-//! against the power.
+//! Efforts of drivers by their laws, where rows are not x(q) − f(t): against closed forms, and
+//! effort · ḟ against the power.
 
 use kin::prelude::*;
 use kin::{Drive, Forces, Mechanism};
@@ -14,12 +14,17 @@ fn at(law: &Law, t: f64) -> [f64; 3] {
 
 /// Names and units, and that effort · ḟ of all laws is the power of the driver.
 fn checked(drive: &Drive, laws: &[Law], named: &[(&str, &str)]) {
-    let told: Vec<(&str, &str)> = drive.efforts().iter().map(|one| (one.name(), one.unit())).collect();
+    let told: Vec<(&str, &str)> =
+        drive.efforts().iter().map(|one| (one.name(), one.unit())).collect();
     assert_eq!(told, named);
     let size = drive.power().max().abs().max(drive.power().min().abs());
     assert!(size > 0.1, "{size}");
     for (k, t) in drive.power().times().iter().enumerate() {
-        let each = drive.efforts().iter().zip(laws).map(|(effort, law)| effort.values()[k] * law.jet(*t)[1]);
+        let each = drive
+            .efforts()
+            .iter()
+            .zip(laws)
+            .map(|(effort, law)| effort.values()[k] * law.jet(*t)[1]);
         let off = (each.sum::<f64>() - drive.power().values()[k]).abs();
         assert!(off < 1e-12 * (1.0 + size), "{t}: {off:e} of {size}");
     }
@@ -28,11 +33,12 @@ fn checked(drive: &Drive, laws: &[Law], named: &[(&str, &str)]) {
 /// A load that is moved on a table which turns itself.
 #[test]
 fn a_point_that_moves_in_a_body_has_an_effort_for_each_of_its_laws() {
-    let (turn, x, y) =
-        (Law::sine(0.8, 1.3, 0.2), Law::sine(0.3, 2.0, 0.0) + Law::constant(0.7), Law::sine(0.4, 1.1, 0.5));
+    let turn = Law::sine(0.8, 1.3, 0.2);
+    let x = Law::sine(0.3, 2.0, 0.0) + Law::constant(0.7);
+    let y = Law::sine(0.4, 1.1, 0.5);
     let mut m = Mechanism::new("table");
-    let (table, load) =
-        (m.planar("table", pose(0.0, 0.0, 0.0)).unwrap(), m.planar("load", pose(0.7, 0.2, 0.0)).unwrap());
+    let table = m.planar("table", pose(0.0, 0.0, 0.0)).unwrap();
+    let load = m.planar("load", pose(0.7, 0.2, 0.0)).unwrap();
     m.add("pin", revolute(table, m.ground(), O, O)).unwrap();
     m.add("motor", drive_angle(table, turn.clone())).unwrap();
     m.add("tip", moving_point(table, load, x.clone(), y.clone(), O)).unwrap();
@@ -46,8 +52,11 @@ fn a_point_that_moves_in_a_body_has_an_effort_for_each_of_its_laws() {
     checked(&drive, &[x.clone(), y.clone()], &[("tip.x_i", "N"), ("tip.y_i", "N")]);
     let mut off = 0.0_f64;
     for (k, &t) in motion.times().iter().enumerate() {
-        let ([a, w, alpha], [x, vx, ax], [y, vy, ay]) = (at(&turn, t), at(&x, t), at(&y, t));
-        // Lagrange's equations of x and y as seen from the table, with the weight turned into its axes.
+        let [a, w, alpha] = at(&turn, t);
+        let [x, vx, ax] = at(&x, t);
+        let [y, vy, ay] = at(&y, t);
+        // Lagrange's equations of x and y as seen from the table, with the weight turned into its
+        // axes.
         let f_x = MASS * (ax - w * w * x - 2.0 * w * vy - alpha * y + 9.81 * a.sin());
         let f_y = MASS * (ay - w * w * y + 2.0 * w * vx + alpha * x + 9.81 * a.cos());
         let found = [0, 1].map(|law| drive.efforts()[law].values()[k]);
@@ -62,11 +71,16 @@ fn a_point_that_moves_in_a_body_has_an_effort_for_each_of_its_laws() {
 /// The same point in space.
 #[test]
 fn a_point_that_moves_in_space_too() {
-    let laws =
-        [Law::sine(0.3, 2.0, 0.0) + Law::constant(0.7), Law::sine(0.4, 1.1, 0.5), Law::sine(0.2, 1.7, 1.0)];
+    let laws = [
+        Law::sine(0.3, 2.0, 0.0) + Law::constant(0.7),
+        Law::sine(0.4, 1.1, 0.5),
+        Law::sine(0.2, 1.7, 1.0),
+    ];
     let mut m = Mechanism::new("crane");
     let load = m.spatial("load", SpatialPose::at(vec3(0.7, 0.2, 0.2))).unwrap();
-    let (o, z, ground) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0), m.ground());
+    let o = vec3(0.0, 0.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
+    let ground = m.ground();
     let post = m.spatial("post", SpatialPose::at(o)).unwrap();
     m.add("pin", spatial::revolute(post, ground, o, o, z, z)).unwrap();
     m.add("motor", spatial::drive_turn(post, ground, z, z, Law::constant(0.4))).unwrap();
@@ -84,7 +98,8 @@ fn a_point_that_moves_in_space_too() {
     checked(&drive, &laws, &[("tip.x_i", "N"), ("tip.y_i", "N"), ("tip.z_i", "N")]);
     for (k, &t) in motion.times().iter().enumerate() {
         // The post stands still: each law moves the load along one of its axes.
-        let exact = [0, 1, 2].map(|n| MASS * (at(&laws[n], t)[2] + if n == 2 { 9.81 } else { 0.0 }));
+        let exact =
+            [0, 1, 2].map(|n| MASS * (at(&laws[n], t)[2] + if n == 2 { 9.81 } else { 0.0 }));
         for (n, exact) in exact.into_iter().enumerate() {
             assert!((drive.efforts()[n].values()[k] - exact).abs() < 1e-11, "{t} {n}");
         }
@@ -124,7 +139,8 @@ fn asked(system: &System) -> Drive {
 
 #[test]
 fn a_leg_by_its_square_gives_the_force_of_one_by_its_length() {
-    let (law, foot) = (Law::constant(1.1) + Law::sine(0.2, 2.0, 0.0), vec2(1.5, -0.3));
+    let law = Law::constant(1.1) + Law::sine(0.2, 2.0, 0.0);
+    let foot = vec2(1.5, -0.3);
     let by_square = crank(&|m, crank| {
         let leg = leg(crank, m.ground(), crank.end(), foot, law.clone());
         m.add("driver", leg).map(drop).unwrap();
@@ -133,7 +149,8 @@ fn a_leg_by_its_square_gives_the_force_of_one_by_its_length() {
         let drive = drive_distance(crank, m.ground(), crank.end(), foot, law.clone());
         m.add("driver", drive).map(drop).unwrap();
     });
-    let (square, length) = (asked(&by_square), asked(&by_length));
+    let square = asked(&by_square);
+    let length = asked(&by_length);
     let laws = [law];
     checked(&square, &laws, &[("driver", "N")]);
     checked(&length, &laws, &[("driver", "N")]);

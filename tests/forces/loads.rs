@@ -1,4 +1,5 @@
-//! Loads written as energies against the same ones by hand, on both routes; the library against closed forms.
+//! Loads written as energies against the same ones by hand, on both routes; the library against
+//! closed forms.
 
 use kin::prelude::*;
 use kin::{Ends, Load, Mechanism, by_dual, loads};
@@ -29,7 +30,8 @@ fn driven(
     let mut m = Mechanism::new("two bodies");
     let bodies = [("a", 0.9, 0.2), ("b", -0.4, 1.0)].map(|(name, x, y)| {
         let body = m.planar(name, pose(x, y, 0.0)).expect("a body");
-        for (axis, coordinate, mean) in [("x", body.x(), x), ("y", body.y(), y), ("theta", body.theta(), 0.3)]
+        for (axis, coordinate, mean) in
+            [("x", body.x(), x), ("y", body.y(), y), ("theta", body.theta(), 0.3)]
         {
             let law = Law::constant(mean) + Law::sine(0.2 * mean, 1.7, 0.4 * x);
             m.add(&format!("{name}.{axis}"), drive(coordinate, law)).expect("a driver");
@@ -45,9 +47,11 @@ fn on_first(system: &System, bodies: [PlanarBody; 2]) -> Vec<[f64; 3]> {
     let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]);
-    let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+    let force = acted.force().expect("unique");
+    let torque = acted.torque().expect("unique");
     // The drives take up all of it.
-    let [x, y] = ["a.x", "a.y"].map(|name| forces.drive(name).expect("a driver").effort().values().to_vec());
+    let [x, y] =
+        ["a.x", "a.y"].map(|name| forces.drive(name).expect("a driver").effort().values().to_vec());
     for (k, f) in force.iter().enumerate() {
         let off = (x[k] + f.x).abs().max((y[k] + f.y).abs());
         assert!(off < 1e-12 * (1.0 + f.norm()), "{off:e}");
@@ -56,11 +60,16 @@ fn on_first(system: &System, bodies: [PlanarBody; 2]) -> Vec<[f64; 3]> {
 }
 
 /// The same by hand: `push` is the force apart along the line between the points, from l and l̇.
-fn by_hand(system: &System, bodies: [PlanarBody; 2], push: impl Fn(f64, f64) -> f64) -> Vec<[f64; 3]> {
+fn by_hand(
+    system: &System,
+    bodies: [PlanarBody; 2],
+    push: impl Fn(f64, f64) -> f64,
+) -> Vec<[f64; 3]> {
     let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let points = [0, 1].map(|k| motion.point(bodies[k], U[k]).expect("a point"));
     let at = |k: usize| {
-        let (d, v) = (points[0].r()[k] - points[1].r()[k], points[0].v()[k] - points[1].v()[k]);
+        let d = points[0].r()[k] - points[1].r()[k];
+        let v = points[0].v()[k] - points[1].v()[k];
         let l = d.norm();
         let f = d * (push(l, d.dot(v) / l) / l);
         [f.x, f.y, 0.0]
@@ -70,15 +79,20 @@ fn by_hand(system: &System, bodies: [PlanarBody; 2], push: impl Fn(f64, f64) -> 
 
 fn near(found: &[[f64; 3]], exact: &[[f64; 3]], what: &str) {
     let size = exact.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let off =
-        found.iter().flatten().zip(exact.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let off = found
+        .iter()
+        .flatten()
+        .zip(exact.iter().flatten())
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
     println!("{what}: off by {off:.1e} of {size:.3}");
     assert!(size > 0.1 && off <= 1e-13 * (1.0 + size), "{what}: {off:e}");
 }
 
 #[test]
 fn a_spring_as_an_energy_is_a_spring_by_hand_on_both_routes() {
-    let (k, free) = (80.0, 0.4);
+    let k = 80.0;
+    let free = 0.4;
     let push = |l: f64, _: f64| -k * (l - free);
     let own = driven(|m, i, j| m.load("load", own_spring(i, j, U[0], U[1], k, free)));
     let exact = by_hand(&own.0, own.1, push);
@@ -95,7 +109,11 @@ fn a_spring_as_an_energy_is_a_spring_by_hand_on_both_routes() {
 #[test]
 fn dampers_struts_and_gas_springs_push_along_their_lines() {
     let damper = driven(|m, i, j| m.load("load", loads::damper(i, j, U[0], U[1], 12.0)));
-    near(&on_first(&damper.0, damper.1), &by_hand(&damper.0, damper.1, |_, rate| -12.0 * rate), "damper");
+    near(
+        &on_first(&damper.0, damper.1),
+        &by_hand(&damper.0, damper.1, |_, rate| -12.0 * rate),
+        "damper",
+    );
     let table = Law::spline(&[(0.5, 90.0), (1.2, 40.0), (2.5, 25.0)], Ends::Natural);
     let strut = driven(|m, i, j| m.load("load", loads::strut(i, j, U[0], U[1], table.clone())));
     near(&on_first(&strut.0, strut.1), &by_hand(&strut.0, strut.1, |l, _| table.at(l)), "strut");
@@ -123,10 +141,15 @@ fn torsion_springs_and_bushings_turn_back() {
     let (system, bodies) = driven(|m, i, j| m.load("load", loads::torsion_spring(i, j, 7.0, 0.2)));
     let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
-    let torque =
-        forces.load("load").expect("a load").on(bodies[1]).expect("its body").torque().expect("unique");
-    let [a, b] =
-        bodies.map(|body| motion.coordinate(body.theta()).expect("an angle").value.values().to_vec());
+    let torque = forces
+        .load("load")
+        .expect("a load")
+        .on(bodies[1])
+        .expect("its body")
+        .torque()
+        .expect("unique");
+    let [a, b] = bodies
+        .map(|body| motion.coordinate(body.theta()).expect("an angle").value.values().to_vec());
     for (k, torque) in torque.iter().enumerate() {
         assert!((torque - 7.0 * (a[k] - b[k] - 0.2)).abs() < 1e-13);
     }
@@ -136,9 +159,11 @@ fn torsion_springs_and_bushings_turn_back() {
     let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let acted = forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]);
-    let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+    let force = acted.force().expect("unique");
+    let torque = acted.torque().expect("unique");
     let points = [0, 1].map(|k| motion.point(bodies[k], U[k]).expect("a point"));
-    let theta = bodies.map(|body| motion.coordinate(body.theta()).expect("an angle").value.values().to_vec());
+    let theta = bodies
+        .map(|body| motion.coordinate(body.theta()).expect("an angle").value.values().to_vec());
     for k in 0..motion.len() {
         let (sin, cos) = theta[1][k].sin_cos();
         let d = points[0].r()[k] - points[1].r()[k];
@@ -153,11 +178,15 @@ fn torsion_springs_and_bushings_turn_back() {
 #[test]
 fn forces_in_body_axes_turn_with_it() {
     let (system, bodies) = driven(|m, i, _| {
-        m.load("load", Load::force_in_body(i, U[0], vec2(3.0, -2.0)).and(Load::torque_in_body(i, 0.5)))
+        m.load(
+            "load",
+            Load::force_in_body(i, U[0], vec2(3.0, -2.0)).and(Load::torque_in_body(i, 0.5)),
+        )
     });
     let motion = system.run_both(linspace(0.0, 3.0, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
-    let acted = forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]).in_body();
+    let acted =
+        forces.load("load").expect("a load").on(bodies[0]).expect("its body").at(U[0]).in_body();
     for (f, t) in acted.force().expect("unique").iter().zip(acted.torque().expect("unique")) {
         assert!((*f - vec2(3.0, -2.0)).norm() < 1e-14 && (t - 0.5).abs() < 1e-14);
     }
@@ -242,8 +271,9 @@ fn given_states_are_refused_by_name_and_taken_as_they_are() {
     let (system, _) = driven(|m, i, j| m.load("load", loads::spring(i, j, U[0], U[1], 80.0, 0.4)));
     let run = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");
     let rows = |of: &dyn Fn(usize) -> Vec<f64>| (0..5).map(of).collect::<Vec<_>>();
-    let (q, qd, qdd) =
-        (rows(&|k| run.q(k).to_vec()), rows(&|k| run.qd(k).to_vec()), rows(&|k| run.qdd(k).to_vec()));
+    let q = rows(&|k| run.q(k).to_vec());
+    let qd = rows(&|k| run.qd(k).to_vec());
+    let qdd = rows(&|k| run.qdd(k).to_vec());
     let given = Motion::from_states(&system, run.times(), &q, &qd, &qdd).expect("a motion");
     let efforts = [&run, &given].map(|motion| {
         let forces = system.forces(motion).expect("forces");
@@ -282,5 +312,8 @@ fn masses_and_gravity_come_back_from_a_file_and_closures_are_refused() {
     assert!(peaks[0].to_string().contains(" N mm at "), "{}", peaks[0]);
     m.load("push", Load::along(loads::turn(arm, m.ground()), |_, _, _| 1.0)).expect("a load");
     let told = m.data().unwrap_err().to_string();
-    assert!(told.starts_with("load `push`: its force is a closure, which no file can carry"), "{told}");
+    assert!(
+        told.starts_with("load `push`: its force is a closure, which no file can carry"),
+        "{told}"
+    );
 }

@@ -1,5 +1,5 @@
-//! Forces along measures of joints by their names: against closed forms, and against the same force along a
-//! length of the library or of one's own.
+//! Forces along measures of joints by their names: against closed forms, and against the same force
+//! along a length of the library or of one's own.
 
 use kin::prelude::*;
 use kin::{Error, Forces, Load, Mechanism, loads};
@@ -14,7 +14,8 @@ fn block(law: Law) -> (Mechanism, PlanarBody) {
     let mut m = Mechanism::new("block");
     let block = m.planar("block", pose(0.0, 0.0, 0.5)).expect("a body");
     let h = vec2(0.5_f64.cos(), 0.5_f64.sin());
-    m.add("guide", prismatic(block, m.ground(), O, vec2(0.1, 0.2), vec2(0.0, 1.0), 0.5)).expect("a joint");
+    m.add("guide", prismatic(block, m.ground(), O, vec2(0.1, 0.2), vec2(0.0, 1.0), 0.5))
+        .expect("a joint");
     m.add("motor", drive_point_along(block, O, h, law)).expect("a driver");
     m.mass(block, 3.0, vec2(0.02, 0.1), 0.4).expect("a mass");
     (m, block)
@@ -23,7 +24,9 @@ fn block(law: Law) -> (Mechanism, PlanarBody) {
 /// The largest difference of two lists, which must have the same length.
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
-    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| if (a - b).abs() <= most { most } else { (a - b).abs() })
+    a.iter()
+        .zip(b)
+        .fold(0.0, |most: f64, (a, b)| if (a - b).abs() <= most { most } else { (a - b).abs() })
 }
 
 fn efforts(forces: &Forces<'_>, name: &str) -> Vec<f64> {
@@ -38,7 +41,8 @@ fn a_spring_and_damper_along_a_slide_is_what_its_motor_holds_against() {
     let system = m.build().expect("a system");
     let motion = system.run_both(linspace(0.0, 3.0, 61)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
-    // The guide begins at P_j = (0.1, 0.2), the law counts from the global origin along the same direction.
+    // The guide begins at P_j = (0.1, 0.2), the law counts from the global origin along the same
+    // direction.
     let begin = 0.1 * 0.5_f64.cos() + 0.2 * 0.5_f64.sin();
     let at = |t: &f64| {
         let [x, v, a, _] = law.jet(*t);
@@ -48,8 +52,13 @@ fn a_spring_and_damper_along_a_slide_is_what_its_motor_holds_against() {
     let off = apart(&efforts(&forces, "motor"), &exact);
     println!("off by {off:.1e}");
     assert!(off < 1e-12 && forces.balance().worst() < 1e-12, "{off:e} {}", forces.balance());
-    let pushed =
-        forces.load("buffer").expect("a load").on(body).expect("its body").magnitude().expect("unique");
+    let pushed = forces
+        .load("buffer")
+        .expect("a load")
+        .on(body)
+        .expect("its body")
+        .magnitude()
+        .expect("unique");
     assert!(pushed.max() > 10.0);
 }
 
@@ -83,7 +92,8 @@ fn a_torsion_spring_counts_the_turns_of_its_joint() {
     for speed in [2.0, -2.0] {
         let mut m = Mechanism::new("winch");
         let drum = m.spatial("drum", SpatialPose::at(ORIGIN)).expect("a body");
-        let (h, ground) = (vec3(0.0, 0.6, 0.8), m.ground());
+        let h = vec3(0.0, 0.6, 0.8);
+        let ground = m.ground();
         m.add("hinge", spatial::revolute(drum, ground, ORIGIN, ORIGIN, h, h)).expect("a joint");
         let law = Law::constant(0.3) + Law::ramp(speed) + Law::sine(0.2, 3.0, 0.0);
         m.add("motor", spatial::drive_turn(drum, ground, h, h, law.clone())).expect("a driver");
@@ -97,7 +107,8 @@ fn a_torsion_spring_counts_the_turns_of_its_joint() {
         println!("{speed}: off by {off:.1e}");
         assert!(off < 1e-11 && forces.balance().worst() < 1e-11, "{off:e} {}", forces.balance());
         // A crossing is found between the times, where the turns are counted on.
-        let crossings = forces.drive("motor").expect("a driver").effort().crossings(100.0 * speed.signum());
+        let crossings =
+            forces.drive("motor").expect("a driver").effort().crossings(100.0 * speed.signum());
         assert_eq!(crossings.len(), 1, "{crossings:?}");
         // Backwards in time turns count from where the run begins.
         let back: Vec<f64> = motion.times().iter().rev().copied().collect();
@@ -119,7 +130,8 @@ fn a_force_of_ones_own_along_the_angle_of_a_pin() {
         -stiffness * (x - from).max(0.0)
     }
     let mut m = Mechanism::new("flap");
-    let (frame, flap) = (m.link("frame", 1.0).expect("a body"), m.link("flap", 0.5).expect("a body"));
+    let frame = m.link("frame", 1.0).expect("a body");
+    let flap = m.link("flap", 0.5).expect("a body");
     m.add("wall", fixed(frame, vec2(0.3, 0.0), 0.4)).expect("a joint");
     m.add("pin", revolute(flap, frame, flap.start(), frame.end())).expect("a joint");
     m.add("motor", drive_relative_angle(flap, frame, Law::ramp(1.0))).expect("a driver");
@@ -129,9 +141,11 @@ fn a_force_of_ones_own_along_the_angle_of_a_pin() {
     let forces = system.forces(&motion).expect("forces");
     let exact: Vec<f64> = motion.times().iter().map(|t| 40.0 * (t - 0.5).max(0.0)).collect();
     assert!(apart(&efforts(&forces, "motor"), &exact) < 1e-12);
-    let on =
-        |body| forces.load("stop").expect("a load").on(body).expect("its body").torque().expect("unique");
-    let (flap, frame) = (on(PlanarBody::from(flap)), on(PlanarBody::from(frame)));
+    let on = |body| {
+        forces.load("stop").expect("a load").on(body).expect("its body").torque().expect("unique")
+    };
+    let flap = on(PlanarBody::from(flap));
+    let frame = on(PlanarBody::from(frame));
     assert!(apart(&flap, &frame.iter().map(|t| -t).collect::<Vec<f64>>()) < 1e-12);
     assert!((flap[15] + 40.0).abs() < 1e-12);
 }
@@ -154,7 +168,8 @@ fn a_coordinate_by_its_name_is_that_coordinate_in_a_program_too() {
         let motion = system.run(linspace(0.0, 3.0, 61)).expect("a motion");
         let forces = system.forces_by(&motion, engine).expect("forces");
         assert_eq!(forces.engine().compiled > 0, engine == kin::Engine::Compiled);
-        let on = forces.load("spring").expect("a load").on(PlanarBody::from(arm)).expect("its body");
+        let on =
+            forces.load("spring").expect("a load").on(PlanarBody::from(arm)).expect("its body");
         assert!((on.torque().expect("unique")[0] + 7.0 * -0.2 + 1.5 * 1.6).abs() < 1e-12);
         efforts(&forces, "motor")
     };
@@ -170,7 +185,8 @@ fn a_measure_follows_the_numbers_of_its_joint_in_a_sweep() {
     let system = m.build().expect("a system");
     let cases = [[0.1], [0.3]];
     let sweep = system.sweep(["guide.u_j.x"]).expect("a sweep");
-    let found = sweep.forces(&cases, [0.0, 1.0], |_, forces| efforts(&forces.expect("forces"), "motor")[1]);
+    let found =
+        sweep.forces(&cases, [0.0, 1.0], |_, forces| efforts(&forces.expect("forces"), "motor")[1]);
     let found = found.expect("all");
     for ([x], effort) in cases.iter().zip(found) {
         let exact = 70.0 * (0.8 - x * 0.5_f64.cos() - 0.2 * 0.5_f64.sin() - 0.2);
@@ -194,8 +210,10 @@ fn a_force_along_a_measure_comes_back_from_a_file() {
         efforts(&system.forces(&motion).expect("forces"), "motor")
     };
     assert_eq!(effort(m), effort(again));
-    let wrong = text.replace(r#"{"measure":"guide.slide"}"#, r#"{"measure":"guide.slide","kind":"length"}"#);
-    let told = serde_json::from_str::<kin::data::MechanismData>(&wrong).err().map(|e| e.to_string());
+    let wrong = text
+        .replace(r#"{"measure":"guide.slide"}"#, r#"{"measure":"guide.slide","kind":"length"}"#);
+    let told =
+        serde_json::from_str::<kin::data::MechanismData>(&wrong).err().map(|e| e.to_string());
     assert!(told.as_deref().unwrap_or_default().contains("unknown field `kind`"), "{told:?}");
 }
 
@@ -217,13 +235,14 @@ fn names_that_no_measure_has_are_told_with_those_there_are() {
     assert!(told("").contains("it acts along ``"));
 }
 
-/// Between the times of a coarse grid, where a step is more than half a turn, turns are counted from the
-/// nearer end. A length is not counted at all.
+/// Between the times of a coarse grid, where a step is more than half a turn, turns are counted
+/// from the nearer end. A length is not counted at all.
 #[test]
 fn forces_between_coarse_times_follow_turns_and_lengths() {
     let mut m = Mechanism::new("winch");
     let drum = m.spatial("drum", SpatialPose::at(ORIGIN)).expect("a body");
-    let (h, ground) = (vec3(0.0, 0.6, 0.8), m.ground());
+    let h = vec3(0.0, 0.6, 0.8);
+    let ground = m.ground();
     m.add("sleeve", spatial::cylindrical(drum, ground, ORIGIN, ORIGIN, h, h)).expect("a joint");
     m.add("motor", spatial::drive_turn(drum, ground, h, h, Law::ramp(1.0))).expect("a driver");
     let along = spatial::drive_slide(drum, ground, ORIGIN, ORIGIN, h, Law::ramp(3.0));
@@ -275,7 +294,8 @@ fn dampers_against_the_ground_in_space_take_rates_of_the_body_alone() {
     let damper = |along: bool| {
         let mut m = Mechanism::new("sleeve");
         let body = m.spatial("body", SpatialPose::at(ORIGIN)).expect("a body");
-        let (h, ground) = (vec3(0.0, 0.6, 0.8), m.ground());
+        let h = vec3(0.0, 0.6, 0.8);
+        let ground = m.ground();
         let far = vec3(0.3, 1.2, 1.6);
         m.add("sleeve", spatial::cylindrical(body, ground, ORIGIN, far, h, h)).expect("a joint");
         m.add("turn", spatial::drive_turn(body, ground, h, h, Law::ramp(2.0))).expect("a driver");

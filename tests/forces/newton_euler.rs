@@ -1,6 +1,6 @@
-//! Newton's and Euler's equations of every body, by vectors: Σ F = m a_c and Σ M = J α + ω × J ω about the
-//! centre, with the accelerations of points and none of what Kin's forces are made by. Faults that are
-//! planted in them have to show.
+//! Newton's and Euler's equations of every body, by vectors: Σ F = m a_c and Σ M = J α + ω × J ω
+//! about the centre, with the accelerations of points and none of what Kin's forces are made by.
+//! Faults that are planted in them have to show.
 
 use kin::prelude::*;
 use kin::{Forces, System};
@@ -41,7 +41,12 @@ fn left(own: impl Iterator<Item = [Vec3; 2]>, largest: f64) -> f64 {
 
 /// Names of the constraints that act on bodies.
 fn names(system: &System) -> Vec<String> {
-    system.constraint_names().into_iter().filter(|name| !name.ends_with(".p")).map(str::to_string).collect()
+    system
+        .constraint_names()
+        .into_iter()
+        .filter(|name| !name.ends_with(".p"))
+        .map(str::to_string)
+        .collect()
 }
 
 /// The largest error of the equations of planar bodies, as a share of the largest force or torque.
@@ -52,13 +57,17 @@ pub fn planar(
     g: Vec2,
     fault: Fault,
 ) -> f64 {
-    let (motion, mut all, mut largest) = (forces.motion(), Vec::new(), 0.0_f64);
+    let motion = forces.motion();
+    let mut all = Vec::new();
+    let mut largest = 0.0_f64;
     for (k, own) in massed.iter().enumerate() {
-        let masses = if fault == Fault::BodiesSwapped { &massed[(k + 1) % massed.len()] } else { own };
+        let masses =
+            if fault == Fault::BodiesSwapped { &massed[(k + 1) % massed.len()] } else { own };
         let c = vec2(masses.centre.x, masses.centre.y);
         let about = if fault == Fault::TorqueAboutTheOrigin { vec2(0.0, 0.0) } else { c };
         let a = motion.point(own.body, c).expect("a point").a().to_vec();
-        let alpha = motion.coordinate(own.body.theta()).expect("an angle").second_rate.values().to_vec();
+        let alpha =
+            motion.coordinate(own.body.theta()).expect("an angle").second_rate.values().to_vec();
         let mut inertia = masses.inertia.m33;
         if fault == Fault::InertiaAboutTheOrigin {
             inertia += masses.mass * c.dot(c);
@@ -70,7 +79,10 @@ pub fn planar(
             .filter(|name| forces.reaction(name).expect("a constraint").on(own.body).is_ok())
             .collect();
         for name in &acting {
-            raise(&forces.reaction(name).expect("a constraint").on(own.body).expect("on it"), &mut largest);
+            raise(
+                &forces.reaction(name).expect("a constraint").on(own.body).expect("on it"),
+                &mut largest,
+            );
         }
         // Of redundant constraints the sum alone is unique.
         if !acting.is_empty() {
@@ -90,7 +102,8 @@ pub fn planar(
 }
 
 fn add_planar(acted: kin::Acted<'_, Vec2>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
-    let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+    let force = acted.force().expect("unique");
+    let torque = acted.torque().expect("unique");
     for ((sum, f), m) in sums.iter_mut().zip(force).zip(torque) {
         *largest = largest.max(f.norm()).max(m.abs());
         sum[0] += vec3(f.x, f.y, 0.0);
@@ -106,9 +119,12 @@ pub fn spatial(
     g: Vec3,
     fault: Fault,
 ) -> f64 {
-    let (motion, mut all, mut largest) = (forces.motion(), Vec::new(), 0.0_f64);
+    let motion = forces.motion();
+    let mut all = Vec::new();
+    let mut largest = 0.0_f64;
     for (k, own) in massed.iter().enumerate() {
-        let masses = if fault == Fault::BodiesSwapped { &massed[(k + 1) % massed.len()] } else { own };
+        let masses =
+            if fault == Fault::BodiesSwapped { &massed[(k + 1) % massed.len()] } else { own };
         let c = masses.centre;
         let about = if fault == Fault::TorqueAboutTheOrigin { Vec3::zeros() } else { c };
         let a = motion.point(own.body, c).expect("a point").a().to_vec();
@@ -127,7 +143,10 @@ pub fn spatial(
             .filter(|name| forces.reaction(name).expect("a constraint").on(own.body).is_ok())
             .collect();
         for name in &acting {
-            raise(&forces.reaction(name).expect("a constraint").on(own.body).expect("on it"), &mut largest);
+            raise(
+                &forces.reaction(name).expect("a constraint").on(own.body).expect("on it"),
+                &mut largest,
+            );
         }
         // Of redundant constraints the sum alone is unique.
         if !acting.is_empty() {
@@ -141,7 +160,8 @@ pub fn spatial(
         all.extend(sums.iter().enumerate().map(|(t, [f, m])| {
             let rotation = Mat3::from_columns([x[t] - o[t], y[t] - o[t], z[t] - o[t]]);
             let global = rotation * inertia * rotation.transpose();
-            let (omega, alpha) = (turning.omega()[t], turning.alpha()[t]);
+            let omega = turning.omega()[t];
+            let alpha = turning.alpha()[t];
             let mut moment = global * alpha;
             if fault != Fault::NoGyroscopicTerm {
                 moment += omega.cross(global * omega);
@@ -153,7 +173,8 @@ pub fn spatial(
 }
 
 fn add_spatial(acted: kin::Acted<'_, Vec3>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
-    let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+    let force = acted.force().expect("unique");
+    let torque = acted.torque().expect("unique");
     for ((sum, f), m) in sums.iter_mut().zip(force).zip(torque) {
         *largest = largest.max(f.norm()).max(m.norm());
         sum[0] += f;
@@ -197,9 +218,15 @@ fn every_body_of_the_files_is_in_balance_and_faults_show() {
                 let moving = bodies.iter().zip(masses).filter(|(_, mass)| mass["mass"].is_number());
                 let massed: Vec<_> = moving
                     .map(|((_, body), of)| {
-                        let ([x, y], j) = (array(of, "centre"), number(of, "inertia"));
+                        let [x, y] = array(of, "centre");
+                        let j = number(of, "inertia");
                         let inertia = Mat3::from([[0.0; 3], [0.0; 3], [0.0, 0.0, j]]);
-                        Massed { body: *body, mass: number(of, "mass"), centre: vec3(x, y, 0.0), inertia }
+                        Massed {
+                            body: *body,
+                            mass: number(of, "mass"),
+                            centre: vec3(x, y, 0.0),
+                            inertia,
+                        }
                     })
                     .collect();
                 let [x, y] = array(&file, "gravity");
@@ -213,7 +240,12 @@ fn every_body_of_the_files_is_in_balance_and_faults_show() {
                             rows(of, "inertia")[k].clone().try_into().expect("three")
                         });
                         let centre = Vec3::from(array::<3>(of, "centre"));
-                        Massed { body: *body, mass: number(of, "mass"), centre, inertia: Mat3::from(inertia) }
+                        Massed {
+                            body: *body,
+                            mass: number(of, "mass"),
+                            centre,
+                            inertia: Mat3::from(inertia),
+                        }
                     })
                     .collect();
                 spatial(&forces, &system, &massed, Vec3::from(array::<3>(&file, "gravity")), fault)
@@ -228,22 +260,30 @@ fn every_body_of_the_files_is_in_balance_and_faults_show() {
             if wrong > 1e-5 {
                 seen.push(fault);
             } else {
-                // In the plane nothing is gyroscopic; a centre at the origin has no other moments there.
+                // In the plane nothing is gyroscopic; a centre at the origin has no other moments
+                // there.
                 assert!(wrong <= 1e-11, "{name}: {fault:?}: {wrong:e}");
             }
         }
     }
-    assert!(FAULTS.iter().all(|fault| seen.iter().filter(|seen| *seen == fault).count() >= 1), "{seen:?}");
+    assert!(
+        FAULTS.iter().all(|fault| seen.iter().filter(|seen| *seen == fault).count() >= 1),
+        "{seen:?}"
+    );
 }
 
 /// The mechanisms of all examples, with masses of the test's own.
 #[test]
 fn every_body_of_every_example_is_in_balance() {
-    let registry =
-        kin::Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    let registry = kin::Registry::new()
+        .with::<own::slider_crank>()
+        .with::<own::parabolic_slot>()
+        .with::<own::geneva>();
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
-    let paths = std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path());
-    let (mut seen, mut bodies) = (0, 0);
+    let paths =
+        std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path());
+    let mut seen = 0;
+    let mut bodies = 0;
     for path in paths {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let mut m = Mechanism::read_json(&path, &registry).expect("reads");
@@ -253,17 +293,22 @@ fn every_body_of_every_example_is_in_balance() {
             kin::data::NumberData::Expression(_) => None,
         });
         let size = numbers.fold(0.1_f64, f64::max);
-        let (mut flat, mut solid) = (Vec::new(), Vec::new());
+        let mut flat = Vec::new();
+        let mut solid = Vec::new();
         for (k, body) in guess.iter().enumerate() {
-            let (x, c) = (1.0 + 0.3 * k as f64, vec3(0.03, -0.02, 0.01) * size);
+            let x = 1.0 + 0.3 * k as f64;
+            let c = vec3(0.03, -0.02, 0.01) * size;
             let j = 0.02 * x * size * size;
             if let Some(body) = m.planar_named(&body.name) {
                 m.mass(body, x, vec2(c.x, c.y), j).expect("a mass");
                 let inertia = Mat3::from([[0.0; 3], [0.0; 3], [0.0, 0.0, j]]);
                 flat.push(Massed { body, mass: x, centre: c, inertia });
             } else if let Some(body) = m.spatial_named(&body.name) {
-                let rows =
-                    [[j, 0.1 * j, -0.05 * j], [0.1 * j, 1.2 * j, 0.07 * j], [-0.05 * j, 0.07 * j, 0.9 * j]];
+                let rows = [
+                    [j, 0.1 * j, -0.05 * j],
+                    [0.1 * j, 1.2 * j, 0.07 * j],
+                    [-0.05 * j, 0.07 * j, 0.9 * j],
+                ];
                 m.mass(body, x, c, rows).expect("a mass");
                 solid.push(Massed { body, mass: x, centre: c, inertia: Mat3::from(rows) });
             }
@@ -275,11 +320,13 @@ fn every_body_of_every_example_is_in_balance() {
         let g = vec3(0.4, -7.31, 0.0) * size;
         m.gravity(g);
         let system = m.build().expect("builds");
-        let motion =
-            system.run_both(linspace(0.05, 1.95, 41)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let motion = system
+            .run_both(linspace(0.05, 1.95, 41))
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
         let forces = system.forces(&motion).unwrap_or_else(|error| panic!("{name}: {error}"));
         for off in [
-            (!flat.is_empty()).then(|| planar(&forces, &system, &flat, vec2(g.x, g.y), Fault::None)),
+            (!flat.is_empty())
+                .then(|| planar(&forces, &system, &flat, vec2(g.x, g.y), Fault::None)),
             (!solid.is_empty()).then(|| spatial(&forces, &system, &solid, g, Fault::None)),
         ] {
             let off = off.unwrap_or(0.0);

@@ -1,4 +1,5 @@
-//! Force and torque of a joint about other points and in other axes, their units, and what is not unique.
+//! Force and torque of a joint about other points and in other axes, their units, and what is not
+//! unique.
 
 use kin::prelude::*;
 use kin::{Error, Mechanism};
@@ -30,7 +31,8 @@ fn torques_in_the_plane_follow_the_point() {
     let held = on(arm).force().expect("unique");
     assert_eq!(on(arm).points(), vec![O; 7]);
     // A pin has no torque about itself; about another point it is the moment of its force.
-    let (u, fixed) = (vec2(0.2, -0.4), vec2(1.5, 0.7));
+    let u = vec2(0.2, -0.4);
+    let fixed = vec2(1.5, 0.7);
     let of_body = on(arm).at(u);
     let of_space = on(arm).about(fixed);
     // The ground takes the opposite, and its axes are the global ones.
@@ -41,8 +43,12 @@ fn torques_in_the_plane_follow_the_point() {
         let point = vec2(cos * u.x - sin * u.y, sin * u.x + cos * u.y);
         assert!((of_body.points()[k] - point).norm() < 1e-14);
         let due = [-point.cross(held[k]), -fixed.cross(held[k]), fixed.cross(held[k])];
-        let found = [&of_body, &of_space, &of_ground].map(|acted| acted.torque().expect("unique")[k]);
-        assert!(due.iter().zip(found).all(|(due, found)| (due - found).abs() < 1e-12), "{due:?} {found:?}");
+        let found =
+            [&of_body, &of_space, &of_ground].map(|acted| acted.torque().expect("unique")[k]);
+        assert!(
+            due.iter().zip(found).all(|(due, found)| (due - found).abs() < 1e-12),
+            "{due:?} {found:?}"
+        );
         let turned = on(arm).in_body().force().expect("unique")[k];
         let own = vec2(cos * held[k].x + sin * held[k].y, cos * held[k].y - sin * held[k].x);
         assert!((turned - own).norm() < 1e-12);
@@ -60,10 +66,12 @@ fn torques_in_the_plane_follow_the_point() {
 #[test]
 fn points_and_axes_in_space_in_any_order() {
     let mut m = Mechanism::new("rotor");
-    let (o, h) = (vec3(0.3, -0.2, 0.5), vec3(0.0, 0.6, 0.8));
+    let o = vec3(0.3, -0.2, 0.5);
+    let h = vec3(0.0, 0.6, 0.8);
     let turn = EulerParameters::from_axis_angle(vec3(1.0, 2.0, -0.5), 0.7);
     let rotor = m.spatial("rotor", SpatialPose::new(o, turn)).expect("a body");
-    let (own, ground) = (m.local_direction(rotor, h).expect("its axis"), m.ground());
+    let own = m.local_direction(rotor, h).expect("its axis");
+    let ground = m.ground();
     let inertia = [[0.2, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.4]];
     m.mass(rotor, 2.0, vec3(0.1, 0.2, -0.3), inertia).expect("a mass");
     m.gravity(vec3(0.2, -0.5, -9.81));
@@ -74,21 +82,30 @@ fn points_and_axes_in_space_in_any_order() {
     let motion = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
     let on = || forces.reaction("hinge").expect("a joint").on(rotor).expect("its body");
-    let (u, fixed) = (vec3(0.2, -0.4, 0.6), vec3(1.5, 0.7, -0.2));
-    let (force, torque) = (on().force().expect("unique"), on().torque().expect("unique"));
+    let u = vec3(0.2, -0.4, 0.6);
+    let fixed = vec3(1.5, 0.7, -0.2);
+    let force = on().force().expect("unique");
+    let torque = on().torque().expect("unique");
     let axes = |k: usize| {
         let q = motion.q(k);
         EulerParameters::new(q[3], q[4], q[5], q[6]).rotation()
     };
     let place = |k: usize| o + axes(k) * u;
-    let own = |v: &[Vec3]| v.iter().enumerate().map(|(k, v)| axes(k).transpose() * *v).collect::<Vec<_>>();
-    let about: Vec<Vec3> = force.iter().zip(&torque).map(|(f, t)| *t + (o - fixed).cross(*f)).collect();
+    let own = |v: &[Vec3]| {
+        v.iter().enumerate().map(|(k, v)| axes(k).transpose() * *v).collect::<Vec<_>>()
+    };
+    let about: Vec<Vec3> =
+        force.iter().zip(&torque).map(|(f, t)| *t + (o - fixed).cross(*f)).collect();
     let at: Vec<Vec3> = (0..5).map(|k| torque[k] + (o - place(k)).cross(force[k])).collect();
-    for (found, due) in [(on().about(fixed), &about), (on().at(u), &at), (on().at(u).about(fixed), &about)] {
+    for (found, due) in
+        [(on().about(fixed), &about), (on().at(u), &at), (on().at(u).about(fixed), &about)]
+    {
         assert!(apart(&found.force().expect("unique"), &force) < 1e-12);
         assert!(apart(&found.torque().expect("unique"), due) < 1e-11);
     }
-    let (own_force, own_about, own_at) = (own(&force), own(&about), own(&at));
+    let own_force = own(&force);
+    let own_about = own(&about);
+    let own_at = own(&at);
     for (found, due) in [
         (on().about(fixed).in_body(), &own_about),
         (on().in_body().about(fixed), &own_about),
@@ -114,10 +131,12 @@ fn no_number_stands_for_what_is_not_unique_in_any_unit() {
         let z = vec3(0.0, 0.0, 1.0);
         let door = m.spatial("door", SpatialPose::at(vec3(0.5, 0.0, 1.0) * scale)).expect("a body");
         for (name, height) in [("hinge 1", 0.3), ("hinge 2", 1.7)] {
-            let (u, p) = (vec3(-0.5, 0.0, height - 1.0) * scale, vec3(0.0, 0.0, height * scale));
+            let u = vec3(-0.5, 0.0, height - 1.0) * scale;
+            let p = vec3(0.0, 0.0, height * scale);
             m.add(name, spatial::revolute(door, m.ground(), u, p, z, z)).expect("a hinge");
         }
-        m.add("hand", spatial::drive_turn(door, m.ground(), z, z, Law::ramp(0.5))).expect("a driver");
+        m.add("hand", spatial::drive_turn(door, m.ground(), z, z, Law::ramp(0.5)))
+            .expect("a driver");
         let inertia = [8.0, 7.0, 2.0].map(|x| x * scale * scale);
         m.mass(
             door,
@@ -130,7 +149,8 @@ fn no_number_stands_for_what_is_not_unique_in_any_unit() {
         let system = m.build().expect("a system");
         let motion = system.run_both([0.0, 0.5]).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
-        let acted = forces.reaction("hinge 1").expect("a hinge").on(door).expect("its door").in_body();
+        let acted =
+            forces.reaction("hinge 1").expect("a hinge").on(door).expect("its door").in_body();
         assert_eq!(acted.not_unique(), ["F_x", "F_y", "F_z", "T_x", "T_y"], "{scale}");
         assert_eq!(acted.components().len(), 1, "{scale}");
         let refused = [

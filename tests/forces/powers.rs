@@ -8,8 +8,8 @@ use crate::both::Engines;
 const O: Vec2 = Vec2::new(0.0, 0.0);
 const MASS: f64 = 3.0;
 
-/// A block without weight on a guide that leans by 45°, pulled along it: each of its coordinates has half of
-/// the power of the winch.
+/// A block without weight on a guide that leans by 45°, pulled along it: each of its coordinates
+/// has half of the power of the winch.
 fn block(law: Law) -> (Mechanism, PlanarBody) {
     let mut m = Mechanism::new("block");
     let block = m.planar("block", pose(0.0, 0.0, PI / 4.0)).expect("a body");
@@ -63,7 +63,8 @@ fn powers_of_loads_and_friction_may_be_the_largest() {
         assert!((balance.largest - 100.0 * 0.5_f64.sqrt()).abs() < 1e-12, "{}", balance.largest);
         assert!(balance.drives.values().iter().all(|x| x.abs() < 1e-12));
     }
-    // Downwards: friction takes half as much again as the weight gives along the way, and the winch the rest.
+    // Downwards: friction takes half as much again as the weight gives along the way, and the winch
+    // the rest.
     let (mut m, _) = block(Law::ramp(-2.0));
     m.gravity(vec2(0.0, -10.0));
     m.friction("guide", Friction::slide(1.5, [0.4, 0.0], 1e-3)).expect("friction");
@@ -128,12 +129,16 @@ fn friction_is_named_where_it_takes_power() {
     };
     // From rest on.
     let (moving, max) = told(Law::polynomial(&[0.0, 0.0, 1.0]));
-    assert!(moving.starts_with("power balance: drives + loads + friction −") && max == 0.0, "{moving}");
+    assert!(
+        moving.starts_with("power balance: drives + loads + friction −") && max == 0.0,
+        "{moving}"
+    );
     let (still, _) = told(Law::constant(0.3));
     assert!(still.starts_with("power balance: drives + loads −"), "{still}");
 }
 
-/// Forces that no number can hold are an error that names the first equation, with friction or without.
+/// Forces that no number can hold are an error that names the first equation, with friction or
+/// without.
 #[test]
 fn forces_beyond_all_numbers_are_an_error_by_name() {
     let told = |push: f64, friction: bool| {
@@ -165,7 +170,8 @@ fn forces_beyond_all_numbers_are_an_error_by_name() {
 fn names_are_in_the_order_of_adding() {
     let (mut m, _) = block(Law::ramp(1.0));
     let trolley = m.spatial("trolley", SpatialPose::at(vec3(0.0, 0.0, 0.0))).expect("a body");
-    let (zero, x) = (vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0));
+    let zero = vec3(0.0, 0.0, 0.0);
+    let x = vec3(1.0, 0.0, 0.0);
     let same = EulerParameters::identity();
     m.add("rail", spatial::prismatic(trolley, m.ground(), zero, zero, x, same)).expect("a joint");
     m.add("jack", spatial::drive_slide(trolley, m.ground(), zero, zero, x, Law::ramp(1.0)))

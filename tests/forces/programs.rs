@@ -1,4 +1,5 @@
-//! Forces by a program of bodies in space, of coordinates that stand still, of no force and of large ones.
+//! Forces by a program of bodies in space, of coordinates that stand still, of no force and of
+//! large ones.
 
 use kin::prelude::*;
 use kin::{Engine, Forces, Load, Mechanism, Options, loads};
@@ -33,7 +34,8 @@ fn by_program(system: &System, motion: &Motion) -> Vec<(String, Vec<f64>)> {
     assert_eq!((counts.compiled, counts.handed_back), (motion.len() - 1, 0), "{}", system.name());
     assert_eq!(compiled.why_plain(), None);
     assert!(compiled.balance().worst() < 1e-11, "{}", compiled.balance());
-    let (plain, compiled) = (numbers(&plain), numbers(&compiled));
+    let plain = numbers(&plain);
+    let compiled = numbers(&compiled);
     let size = plain.iter().flat_map(|one| &one.1).fold(0.0_f64, |most, x| most.max(x.abs()));
     for ((name, a), (_, b)) in plain.iter().zip(&compiled) {
         assert_eq!(a.len(), b.len(), "{name}");
@@ -42,11 +44,14 @@ fn by_program(system: &System, motion: &Motion) -> Vec<(String, Vec<f64>)> {
     compiled
 }
 
-/// A rotor that turns and slides, with everything that can act on it, and a body on a ball joint of it.
+/// A rotor that turns and slides, with everything that can act on it, and a body on a ball joint of
+/// it.
 fn rotor() -> System {
     let mut m = Mechanism::new("rotor");
     m.gravity(vec3(0.3, -0.2, -9.81));
-    let (zero, h, ground) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.6, 0.8), m.ground());
+    let zero = vec3(0.0, 0.0, 0.0);
+    let h = vec3(0.0, 0.6, 0.8);
+    let ground = m.ground();
     let turn = EulerParameters::from_axis_angle(vec3(1.0, 2.0, -0.5), 0.7);
     let rotor = m.spatial("rotor", SpatialPose::new(zero, turn)).expect("a body");
     let own = m.local_direction(rotor, h).expect("its axis");
@@ -58,12 +63,16 @@ fn rotor() -> System {
     m.add("turn", spatial::drive_turn(rotor, ground, own, h, law)).expect("a driver");
     let along = spatial::drive_slide(rotor, ground, zero, zero, h, Law::sine(0.2, 4.0, 0.1));
     m.add("slide", along).expect("a driver");
-    let (u, v) = (vec3(0.4, 0.1, -0.2), vec3(-0.3, 0.5, 0.6));
+    let u = vec3(0.4, 0.1, -0.2);
+    let v = vec3(-0.3, 0.5, 0.6);
     m.load("spring", loads::spatial::spring(rotor, ground, u, v, 90.0, 0.3)).expect("a load");
-    m.load("coil", loads::spatial::torsion_spring(rotor, ground, own, h, 7.0, 0.2)).expect("a load");
-    let (stiff, turning) = (vec3(300.0, 200.0, 400.0), vec3(9.0, 8.0, 7.0));
+    m.load("coil", loads::spatial::torsion_spring(rotor, ground, own, h, 7.0, 0.2))
+        .expect("a load");
+    let stiff = vec3(300.0, 200.0, 400.0);
+    let turning = vec3(9.0, 8.0, 7.0);
     let none = EulerParameters::identity();
-    m.load("bush", loads::spatial::bushing(rotor, ground, u, u, none, stiff, turning)).expect("a load");
+    m.load("bush", loads::spatial::bushing(rotor, ground, u, u, none, stiff, turning))
+        .expect("a load");
     let push = Load::force_in_body(rotor, v, vec3(3.0, -2.0, 5.0));
     m.load("push", push.and(Load::torque(rotor, vec3(0.3, 0.2, -0.4)))).expect("a load");
     m.build().expect("a system")
@@ -82,7 +91,8 @@ fn press(law: Law) -> System {
     m.gravity(vec2(0.0, -9.81));
     let frame = m.planar("frame", pose(0.2, 0.1, 0.3)).expect("a body");
     m.add("floor", fixed(frame, vec2(0.2, 0.1), 0.3)).expect("a joint");
-    let (crank, rod) = (m.link("crank", 0.3).expect("a link"), m.link("rod", 1.0).expect("a link"));
+    let crank = m.link("crank", 0.3).expect("a link");
+    let rod = m.link("rod", 1.0).expect("a link");
     let ram = m.planar("ram", pose(1.3, 0.0, 0.0)).expect("a body");
     let base = m.local(frame, O).expect("a point");
     m.add("O", revolute(crank, frame, crank.start(), base)).expect("a pin");
@@ -90,7 +100,9 @@ fn press(law: Law) -> System {
     m.add("B", revolute(rod, ram, rod.end(), O)).expect("a pin");
     m.add("guide", prismatic(ram, m.ground(), O, O, vec2(0.0, 1.0), 0.0)).expect("a guide");
     m.add("motor", drive_angle(crank, law)).expect("a driver");
-    for (k, body) in [PlanarBody::from(crank), PlanarBody::from(rod), ram, frame].into_iter().enumerate() {
+    for (k, body) in
+        [PlanarBody::from(crank), PlanarBody::from(rod), ram, frame].into_iter().enumerate()
+    {
         m.mass(body, 1.0 + k as f64, vec2(0.05, 0.02), 0.03).expect("a mass");
     }
     let spring = loads::spring(frame, ram, vec2(0.1, -0.2), vec2(0.0, 0.1), 40.0, 0.5);
@@ -118,7 +130,8 @@ fn forces_do_not_depend_on_other_motions() {
     let times = |from: f64| linspace(from, from + 1.0, 101);
     let made: [&dyn Fn() -> System; 2] = [&rotor, &|| press(Law::linear(0.4, 2.0))];
     for made in made {
-        let (before, fresh) = (made(), made());
+        let before = made();
+        let fresh = made();
         let other = before.run(times(0.0)).expect("a motion");
         let _ = before.forces_by(&other, Engine::Compiled).expect("forces");
         let [found, due] = [&before, &fresh].map(|system| {
@@ -146,6 +159,10 @@ fn no_force_at_first_and_large_forces_have_a_program() {
         let found = by_program(&system, &motion);
         let effort = &found.iter().find(|one| one.0 == "motor").expect("its effort").1;
         let due = 3.0 * 3.0 - push * (h.x + 0.3 * h.y);
-        assert!((effort[60] - due).abs() < 1e-12 * (1.0 + due.abs()), "{push}: {} {due}", effort[60]);
+        assert!(
+            (effort[60] - due).abs() < 1e-12 * (1.0 + due.abs()),
+            "{push}: {} {due}",
+            effort[60]
+        );
     }
 }

@@ -34,7 +34,8 @@ impl Compared {
 
 /// The wrench that the files list of a joint or a load, on body i or on another one.
 fn compare<V: Turning>(acted: &Acted<'_, V>, exact: &Value, sign: f64, of: &mut Compared) {
-    let names: &[&str] = if exact["torque"][0].is_array() { &["T_x", "T_y", "T_z"] } else { &["T"] };
+    let names: &[&str] =
+        if exact["torque"][0].is_array() { &["T_x", "T_y", "T_z"] } else { &["T"] };
     let unique = |k: usize| exact["unique_always"].get(k).is_none_or(|unique| unique == true);
     let force = rows(exact, "force");
     for (k, name) in ["F_x", "F_y", "F_z"].iter().enumerate().take(force[0].len()) {
@@ -90,7 +91,10 @@ fn check_built(file: &Value, mechanism: Mechanism, bodies: &Bodies, name: &str) 
         let rate = numbers(exact, "rate");
         for (k, (effort, rate)) in effort.iter().zip(rate).enumerate() {
             efforts.take(drive.effort().values()[k], *effort);
-            assert!((drive.power().values()[k] - effort * rate).abs() < 1e-10 * (1.0 + compared.largest));
+            assert!(
+                (drive.power().values()[k] - effort * rate).abs()
+                    < 1e-10 * (1.0 + compared.largest)
+            );
         }
     }
     efforts.check(&format!("{name}: efforts"), FORCE);
@@ -100,7 +104,13 @@ fn check_built(file: &Value, mechanism: Mechanism, bodies: &Bodies, name: &str) 
     }
     let kinetic = numbers(reference, "kinetic_energy");
     let mut energies = Compared::default();
-    forces.energy().kinetic.values().iter().zip(kinetic).for_each(|(t, exact)| energies.take(*t, exact));
+    forces
+        .energy()
+        .kinetic
+        .values()
+        .iter()
+        .zip(kinetic)
+        .for_each(|(t, exact)| energies.take(*t, exact));
     energies.check(&format!("{name}: kinetic energy"), POWER);
     let balance = forces.balance();
     println!("{name}: {balance}");
@@ -109,7 +119,8 @@ fn check_built(file: &Value, mechanism: Mechanism, bodies: &Bodies, name: &str) 
 
 /// The part of each pin force across its crank, the only one that the third crank leaves unique.
 fn across_cranks(forces: &Forces<'_>, bodies: &Bodies, reference: &Value, of: &mut Compared) {
-    let (Some(across), Bodies::Planar(bodies)) = (reference["across_crank"].as_object(), bodies) else {
+    let (Some(across), Bodies::Planar(bodies)) = (reference["across_crank"].as_object(), bodies)
+    else {
         return;
     };
     for (joint, exact) in across {
@@ -133,7 +144,14 @@ fn moves(motion: &Motion, file: &Value) {
 }
 
 /// On body i and, opposite, on body j at the same point.
-fn on_both(forces: &Forces<'_>, bodies: &Bodies, joint: &str, exact: &Value, sign: f64, of: &mut Compared) {
+fn on_both(
+    forces: &Forces<'_>,
+    bodies: &Bodies,
+    joint: &str,
+    exact: &Value,
+    sign: f64,
+    of: &mut Compared,
+) {
     let reaction = forces.reaction(joint).expect("a joint");
     let at = |k: usize| numbers_of(&exact["point"][k]);
     for (field, sign) in [("i", sign), ("j", -sign)] {
@@ -141,7 +159,8 @@ fn on_both(forces: &Forces<'_>, bodies: &Bodies, joint: &str, exact: &Value, sig
             Bodies::Planar(bodies) => {
                 let acted = reaction.on(find(bodies, text(exact, field))).expect("a body of it");
                 let points = acted.points();
-                let near = |k: usize| (points[k].x - at(k)[0]).hypot(points[k].y - at(k)[1]) < 1e-12;
+                let near =
+                    |k: usize| (points[k].x - at(k)[0]).hypot(points[k].y - at(k)[1]) < 1e-12;
                 assert!((0..points.len()).all(near), "{joint} on {field}");
                 compare(&acted, exact, sign, of);
             }
@@ -168,33 +187,48 @@ fn ground(forces: &Forces<'_>, bodies: &Bodies, exact: &[Vec<f64>], of: &Compare
     let all: Vec<Vec<f64>> = match bodies {
         Bodies::Planar(bodies) => {
             let acted = forces.on_ground().on(find(bodies, "ground")).expect("the ground");
-            let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+            let force = acted.force().expect("unique");
+            let torque = acted.torque().expect("unique");
             force.iter().zip(torque).map(|(f, t)| vec![f.x, f.y, t]).collect()
         }
         Bodies::Spatial(bodies) => {
             let acted = forces.on_ground().on(find(bodies, "ground")).expect("the ground");
-            let (force, torque) = (acted.force().expect("unique"), acted.torque().expect("unique"));
+            let force = acted.force().expect("unique");
+            let torque = acted.torque().expect("unique");
             force.iter().zip(torque).map(|(f, t)| [f.to_array(), t.to_array()].concat()).collect()
         }
     };
     for (found, exact) in all.iter().flatten().zip(exact.iter().flatten()) {
-        assert!((found - exact).abs() < FORCE * (1.0 + of.largest), "on the ground {found} {exact}");
+        assert!(
+            (found - exact).abs() < FORCE * (1.0 + of.largest),
+            "on the ground {found} {exact}"
+        );
     }
 }
 
 fn loads(forces: &Forces<'_>, bodies: &Bodies, load: &str, exact: &Value) {
-    let (mut compared, reaction) = (Compared::default(), forces.load(load).expect("a load"));
+    let mut compared = Compared::default();
+    let reaction = forces.load(load).expect("a load");
     match bodies {
-        Bodies::Planar(bodies) => {
-            compare(&reaction.on(find(bodies, text(exact, "on"))).expect("on it"), exact, 1.0, &mut compared)
-        }
-        Bodies::Spatial(bodies) => {
-            compare(&reaction.on(find(bodies, text(exact, "on"))).expect("on it"), exact, 1.0, &mut compared)
-        }
+        Bodies::Planar(bodies) => compare(
+            &reaction.on(find(bodies, text(exact, "on"))).expect("on it"),
+            exact,
+            1.0,
+            &mut compared,
+        ),
+        Bodies::Spatial(bodies) => compare(
+            &reaction.on(find(bodies, text(exact, "on"))).expect("on it"),
+            exact,
+            1.0,
+            &mut compared,
+        ),
     }
     compared.check(load, FORCE);
     for (found, exact) in reaction.power().values().iter().zip(numbers(exact, "power")) {
-        assert!((found - exact).abs() < FORCE * (1.0 + compared.largest), "power of {load}: {found} {exact}");
+        assert!(
+            (found - exact).abs() < FORCE * (1.0 + compared.largest),
+            "power of {load}: {found} {exact}"
+        );
     }
 }
 

@@ -1,4 +1,5 @@
-//! Forces that redundant constraints share: powers and rules, bare coordinates, and points of a joint.
+//! Forces that redundant constraints share: powers and rules, bare coordinates, and points of a
+//! joint.
 
 use kin::prelude::*;
 use kin::{Error, Load, Mechanism, Sharing, loads};
@@ -39,7 +40,8 @@ fn motors_of_a_bare_angle_share_by_a_rule() {
     }
     // A unique effort has its power, by the drive and by its reaction.
     let power = forces.reaction("hand").expect("a driver").power();
-    let exact: Vec<f64> = motion.times().iter().map(|t| 3.0 * 20.0 * 0.3 * (3.0 * t).cos()).collect();
+    let exact: Vec<f64> =
+        motion.times().iter().map(|t| 3.0 * 20.0 * 0.3 * (3.0 * t).cos()).collect();
     for found in [&power, forces.drive("hand").expect("a driver").power()] {
         assert!(found.values().iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1e-12), "{found:?}");
     }
@@ -49,9 +51,12 @@ fn motors_of_a_bare_angle_share_by_a_rule() {
     let left_out = Sharing::LeftOut(vec!["motor 1".to_string()]);
     for (sharing, due) in [(Sharing::LeastNorm, [3.0, 3.0]), (left_out, [0.0, 6.0])] {
         let forces = system.forces_with(&motion, &sharing).expect("forces");
-        let found =
-            ["motor 1", "motor 2"].map(|name| forces.drive(name).expect("unique").effort().values()[1]);
-        assert!((found[0] - due[0]).abs() + (found[1] - due[1]).abs() < 1e-12, "{sharing:?}: {found:?}");
+        let found = ["motor 1", "motor 2"]
+            .map(|name| forces.drive(name).expect("unique").effort().values()[1]);
+        assert!(
+            (found[0] - due[0]).abs() + (found[1] - due[1]).abs() < 1e-12,
+            "{sharing:?}: {found:?}"
+        );
         assert!(forces.balance().worst() < 1e-13, "{sharing:?}");
         let held = forces.reaction("pin").expect("a joint").on(arm).expect("its body").magnitude();
         assert!(held.is_ok());
@@ -70,14 +75,19 @@ fn rules_of_sharing_without_redundant_equations() {
     let motion = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");
     let own = system.forces(&motion).expect("forces").columns();
     for sharing in [Sharing::NotGiven, Sharing::LeastNorm, Sharing::LeftOut(Vec::new())] {
-        assert_eq!(system.forces_with(&motion, &sharing).expect("forces").columns(), own, "{sharing:?}");
+        assert_eq!(
+            system.forces_with(&motion, &sharing).expect("forces").columns(),
+            own,
+            "{sharing:?}"
+        );
     }
     let told = system.forces_with(&motion, &Sharing::LeftOut(vec!["hand".to_string()])).map(drop);
     let told = told.expect_err("nothing is redundant").to_string();
     assert!(told.contains("1 equations are left out, but 0 are redundant"), "{told}");
 }
 
-/// A door on three hinges: what they hold together along its axis is its weight, and a rule shares it.
+/// A door on three hinges: what they hold together along its axis is its weight, and a rule shares
+/// it.
 #[test]
 fn three_hinges_of_a_door() {
     let mut m = Mechanism::new("door");
@@ -85,7 +95,8 @@ fn three_hinges_of_a_door() {
     let door = m.spatial("door", SpatialPose::at(vec3(0.5, 0.0, 1.0))).expect("a body");
     let names = ["low", "middle", "high"];
     for (name, height) in names.into_iter().zip([0.3, 0.9, 1.7]) {
-        let (u, p) = (vec3(-0.5, 0.0, height - 1.0), vec3(0.0, 0.0, height));
+        let u = vec3(-0.5, 0.0, height - 1.0);
+        let p = vec3(0.0, 0.0, height);
         m.add(name, spatial::revolute(door, m.ground(), u, p, z, z)).expect("a hinge");
     }
     m.add("hand", spatial::drive_turn(door, m.ground(), z, z, Law::ramp(0.5))).expect("a driver");
@@ -103,21 +114,33 @@ fn three_hinges_of_a_door() {
     let two = forces.sum(["low", "high"]).expect("two").on(door).expect("the door");
     assert!(two.component("F_z").is_err());
     let all = forces.sum(names).expect("all").on(door).expect("the door");
-    assert!(all.component("F_z").expect("unique").values().iter().all(|f| (f - 196.2).abs() < 1e-9));
+    assert!(
+        all.component("F_z").expect("unique").values().iter().all(|f| (f - 196.2).abs() < 1e-9)
+    );
     assert!(forces.drive("hand").is_ok() && forces.balance().worst() < 1e-12);
     let shared = system.forces_with(&motion, &Sharing::LeastNorm).expect("forces");
     for name in names {
         let acted = shared.reaction(name).expect("a hinge").on(door).expect("the door");
-        assert!(acted.component("F_z").expect("unique").values().iter().all(|f| (f - 65.4).abs() < 1e-9));
+        assert!(
+            acted
+                .component("F_z")
+                .expect("unique")
+                .values()
+                .iter()
+                .all(|f| (f - 65.4).abs() < 1e-9)
+        );
     }
 }
 
-/// A rod between a point of a body and one of the ground: each body has its own end, and no torque about it.
+/// A rod between a point of a body and one of the ground: each body has its own end, and no torque
+/// about it.
 #[test]
 fn a_rod_has_a_point_on_each_body() {
     let mut m = Mechanism::new("strut");
-    let (slider, ground) = (m.planar("slider", pose(0.4, 0.0, 0.0)).expect("a body"), m.ground());
-    let (u, foot) = (vec2(0.1, 0.2), vec2(0.5, -0.6));
+    let slider = m.planar("slider", pose(0.4, 0.0, 0.0)).expect("a body");
+    let ground = m.ground();
+    let u = vec2(0.1, 0.2);
+    let foot = vec2(0.5, -0.6);
     let arm = m.planar("arm", pose(0.0, 1.0, 0.0)).expect("a body");
     m.add("guide", prismatic(slider, ground, O, O, vec2(0.0, 1.0), 0.0)).expect("a joint");
     m.add("rack", drive(slider.x(), Law::linear(0.4, 0.1))).expect("a driver");
@@ -134,7 +157,8 @@ fn a_rod_has_a_point_on_each_body() {
     let rod = forces.reaction("rod").expect("a rod");
     for (body, u) in [(slider, u), (arm, foot)] {
         let on = rod.on(body).expect("its body");
-        let (found, due) = (on.points(), points(body, u));
+        let found = on.points();
+        let due = points(body, u);
         assert!(found.iter().zip(&due).all(|(a, b)| (*a - *b).norm() < 1e-12), "{found:?} {due:?}");
         assert!(on.torque().expect("unique").iter().all(|torque| torque.abs() < 1e-11));
         assert!(on.magnitude().expect("unique").min() > 1.0);
@@ -159,7 +183,8 @@ fn bodies_of_a_joint_are_told_without_its_bare_coordinates() {
         rack.r.x - r * turn
     }
     let mut m = Mechanism::new("rack");
-    let (turn, ground) = (m.angle("turn", 0.0).expect("a coordinate"), m.ground());
+    let turn = m.angle("turn", 0.0).expect("a coordinate");
+    let ground = m.ground();
     let rack = m.planar("rack", pose(0.0, 0.0, 0.0)).expect("a body");
     let other = m.planar("other", pose(0.0, 0.0, 0.0)).expect("a body");
     m.add("teeth", pinion(turn, rack, 0.2)).expect("a joint");
@@ -181,7 +206,8 @@ fn bodies_of_a_joint_are_told_without_its_bare_coordinates() {
     let ground = teeth.on(PlanarBody::from(ground)).expect("the ground").force().expect("unique");
     assert!(ground.iter().all(|f| (*f - vec2(-7.6, 0.0)).norm() < 1e-12));
     assert!((forces.drive("motor").expect("a driver").effort().values()[1] - 1.72).abs() < 1e-12);
-    // Loads along coordinates by their names act on the body of the coordinate, if it is one of a body.
+    // Loads along coordinates by their names act on the body of the coordinate, if it is one of a
+    // body.
     let brake = forces.load("brake").expect("a load");
     let slowed = brake.on(rack).expect("its body").force().expect("unique");
     assert!(slowed.iter().all(|f| (*f - vec2(-0.6, 0.0)).norm() < 1e-12));

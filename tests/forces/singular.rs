@@ -1,11 +1,13 @@
-//! Forces that grow without bound towards toggles and change points: their powers against closed forms.
+//! Forces that grow without bound towards toggles and change points: their powers against closed
+//! forms.
 
 use kin::prelude::*;
 use kin::{Error, Growth, Load, Mechanism, SingularKind};
 
 use crate::both::Engines;
 
-/// A slider-crank that its slider drives, its crank of length 1 at the angle `start`, with a torque on it.
+/// A slider-crank that its slider drives, its crank of length 1 at the angle `start`, with a torque
+/// on it.
 struct Pump {
     rod: f64,
     start: f64,
@@ -22,18 +24,23 @@ impl Pump {
     fn mechanism(self) -> Mechanism {
         let Pump { rod, start, law, torque, mass } = self;
         let mut m = Mechanism::new("pump");
-        let (a, b) = (m.link("crank", 1.0).expect("a link"), m.link("rod", rod).expect("a link"));
+        let a = m.link("crank", 1.0).expect("a link");
+        let b = m.link("rod", rod).expect("a link");
         let zero = vec2(0.0, 0.0);
-        let (x, y) = (start.cos(), start.sin());
+        let x = start.cos();
+        let y = start.sin();
         let phi = (-y / rod).asin();
         let slider = m.planar("slider", pose(x + rod * phi.cos(), 0.0, 0.0)).expect("a body");
         m.add("O", revolute(Ground, a, zero, a.start())).expect("a pin");
         m.add("A", revolute(a, b, a.end(), b.start())).expect("a pin");
         m.add("B", revolute(b, slider, b.end(), zero)).expect("a pin");
-        m.add("guide", prismatic(slider, Ground, zero, zero, vec2(0.0, 1.0), 0.0)).expect("a guide");
+        m.add("guide", prismatic(slider, Ground, zero, zero, vec2(0.0, 1.0), 0.0))
+            .expect("a guide");
         m.add("push", drive(slider.x(), law)).expect("a driver");
-        let (u, v) = (0.5 * rod * phi.cos(), 0.5 * rod * phi.sin());
-        m.set_initial(&[0.5 * x, 0.5 * y, start, x + u, y + v, phi, x + 2.0 * u, 0.0, 0.0]).expect("a guess");
+        let u = 0.5 * rod * phi.cos();
+        let v = 0.5 * rod * phi.sin();
+        m.set_initial(&[0.5 * x, 0.5 * y, start, x + u, y + v, phi, x + 2.0 * u, 0.0, 0.0])
+            .expect("a guess");
         m.load("torque", Load::torque(a, torque)).expect("a load");
         if mass > 0.0 {
             m.mass(a, mass, zero, 0.1 * mass).expect("a mass");
@@ -56,23 +63,31 @@ fn stopped(system: &System, times: &[f64]) -> (Motion, f64) {
     }
 }
 
-/// Driven at its slider with the speed v to the dead centre at r + l, with the torque T on its crank: there
-/// x = r + l − ½ k φ², k = r + r²/l, so that the force is T / |dx/dφ| = T / √(2 v k |t − t*|). The rod's side
-/// force is bounded. With masses φ̈ goes as the power −3/2, and forces along the rod as −2.
+/// Driven at its slider with the speed v to the dead centre at r + l, with the torque T on its
+/// crank: there x = r + l − ½ k φ², k = r + r²/l, so that the force is T / |dx/dφ| = T / √(2 v k |t
+/// − t*|). The rod's side force is bounded. With masses φ̈ goes as the power −3/2, and forces along
+/// the rod as −2.
 #[test]
 fn a_dead_centre_that_is_driven_to() {
-    let (rod, speed, torque) = (2.5, 0.4, 3.0);
+    let rod = 2.5;
+    let speed = 0.4;
+    let torque = 3.0;
     let pump = |mass: f64| {
         let law = Law::linear(2.4, speed);
         Pump { rod, start: 1.2, law, torque: Law::constant(torque), mass }.system()
     };
-    let (k, dead) = (1.0 + 1.0 / rod, (1.0 + rod - 2.4) / speed);
+    let k = 1.0 + 1.0 / rod;
+    let dead = (1.0 + rod - 2.4) / speed;
     for points in [12, 101] {
         let system = pump(0.0);
         let (motion, t) = stopped(&system, &linspace(0.0, 5.0, points));
         assert!((t - dead).abs() < 1e-10, "{t}");
         let growth = system.forces(&motion).expect("forces").growth().expect("growth");
-        assert_eq!(powers(&growth), [("O", -0.5), ("A", -0.5), ("B", -0.5), ("push", -0.5)], "{points}");
+        assert_eq!(
+            powers(&growth),
+            [("O", -0.5), ("A", -0.5), ("B", -0.5), ("push", -0.5)],
+            "{points}"
+        );
         assert!(growth.iter().all(|one| one.t == t));
         assert_eq!(
             growth[3].to_string(),
@@ -94,8 +109,9 @@ fn a_dead_centre_that_is_driven_to() {
     assert_eq!(powers(&growth), expected);
 }
 
-/// A four-bar that cannot turn round, with a torque on its rocker: the coupler's force has no bound where
-/// coupler and rocker are in line. Its power by the slope of logarithms of forces that come near.
+/// A four-bar that cannot turn round, with a torque on its rocker: the coupler's force has no bound
+/// where coupler and rocker are in line. Its power by the slope of logarithms of forces that come
+/// near.
 #[test]
 fn a_four_bar_at_its_dead_centre() {
     let mut m = Mechanism::new("four-bar");
@@ -117,13 +133,15 @@ fn a_four_bar_at_its_dead_centre() {
     assert_eq!(powers(&growth), expected);
     let near = system.run_both([0.0, t - 4e-6, t - 1e-6]).expect("a motion");
     let forces = system.forces(&near).expect("forces");
-    let coupler = forces.reaction("A").expect("a pin").on(b).expect("on it").magnitude().expect("unique");
+    let coupler =
+        forces.reaction("A").expect("a pin").on(b).expect("on it").magnitude().expect("unique");
     let slope = (coupler.values()[2] / coupler.values()[1]).ln() / 0.25_f64.ln();
     assert!((slope + 0.5).abs() < 2e-3, "{slope}");
 }
 
-/// Crank and rod of length 1, the slider led as the crank's even turning leads it, x = 2 cos t: a change
-/// point at t = 0, and the force T / (2 sin t). A torque that vanishes there leaves it bounded.
+/// Crank and rod of length 1, the slider led as the crank's even turning leads it, x = 2 cos t: a
+/// change point at t = 0, and the force T / (2 sin t). A torque that vanishes there leaves it
+/// bounded.
 #[test]
 fn a_dead_centre_that_is_passed() {
     let pump = |torque: Law| {
@@ -133,13 +151,16 @@ fn a_dead_centre_that_is_passed() {
     let system = pump(Law::constant(3.0));
     for points in [4, 20, 100] {
         let motion = system.run_both(linspace(-0.5, 0.61, points)).expect("a motion");
-        let [found] = motion.singular_positions() else { panic!("{:?}", motion.singular_positions()) };
+        let [found] = motion.singular_positions() else {
+            panic!("{:?}", motion.singular_positions())
+        };
         assert_eq!(found.kind, SingularKind::Bifurcation);
         let forces = system.forces(&motion).expect("forces");
         let growth = forces.growth().expect("growth");
         assert_eq!(powers(&growth), [("O", -1.0), ("A", -1.0), ("B", -1.0), ("push", -1.0)]);
         assert!(growth.iter().all(|one| one.t.abs() < 1e-9), "{growth:?}");
-        for (t, push) in motion.times().iter().zip(forces.drive("push").expect("a driver").effort().values())
+        for (t, push) in
+            motion.times().iter().zip(forces.drive("push").expect("a driver").effort().values())
         {
             assert!((push * 2.0 * t.sin() / 3.0 - 1.0).abs() < 1e-8, "{t}: {push}");
         }
@@ -150,8 +171,8 @@ fn a_dead_centre_that_is_passed() {
     assert_eq!(system.forces(&motion).expect("forces").growth().expect("growth"), []);
 }
 
-/// A piston between both of its dead centres, x = 2.5 + cos t: they are change points at every half turn.
-/// It begins at the end of a motion, if one is given.
+/// A piston between both of its dead centres, x = 2.5 + cos t: they are change points at every half
+/// turn. It begins at the end of a motion, if one is given.
 fn piston(torque: &Law, begin: Option<&Motion>) -> System {
     let law = Law::constant(2.5) + Law::sine(1.0, 1.0, 0.5 * PI);
     let mut m = Pump { rod: 2.5, start: -0.55, law, torque: torque.clone(), mass: 0.0 }.mechanism();
@@ -191,7 +212,8 @@ fn two_dead_centres_that_are_passed() {
     }
 }
 
-/// Beside a change point pivots are close to zero: a program hands these times back, and counts them.
+/// Beside a change point pivots are close to zero: a program hands these times back, and counts
+/// them.
 #[test]
 fn times_beside_a_change_point_are_handed_back() {
     let system = piston(&Law::constant(3.0), None);
@@ -204,10 +226,15 @@ fn times_beside_a_change_point_are_handed_back() {
     let counts = compiled.engine();
     assert!(counts.handed_back > 0 && counts.compiled > 50, "{counts:?}");
     assert_eq!(counts.compiled + counts.handed_back + 1, motion.len());
-    let effort =
-        |forces: &kin::Forces<'_>| forces.drive("push").expect("a driver").effort().values().to_vec();
-    let (plain, compiled) = (effort(&plain), effort(&compiled));
-    assert!(plain.iter().zip(&compiled).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{plain:?} {compiled:?}");
+    let effort = |forces: &kin::Forces<'_>| {
+        forces.drive("push").expect("a driver").effort().values().to_vec()
+    };
+    let plain = effort(&plain);
+    let compiled = effort(&compiled);
+    assert!(
+        plain.iter().zip(&compiled).all(|(a, b)| (a / b - 1.0).abs() < 1e-9),
+        "{plain:?} {compiled:?}"
+    );
 }
 
 /// A torque that begins, or ends, at a dead centre: forces grow without bound from one side alone.
@@ -223,7 +250,11 @@ fn forces_that_grow_from_one_side() {
         let system = m.build().expect("a system");
         let motion = system.run_both(linspace(-0.5, 0.61, 20)).expect("a motion");
         let growth = system.forces(&motion).expect("forces").growth().expect("growth");
-        assert_eq!(powers(&growth), [("O", -1.0), ("A", -1.0), ("B", -1.0), ("push", -1.0)], "{before}");
+        assert_eq!(
+            powers(&growth),
+            [("O", -1.0), ("A", -1.0), ("B", -1.0), ("push", -1.0)],
+            "{before}"
+        );
     }
 }
 
@@ -244,7 +275,10 @@ fn forces_at_the_second_change_point() {
         match system.forces(motion).map(drop) {
             Err(Error::Unbounded(found)) => {
                 assert_eq!((found.t, found.growth.len()), (0.0, 4));
-                assert!(found.growth.iter().all(|one| one.t.abs() < 1e-9 && one.power == -1.0), "{found}");
+                assert!(
+                    found.growth.iter().all(|one| one.t.abs() < 1e-9 && one.power == -1.0),
+                    "{found}"
+                );
             }
             other => panic!("{other:?}"),
         }
@@ -255,7 +289,8 @@ fn forces_at_the_second_change_point() {
 #[test]
 fn forces_at_a_change_point_are_an_error_by_name() {
     let law = Law::sine(2.0, 1.0, 0.5 * PI);
-    let system = Pump { rod: 1.0, start: -0.5, law, torque: Law::constant(3.0), mass: 0.0 }.system();
+    let system =
+        Pump { rod: 1.0, start: -0.5, law, torque: Law::constant(3.0), mass: 0.0 }.system();
     let motion = system.run_both(linspace(-0.5, 0.5, 11)).expect("a motion");
     assert_eq!(motion.times()[5], 0.0);
     match system.forces(&motion).map(|_| ()) {

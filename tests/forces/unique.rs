@@ -1,4 +1,5 @@
-//! Which forces of redundant mechanisms are unique, by name: decided by balances, not by how it is solved.
+//! Which forces of redundant mechanisms are unique, by name: decided by balances, not by how it is
+//! solved.
 
 use kin::prelude::*;
 use kin::{Forces, Mechanism, Sharing, System};
@@ -11,27 +12,36 @@ fn tensor(x: f64, y: f64, z: f64) -> [[f64; 3]; 3] {
     [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
 }
 
-/// A door on two hinges, in metres or in other units of length (`scale` to the metre), turned in space, with
-/// its hinges in either order.
+/// A door on two hinges, in metres or in other units of length (`scale` to the metre), turned in
+/// space, with its hinges in either order.
 fn door(scale: f64, tilt: f64, swapped: bool) -> (System, SpatialBody) {
     let turn = EulerParameters::from_axis_angle(vec3(1.0, 2.0, -0.5), tilt);
     let a = turn.rotation();
     let mut m = Mechanism::new("door");
-    let door = m.spatial("door", SpatialPose::new(a * vec3(0.5 * scale, 0.0, scale), turn)).expect("a body");
+    let door = m
+        .spatial("door", SpatialPose::new(a * vec3(0.5 * scale, 0.0, scale), turn))
+        .expect("a body");
     let mut hinges = [("hinge 1", 0.3), ("hinge 2", 1.7)];
     if swapped {
         hinges.reverse();
     }
     for (name, height) in hinges {
-        let (u, p) = (vec3(-0.5, 0.0, height - 1.0) * scale, a * vec3(0.0, 0.0, height * scale));
+        let u = vec3(-0.5, 0.0, height - 1.0) * scale;
+        let p = a * vec3(0.0, 0.0, height * scale);
         m.add(name, spatial::revolute(door, m.ground(), u, p, Z, a * Z)).expect("a hinge");
     }
-    let (own, fixed) = (Axis::new(Z, vec3(1.0, 0.0, 0.0)), Axis::new(a * Z, a * vec3(1.0, 0.0, 0.0)));
+    let own = Axis::new(Z, vec3(1.0, 0.0, 0.0));
+    let fixed = Axis::new(a * Z, a * vec3(1.0, 0.0, 0.0));
     m.add("hand", spatial::drive_turn(door, m.ground(), own, fixed, Law::sine(0.5, 2.0, 0.0)))
         .expect("a driver");
     let square = scale * scale;
-    m.mass(door, 20.0, vec3(0.01, 0.02, 0.0) * scale, tensor(8.0 * square, 7.0 * square, 2.0 * square))
-        .expect("a mass");
+    m.mass(
+        door,
+        20.0,
+        vec3(0.01, 0.02, 0.0) * scale,
+        tensor(8.0 * square, 7.0 * square, 2.0 * square),
+    )
+    .expect("a mass");
     m.gravity(a * vec3(0.0, 0.0, -9.81 * scale));
     (m.build().expect("a system"), door)
 }
@@ -45,9 +55,14 @@ fn two_hinges_of_a_door_share_its_weight_in_every_unit_order_and_pose() {
         let motion = system.run_both(linspace(0.0, 2.0, 11)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         for hinge in ["hinge 1", "hinge 2"] {
-            let acted = forces.reaction(hinge).expect("a hinge").on(door).expect("its door").in_body();
+            let acted =
+                forces.reaction(hinge).expect("a hinge").on(door).expect("its door").in_body();
             // Along the axis, and the bending that each of them alone could hold.
-            assert_eq!(acted.not_unique(), ["F_x", "F_y", "F_z", "T_x", "T_y"], "{scale} {tilt} {swapped}");
+            assert_eq!(
+                acted.not_unique(),
+                ["F_x", "F_y", "F_z", "T_x", "T_y"],
+                "{scale} {tilt} {swapped}"
+            );
             let told = acted.component("F_z").unwrap_err().to_string();
             assert!(told.starts_with(&format!("`{hinge}`: F_z on `door` is not unique")), "{told}");
             assert!(
@@ -55,7 +70,8 @@ fn two_hinges_of_a_door_share_its_weight_in_every_unit_order_and_pose() {
                 "{told}"
             );
         }
-        let both = forces.sum(["hinge 1", "hinge 2"]).expect("both").on(door).expect("the door").in_body();
+        let both =
+            forces.sum(["hinge 1", "hinge 2"]).expect("both").on(door).expect("the door").in_body();
         assert_eq!(both.not_unique(), [""; 0]);
         let weight = both.component("F_z").expect("unique");
         assert!(
@@ -113,7 +129,8 @@ fn four_bars() -> (Mechanism, Mechanism, [(&'static str, End, End); 4]) {
     let lengths = [("crank", 1.0, 0.4), ("coupler", 3.5, 0.5), ("rocker", 3.0, 1.7)];
     let mut planar = Mechanism::new("four-bar");
     let mut links = Vec::new();
-    let (a, d) = (vec2(0.4_f64.cos(), 0.4_f64.sin()), 4.0);
+    let a = vec2(0.4_f64.cos(), 0.4_f64.sin());
+    let d = 4.0;
     // B where circles about A and C meet.
     let way = vec2(d, 0.0) - a;
     let l = way.norm();
@@ -122,7 +139,8 @@ fn four_bars() -> (Mechanism, Mechanism, [(&'static str, End, End); 4]) {
     let b = a + way * (along / l) + vec2(-way.y, way.x) * (across / l);
     let ends = [(vec2(0.0, 0.0), a), (a, b), (vec2(d, 0.0), b)];
     for ((name, _, _), (from, to)) in lengths.iter().zip(ends) {
-        let (middle, turn) = ((from + to) * 0.5, (to - from).y.atan2((to - from).x));
+        let middle = (from + to) * 0.5;
+        let turn = (to - from).y.atan2((to - from).x);
         let pose3 = SpatialPose::turned(vec3(middle.x, middle.y, 0.0), Z, turn);
         let body = m.spatial(name, pose3).expect("a body");
         m.mass(body, 1.3, vec3(0.1, 0.05, 0.0), tensor(0.2, 0.3, 0.4)).expect("a mass");
@@ -147,24 +165,27 @@ fn four_bars() -> (Mechanism, Mechanism, [(&'static str, End, End); 4]) {
     (m, planar, joints)
 }
 
-/// A planar four-bar whose bodies are spatial ones with five-row hinges: three equations too many. In the
-/// plane everything is unique, across it nothing of a single joint is.
+/// A planar four-bar whose bodies are spatial ones with five-row hinges: three equations too many.
+/// In the plane everything is unique, across it nothing of a single joint is.
 #[test]
 fn a_planar_four_bar_in_space() {
     let (mut m, mut planar, joints) = four_bars();
-    let (link, flat_link) = (joints[0].1.0, joints[0].1.1);
+    let link = joints[0].1.0;
+    let flat_link = joints[0].1.1;
     let ground = SpatialBody::from(m.ground());
     let axis = Axis::new(Z, vec3(1.0, 0.0, 0.0));
-    m.add("motor", spatial::drive_turn(link, ground, axis, axis, Law::linear(0.4, 3.0))).expect("a driver");
+    m.add("motor", spatial::drive_turn(link, ground, axis, axis, Law::linear(0.4, 3.0)))
+        .expect("a driver");
     planar.add("motor", drive_angle(flat_link, Law::linear(0.4, 3.0))).expect("a driver");
     m.gravity(vec3(0.0, -9.81, 0.0));
     planar.gravity(vec2(0.0, -9.81));
-    let (system, flat) = (m.build().expect("a system"), planar.build().expect("a system"));
+    let system = m.build().expect("a system");
+    let flat = planar.build().expect("a system");
     let times = linspace(0.0, 2.0, 21);
-    let (motion, flat_motion) =
-        (system.run_both(&times).expect("a motion"), flat.run_both(&times).expect("a motion"));
-    let (forces, flat_forces) =
-        (system.forces(&motion).expect("forces"), flat.forces(&flat_motion).expect("forces"));
+    let motion = system.run_both(&times).expect("a motion");
+    let flat_motion = flat.run_both(&times).expect("a motion");
+    let forces = system.forces(&motion).expect("forces");
+    let flat_forces = flat.forces(&flat_motion).expect("forces");
     let near = |a: &Series, b: &Series| {
         let size = b.max().abs().max(b.min().abs());
         let off = a.values().iter().zip(b.values()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -175,7 +196,10 @@ fn a_planar_four_bar_in_space() {
         let flat = flat_forces.reaction(name).expect("a joint").on(flat_body).expect("its body");
         assert_eq!(acted.not_unique(), ["F_z", "T_x", "T_y"], "{name}");
         for component in ["F_x", "F_y"] {
-            near(&acted.component(component).expect("unique"), &flat.component(component).expect("unique"));
+            near(
+                &acted.component(component).expect("unique"),
+                &flat.component(component).expect("unique"),
+            );
         }
         assert!(acted.component("T_z").expect("unique").max().abs() < 1e-9);
     }

@@ -1,4 +1,5 @@
-//! Which forces are unique does not depend on units, on the order of joints, or on where the machine stands.
+//! Which forces are unique does not depend on units, on the order of joints, or on where the
+//! machine stands.
 
 use kin::prelude::*;
 use kin::{Forces, Mechanism};
@@ -40,22 +41,28 @@ impl View {
     }
 }
 
-/// Bennett's linkage: four links of lengths a, b, a, b whose axes are twisted by α, β with sin α / a = sin β
-/// / b. Link 4 is the ground; the frame of link k stands at joint k + 1, its z-axis along it.
+/// Bennett's linkage: four links of lengths a, b, a, b whose axes are twisted by α, β with sin α /
+/// a = sin β / b. Link 4 is the ground; the frame of link k stands at joint k + 1, its z-axis along
+/// it.
 fn bennett(view: View) -> (Mechanism, Vec<SpatialBody>) {
     let s = view.scale;
-    let (a, b, alpha) = (1.0, 1.5, 0.6_f64);
+    let a = 1.0;
+    let b = 1.5;
+    let alpha = 0.6_f64;
     let beta = (b * alpha.sin() / a).asin();
     let mut m = Mechanism::new("Bennett");
-    // Denavit–Hartenberg: turn about z by θ_k, then along x by a_k and about x by α_k. Angles of the four
-    // joints: θ1, θ2, −θ1, −θ2 with tan θ1/2 tan θ2/2 = sin((β + α)/2) / sin((β − α)/2).
+    // Denavit–Hartenberg: turn about z by θ_k, then along x by a_k and about x by α_k. Angles of
+    // the four joints: θ1, θ2, −θ1, −θ2 with tan θ1/2 tan θ2/2 = sin((β + α)/2) / sin((β − α)/2).
     let theta1 = 1.0_f64;
-    let half = ((0.5 * (beta + alpha)).sin() / (0.5 * (beta - alpha)).sin() / (0.5 * theta1).tan()).atan();
-    let (lengths, twists) = ([a, b, a].map(|l| l * s), [alpha, beta, alpha]);
+    let half =
+        ((0.5 * (beta + alpha)).sin() / (0.5 * (beta - alpha)).sin() / (0.5 * theta1).tan()).atan();
+    let lengths = [a, b, a].map(|l| l * s);
+    let twists = [alpha, beta, alpha];
     // Turned about J1, which stays along z.
-    let (mut r, mut p) =
-        (vec3(0.3, -0.2, 0.5) * s * view.tilt, EulerParameters::from_axis_angle(Z, view.tilt));
-    let (mut bodies, mut places) = (Vec::new(), vec![(r, Z)]);
+    let mut r = vec3(0.3, -0.2, 0.5) * s * view.tilt;
+    let mut p = EulerParameters::from_axis_angle(Z, view.tilt);
+    let mut bodies = Vec::new();
+    let mut places = vec![(r, Z)];
     for (k, theta) in [theta1, 2.0 * half, -theta1].into_iter().enumerate() {
         p = p * EulerParameters::from_axis_angle(Z, theta);
         r += p.rotation() * vec3(lengths[k], 0.0, 0.0);
@@ -68,13 +75,20 @@ fn bennett(view: View) -> (Mechanism, Vec<SpatialBody>) {
     }
     let ground = SpatialBody::from(m.ground());
     for (k, (point, axis)) in view.ordered(places.into_iter().enumerate().collect()) {
-        let [i, j] = [(k < 3).then_some(k), k.checked_sub(1)].map(|body| body.map_or(ground, |k| bodies[k]));
+        let [i, j] =
+            [(k < 3).then_some(k), k.checked_sub(1)].map(|body| body.map_or(ground, |k| bodies[k]));
         let u = [i, j].map(|body| m.local(body, point).expect("a body"));
         let h = [i, j].map(|body| m.local_direction(body, axis).expect("a body"));
-        m.add(&format!("J{}", k + 1), spatial::revolute(i, j, u[0], u[1], h[0], h[1])).expect("a joint");
+        m.add(&format!("J{}", k + 1), spatial::revolute(i, j, u[0], u[1], h[0], h[1]))
+            .expect("a joint");
         if k == 0 {
-            let drive =
-                spatial::drive_turn(i, j, Axis::along(h[0]), Axis::along(h[1]), Law::linear(0.0, 0.4));
+            let drive = spatial::drive_turn(
+                i,
+                j,
+                Axis::along(h[0]),
+                Axis::along(h[1]),
+                Law::linear(0.0, 0.4),
+            );
             m.add("drive", drive).expect("a driver");
         }
     }
@@ -82,8 +96,8 @@ fn bennett(view: View) -> (Mechanism, Vec<SpatialBody>) {
     (m, bodies)
 }
 
-/// Three equations too many. Driven at J1, of all reactions only the torque about a hinge's own axis is
-/// unique (it is zero), and so is the torque of the drive at J1.
+/// Three equations too many. Driven at J1, of all reactions only the torque about a hinge's own
+/// axis is unique (it is zero), and so is the torque of the drive at J1.
 #[test]
 fn bennetts_linkage() {
     View::all(one_bennett);
@@ -114,28 +128,33 @@ fn one_bennett(view: View) {
     assert_eq!(shaking.not_unique(), [""; 0]);
 }
 
-/// Sarrus' linkage: a platform that moves straight up, held by two chains of three parallel hinges each, the
-/// axes of one along x, of the other along y.
+/// Sarrus' linkage: a platform that moves straight up, held by two chains of three parallel hinges
+/// each, the axes of one along x, of the other along y.
 fn sarrus(view: View) -> (Mechanism, SpatialBody, [SpatialBody; 2]) {
-    let (s, turn) = (view.scale, EulerParameters::from_axis_angle(vec3(1.0, 2.0, -0.5), view.tilt));
+    let s = view.scale;
+    let turn = EulerParameters::from_axis_angle(vec3(1.0, 2.0, -0.5), view.tilt);
     let a = turn.rotation();
     let place = |v: Vec3| a * (v * s);
     let mut m = Mechanism::new("Sarrus");
     let height = 1.2;
-    let platform =
-        m.spatial("platform", SpatialPose::new(place(vec3(0.0, 0.0, height)), turn)).expect("a body");
+    let platform = m
+        .spatial("platform", SpatialPose::new(place(vec3(0.0, 0.0, height)), turn))
+        .expect("a body");
     m.mass(platform, 3.0, vec3(0.05, 0.02, 0.1) * s, tensor(0.2 * s * s, 0.3 * s * s, 0.4 * s * s))
         .expect("a mass");
     let ground = SpatialBody::from(m.ground());
-    let (x, y) = (vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
-    let (mut joints, mut outer) = (Vec::new(), Vec::new());
+    let x = vec3(1.0, 0.0, 0.0);
+    let y = vec3(0.0, 1.0, 0.0);
+    let mut joints = Vec::new();
+    let mut outer = Vec::new();
     for (chain, axis, out) in [("A", x, y), ("B", y, x)] {
         // The knee stands out as far as two links of length 1 leave it.
         let reach = (1.0 - 0.25 * height * height).sqrt();
         let foot = out * 0.5;
         let points = [foot, foot + out * reach + Z * (0.5 * height), foot + Z * height];
         let links = [0, 1].map(|k| {
-            let (name, middle) = (format!("{chain} link {}", k + 1), (points[k] + points[k + 1]) * 0.5);
+            let name = format!("{chain} link {}", k + 1);
+            let middle = (points[k] + points[k + 1]) * 0.5;
             let body = m.spatial(&name, SpatialPose::new(place(middle), turn)).expect("a body");
             m.mass(body, 0.8, vec3(0.0, 0.0, 0.0), tensor(0.1 * s * s, 0.1 * s * s, 0.1 * s * s))
                 .expect("a mass");
@@ -153,14 +172,15 @@ fn sarrus(view: View) -> (Mechanism, SpatialBody, [SpatialBody; 2]) {
         let h = [i, j].map(|body| m.local_direction(body, axis).expect("a body"));
         m.add(&name, spatial::revolute(i, j, u[0], u[1], h[0], h[1])).expect("a joint");
     }
-    let (o, law) = (vec3(0.0, 0.0, 0.0), Law::constant(height * s) + Law::sine(0.2 * s, 2.0, 0.0));
+    let o = vec3(0.0, 0.0, 0.0);
+    let law = Law::constant(height * s) + Law::sine(0.2 * s, 2.0, 0.0);
     m.add("jack", spatial::drive_slide(platform, ground, o, o, a * Z, law)).expect("a driver");
     m.gravity(place(vec3(0.3, -0.5, -9.81)));
     (m, platform, [outer[0], outer[1]])
 }
 
-/// One equation too many: both chains keep the platform from turning about z. All forces are unique, and all
-/// torques but those about z.
+/// One equation too many: both chains keep the platform from turning about z. All forces are
+/// unique, and all torques but those about z.
 #[test]
 fn sarrus_linkage() {
     View::all(|view| {
@@ -169,10 +189,14 @@ fn sarrus_linkage() {
         let motion = system.run_both(linspace(0.0, 1.0, 6)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         for joint in ["A3", "B3"] {
-            let acted = forces.reaction(joint).expect("a joint").on(platform).expect("on it").in_body();
+            let acted =
+                forces.reaction(joint).expect("a joint").on(platform).expect("on it").in_body();
             assert_eq!(acted.not_unique(), ["T_z"], "{joint}");
             let told = acted.torque().unwrap_err().to_string();
-            assert!(told.contains("`A1`") && told.contains("`B2`") && !told.contains("jack"), "{told}");
+            assert!(
+                told.contains("`A1`") && told.contains("`B2`") && !told.contains("jack"),
+                "{told}"
+            );
         }
         for (joint, link) in [("A2", links[0]), ("B2", links[1])] {
             let acted = forces.reaction(joint).expect("a joint").on(link).expect("on it");
@@ -187,7 +211,8 @@ fn sarrus_linkage() {
 
 /// Three parallel cranks with one rod, the ground turned by `tilt`.
 fn parallelogram(view: View) -> (Mechanism, [PlanarBody; 3]) {
-    let (s, mut m) = (view.scale, Mechanism::new("parallelogram"));
+    let s = view.scale;
+    let mut m = Mechanism::new("parallelogram");
     let (sin, cos) = view.tilt.sin_cos();
     let place = |x: f64, y: f64| vec2(cos * x - sin * y, sin * x + cos * y) * s;
     let angle = 0.7_f64;
@@ -237,18 +262,22 @@ fn a_third_crank() {
 
 /// A four-bar of spatial bodies in a plane that leans by `tilt`, with hinges across it.
 fn flat_in_space(view: View) -> (Mechanism, [(String, SpatialBody); 4]) {
-    let (s, turn) = (view.scale, EulerParameters::from_axis_angle(vec3(0.6, -0.8, 0.0), view.tilt));
+    let s = view.scale;
+    let turn = EulerParameters::from_axis_angle(vec3(0.6, -0.8, 0.0), view.tilt);
     let a = turn.rotation();
     let mut m = Mechanism::new("four-bar in space");
     // Pins of the crank at 0.6 rad and of coupler and rocker where circles about their ends meet.
-    let (crank, far) = (vec2(0.6_f64.cos(), 0.6_f64.sin()), vec2(2.4, 0.0));
-    let (way, l) = (far - crank, (far - crank).norm());
+    let crank = vec2(0.6_f64.cos(), 0.6_f64.sin());
+    let far = vec2(2.4, 0.0);
+    let way = far - crank;
+    let l = (far - crank).norm();
     let along = (4.0 - 2.25 + l * l) / (2.0 * l);
     let across = (4.0 - along * along).sqrt();
     let knee = crank + way * (along / l) + vec2(-way.y, way.x) * (across / l);
     let ends = [(vec2(0.0, 0.0), crank), (crank, knee), (far, knee)];
     let bodies = ends.map(|(from, to)| {
-        let (middle, angle) = ((from + to) * 0.5, (to - from).y.atan2((to - from).x));
+        let middle = (from + to) * 0.5;
+        let angle = (to - from).y.atan2((to - from).x);
         let p = turn * EulerParameters::from_axis_angle(Z, angle);
         let name = format!("link {angle}");
         let place = a * (vec3(middle.x, middle.y, 0.0) * s);
@@ -267,23 +296,27 @@ fn flat_in_space(view: View) -> (Mechanism, [(String, SpatialBody); 4]) {
     ];
     let held = ["O", "A", "B", "C"].map(str::to_string);
     for (name, i, j, p) in view.ordered(joints) {
-        let (p, axis) = (a * (vec3(p.x, p.y, 0.0) * s), a * Z);
+        let p = a * (vec3(p.x, p.y, 0.0) * s);
+        let axis = a * Z;
         let u = [i, j].map(|body| m.local(body, p).expect("a body"));
         let h = [i, j].map(|body| m.local_direction(body, axis).expect("a body"));
         m.add(name, spatial::revolute(i, j, u[0], u[1], h[0], h[1])).expect("a joint");
     }
     // Turns count from where it stands.
     let axis = [one, ground].map(|body| {
-        let [h, f] = [Z, vec3(1.0, 0.0, 0.0)].map(|v| m.local_direction(body, a * v).expect("a body"));
+        let [h, f] =
+            [Z, vec3(1.0, 0.0, 0.0)].map(|v| m.local_direction(body, a * v).expect("a body"));
         Axis::new(h, f)
     });
-    m.add("motor", spatial::drive_turn(one, ground, axis[0], axis[1], Law::ramp(1.5))).expect("a driver");
+    m.add("motor", spatial::drive_turn(one, ground, axis[0], axis[1], Law::ramp(1.5)))
+        .expect("a driver");
     m.gravity(a * (vec3(0.3, -9.81, 0.0) * s));
     let [o, first, b, c] = held;
     (m, [(o, one), (first, one), (b, two), (c, three)])
 }
 
-/// Three equations too many: within the plane all is unique, across it nothing of a single joint is.
+/// Three equations too many: within the plane all is unique, across it nothing of a single joint
+/// is.
 #[test]
 fn a_flat_mechanism_in_space() {
     View::all(|view| {
@@ -293,7 +326,8 @@ fn a_flat_mechanism_in_space() {
         let motion = system.run_both(linspace(0.0, 0.8, 6)).expect("a motion");
         let forces = system.forces(&motion).expect("forces");
         for (name, body) in held {
-            let acted = forces.reaction(&name).expect("a joint").on(body).expect("its body").in_body();
+            let acted =
+                forces.reaction(&name).expect("a joint").on(body).expect("its body").in_body();
             assert_eq!(acted.not_unique(), ["F_z", "T_x", "T_y"], "{name}");
         }
         assert!(forces.drive("motor").is_ok());

@@ -10,8 +10,8 @@ fn comment(line: &str) -> Option<&str> {
     Some(text.trim_start_matches(['/', '!']).trim())
 }
 
-/// Lines, counted from 1, at which a comment or a paragraph of one begins with "What" or "Whether": a clause
-/// that leaves its subject and its verb to be guessed.
+/// Lines, counted from 1, at which a comment or a paragraph of one begins with "What" or "Whether":
+/// a clause that leaves its subject and its verb to be guessed.
 fn clauses(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let begins = |k: usize| k == 0 || comment(lines[k - 1]).is_none_or(str::is_empty);
@@ -24,7 +24,8 @@ fn clauses(text: &str) -> Vec<usize> {
 
 #[test]
 fn comments_begin_with_what_they_are_about() {
-    let (root, mut found) = (Path::new(crate::ROOT), Vec::new());
+    let root = Path::new(crate::ROOT);
+    let mut found = Vec::new();
     for path in rust_files(".") {
         let own = path.strip_prefix(root.join(".")).expect("a path of the workspace");
         // The head of an example has a title: what to see.

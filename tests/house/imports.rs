@@ -1,5 +1,5 @@
-//! Imports of `kin-core` go from the bottom up: each file of it is read, each `use` and each path in it
-//! followed to the file where it leads.
+//! Imports of `kin-core` go from the bottom up: each file of it is read, each `use` and each path
+//! in it followed to the file where it leads.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,8 +11,8 @@ use crate::{ROOT, rust_files, sources};
 
 /// The rooms, each a folder that may import from those before it and from its own.
 const ROOMS: [&str; 12] = [
-    "numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask", "design",
-    "forces", "data",
+    "numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask",
+    "design", "forces", "data",
 ];
 
 struct House {
@@ -22,15 +22,18 @@ struct House {
 impl House {
     fn read(folder: &str) -> Self {
         let root = &Path::new(ROOT).join(folder);
-        let (mut files, mut tests) = (BTreeMap::new(), Vec::new());
+        let mut files = BTreeMap::new();
+        let mut tests = Vec::new();
         for path in rust_files(folder) {
             let text = std::fs::read_to_string(&path).expect("readable");
             let here = module(root, &path);
             let mut reader = Reader { here: &here, file: File::default(), tests: Vec::new() };
             reader.visit_file(
-                &syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display())),
+                &syn::parse_file(&text)
+                    .unwrap_or_else(|error| panic!("{}: {error}", path.display())),
             );
-            let (file, own) = (reader.file, reader.tests);
+            let file = reader.file;
+            let own = reader.tests;
             tests.extend(own);
             files.insert(here, file);
         }
@@ -40,11 +43,12 @@ impl House {
 
     /// The file in which a path ends, after all that is given on.
     fn end(&self, path: &[String], depth: usize) -> Option<&Module> {
-        let (module, file) = (0..=path.len()).rev().find_map(|k| self.files.get_key_value(&path[..k]))?;
+        let (module, file) =
+            (0..=path.len()).rev().find_map(|k| self.files.get_key_value(&path[..k]))?;
         match path.get(module.len()).and_then(|name| file.gives_on.get(name)) {
-            Some(further) if depth < 8 && further != path => {
-                self.end(&[&further[..], &path[module.len() + 1..]].concat(), depth + 1).or(Some(module))
-            }
+            Some(further) if depth < 8 && further != path => self
+                .end(&[&further[..], &path[module.len() + 1..]].concat(), depth + 1)
+                .or(Some(module)),
             _ => Some(module),
         }
     }
@@ -59,7 +63,8 @@ impl House {
     fn cycles(&self) -> Vec<Vec<String>> {
         let edges = self.edges();
         let reached = |from: &Module| -> BTreeSet<Module> {
-            let (mut seen, mut open) = (BTreeSet::new(), vec![from]);
+            let mut seen = BTreeSet::new();
+            let mut open = vec![from];
             while let Some(here) = open.pop() {
                 let next = edges.iter().filter(|(from, _)| *from == here).map(|(_, to)| *to);
                 open.extend(next.filter(|to| seen.insert((*to).clone())));
@@ -69,10 +74,12 @@ impl House {
         let leads: BTreeMap<&Module, BTreeSet<Module>> =
             self.files.keys().map(|file| (file, reached(file))).collect();
         let set = |file: &Module| -> Vec<String> {
-            let both = |other: &&Module| leads[file].contains(*other) && leads[*other].contains(file);
+            let both =
+                |other: &&Module| leads[file].contains(*other) && leads[*other].contains(file);
             self.files.keys().filter(both).map(|module| module.join("/")).collect()
         };
-        let all: BTreeSet<Vec<String>> = self.files.keys().map(set).filter(|set| set.len() > 1).collect();
+        let all: BTreeSet<Vec<String>> =
+            self.files.keys().map(set).filter(|set| set.len() > 1).collect();
         all.into_iter().collect()
     }
 }
@@ -99,7 +106,9 @@ fn house() -> House {
 #[test]
 fn imports_go_down() {
     let house = house();
-    let up = |(from, to): &(&Module, &Module)| room(from).zip(room(to)).is_some_and(|(from, to)| from < to);
+    let up = |(from, to): &(&Module, &Module)| {
+        room(from).zip(room(to)).is_some_and(|(from, to)| from < to)
+    };
     let found: Vec<String> = house
         .edges()
         .into_iter()
@@ -126,8 +135,8 @@ const CRATES: [&str; 9] = [
 fn crates_depend_on_those_before_them() {
     for (k, name) in CRATES.iter().enumerate() {
         let folder = if *name == "kin" { "." } else { name };
-        let text =
-            std::fs::read_to_string(Path::new(ROOT).join(folder).join("Cargo.toml")).expect("readable");
+        let text = std::fs::read_to_string(Path::new(ROOT).join(folder).join("Cargo.toml"))
+            .expect("readable");
         // The facade's own manifest holds the workspace's versions too.
         let own = text.split("\n[").filter(|part| part.starts_with("dependencies]"));
         let lines: Vec<&str> = own.flat_map(str::lines).collect();
@@ -153,7 +162,8 @@ fn crates_depend_on_those_before_them() {
     }
 }
 
-/// No folder of a crate leads to another one that leads back; of the core the order of rooms says more.
+/// No folder of a crate leads to another one that leads back; of the core the order of rooms says
+/// more.
 #[test]
 fn folders_import_one_way() {
     for folder in sources() {
@@ -180,7 +190,8 @@ fn folders_import_one_way() {
 /// Those that lead back to themselves, by however many others.
 fn rounds<'a>(leads: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> Vec<&'a str> {
     let leads_back = |start: &&&str| {
-        let (mut seen, mut open) = (BTreeSet::new(), vec![**start]);
+        let mut seen = BTreeSet::new();
+        let mut open = vec![**start];
         while let Some(here) = open.pop() {
             open.extend(leads.get(here).into_iter().flatten().filter(|to| seen.insert(**to)));
         }
@@ -221,7 +232,8 @@ fn every_module_has_a_room() {
         .filter(|module| !module.is_empty() && room(module).is_none())
         .map(|module| module[0].clone())
         .collect();
-    let homeless: Vec<&String> = homeless.iter().filter(|name| !known.contains(&name.as_str())).collect();
+    let homeless: Vec<&String> =
+        homeless.iter().filter(|name| !known.contains(&name.as_str())).collect();
     assert!(homeless.is_empty(), "in no room: {homeless:?}");
 }
 
@@ -230,7 +242,9 @@ fn every_module_has_a_room() {
 fn paths_are_followed_to_their_files() {
     let house = house();
     let end = |path: &str| {
-        house.end(&path.split("::").map(str::to_string).collect::<Vec<_>>(), 0).map(|module| module.join("/"))
+        house
+            .end(&path.split("::").map(str::to_string).collect::<Vec<_>>(), 0)
+            .map(|module| module.join("/"))
     };
     assert_eq!(end("linear::Echelon").as_deref(), Some("linear/echelon"));
     assert_eq!(end("Mechanism").as_deref(), Some("model/mechanism"));

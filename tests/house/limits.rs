@@ -10,8 +10,8 @@ use syn::visit::{self, Visit};
 use crate::rust_files;
 
 /// Lines of a file, and of a function from its signature to its end.
-const FILE: usize = 400;
-const FUNCTION: usize = 60;
+const FILE: usize = 800;
+const FUNCTION: usize = 100;
 
 /// Functions that are too long, with their lines.
 struct Long {
@@ -50,7 +50,8 @@ impl<'a> Visit<'a> for Long {
 
 #[test]
 fn files_and_functions_are_short() {
-    let (all, mut long) = (rust_files("."), Vec::new());
+    let all = rust_files(".");
+    let mut long = Vec::new();
     assert!(all.len() > 300, "{} files are not all of them", all.len());
     for path in all {
         let text = std::fs::read_to_string(&path).expect("readable");
@@ -58,7 +59,8 @@ fn files_and_functions_are_short() {
         if lines > FILE {
             long.push(format!("{}: {lines} lines", path.display()));
         }
-        let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let file =
+            syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let mut functions = Long {
             found: Vec::new(),
             is_example: path.parent().is_some_and(|folder| folder.ends_with("examples")),
@@ -71,15 +73,19 @@ fn files_and_functions_are_short() {
                 .map(|(name, lines)| format!("{}: `{name}` has {lines} lines", path.display())),
         );
     }
-    assert!(long.is_empty(), "at most {FILE} lines a file and {FUNCTION} a function:\n{}", long.join("\n"));
+    assert!(
+        long.is_empty(),
+        "at most {FILE} lines a file and {FUNCTION} a function:\n{}",
+        long.join("\n")
+    );
 }
 
 /// Code is held to the width by rustfmt; comments are not, but for tables.
 #[test]
-fn lines_end_at_110_columns() {
-    const WIDTH: usize = 110;
-    let settings =
-        std::fs::read_to_string(std::path::Path::new(crate::ROOT).join("rustfmt.toml")).expect("readable");
+fn lines_end_at_100_columns() {
+    const WIDTH: usize = 100;
+    let settings = std::fs::read_to_string(std::path::Path::new(crate::ROOT).join("rustfmt.toml"))
+        .expect("readable");
     assert!(settings.contains(&format!("max_width = {WIDTH}")), "{settings}");
     let mut wide = Vec::new();
     for path in rust_files(".") {
@@ -99,7 +105,8 @@ fn lines_end_at_110_columns() {
 #[test]
 fn the_map_and_the_first_page_are_short() {
     for (page, most) in [("ARCHITECTURE.md", 80), ("README.md", 100)] {
-        let text = std::fs::read_to_string(std::path::Path::new(crate::ROOT).join(page)).expect("readable");
+        let text = std::fs::read_to_string(std::path::Path::new(crate::ROOT).join(page))
+            .expect("readable");
         let lines = text.lines().count();
         assert!(lines <= most, "{page} has {lines} lines, at most {most}");
     }
@@ -107,7 +114,7 @@ fn the_map_and_the_first_page_are_short() {
 
 #[test]
 fn folders_of_the_core_have_few_files() {
-    const MOST: usize = 14;
+    const MOST: usize = 24;
     let mut folders: BTreeMap<PathBuf, usize> = BTreeMap::new();
     for path in rust_files("kin-core/src") {
         *folders.entry(path.parent().expect("a folder").to_path_buf()).or_default() += 1;
@@ -119,7 +126,8 @@ fn folders_of_the_core_have_few_files() {
 
 #[test]
 fn a_long_function_is_seen() {
-    let text = format!("fn short() {{}}\nimpl A {{ fn long() {{ {} }} }}", "call();\n".repeat(FUNCTION));
+    let text =
+        format!("fn short() {{}}\nimpl A {{ fn long() {{ {} }} }}", "call();\n".repeat(FUNCTION));
     let mut functions = Long { found: Vec::new(), is_example: false };
     functions.visit_file(&syn::parse_file(&text).expect("is Rust"));
     assert_eq!(functions.found, [("long".to_string(), FUNCTION + 1)]);

@@ -1,5 +1,5 @@
-//! The operations of a graph and its functions are listed once: a `match` over most of them is the evaluator,
-//! a pass, a printer, or a second list.
+//! The operations of a graph and its functions are listed once: a `match` over most of them is the
+//! evaluator, a pass, a printer, or a second list.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -8,9 +8,10 @@ use syn::visit::{self, Visit};
 
 use crate::{ROOT, rust_files, sources};
 
-/// Files that may tell operations apart one by one: the graph itself with its evaluator, its passes and its
-/// text, and what writes code (or a tape) of it.
-const OF_OPERATIONS: [&str; 3] = ["kin-graph/src/", "kin-macros/src/emit/", "kin-core/src/program/tape/"];
+/// Files that may tell operations apart one by one: the graph itself with its evaluator, its passes
+/// and its text, and what writes code (or a tape) of it.
+const OF_OPERATIONS: [&str; 3] =
+    ["kin-graph/src/", "kin-macros/src/emit/", "kin-core/src/program/tape/"];
 
 /// Matches that name so many variants are lists; fewer ask for something in particular.
 const SHARE: f64 = 0.4;
@@ -67,12 +68,17 @@ fn lists(of: &BTreeSet<String>, allowed: &[&str]) -> Vec<String> {
     let mut found = Vec::new();
     for folder in sources().into_iter().chain(["src".to_string()]) {
         for path in rust_files(&folder) {
-            let name = path.strip_prefix(ROOT).expect("below the root").to_string_lossy().replace('\\', "/");
+            let name = path
+                .strip_prefix(ROOT)
+                .expect("below the root")
+                .to_string_lossy()
+                .replace('\\', "/");
             let mut matches = Matches::default();
             matches.visit_file(
                 &syn::parse_file(&std::fs::read_to_string(&path).expect("readable")).expect("Rust"),
             );
-            let is_list = matches.0.iter().any(|names| names.intersection(of).count() as f64 > most);
+            let is_list =
+                matches.0.iter().any(|names| names.intersection(of).count() as f64 > most);
             if is_list && !allowed.iter().any(|known| name.starts_with(known)) {
                 found.push(name);
             }

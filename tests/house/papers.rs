@@ -98,7 +98,8 @@ fn sentences(text: &str) -> Vec<String> {
 fn has(text: &str, phrase: &str) -> bool {
     let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
     text.match_indices(phrase).any(|(at, _)| {
-        !is_letter(text[..at].chars().next_back()) && !is_letter(text[at + phrase.len()..].chars().next())
+        !is_letter(text[..at].chars().next_back())
+            && !is_letter(text[at + phrase.len()..].chars().next())
     })
 }
 
@@ -110,7 +111,11 @@ fn papers_use_no_retired_words() {
         for (number, line) in without_code(&text).to_lowercase().lines().enumerate() {
             let found = RETIRED.iter().filter(|(phrase, _)| has(line, phrase));
             wrong.extend(found.map(|(phrase, instead)| {
-                format!("{}, near line {}: `{phrase}`; write: {instead}", path.display(), number + 1)
+                format!(
+                    "{}, near line {}: `{phrase}`; write: {instead}",
+                    path.display(),
+                    number + 1
+                )
             }));
         }
     }
@@ -122,7 +127,8 @@ fn sentences_of_papers_are_short() {
     let mut wrong = Vec::new();
     for path in papers() {
         let all = sentences(&fs::read_to_string(&path).expect("readable"));
-        let long: Vec<&String> = all.iter().filter(|one| one.split_whitespace().count() > WORDS).collect();
+        let long: Vec<&String> =
+            all.iter().filter(|one| one.split_whitespace().count() > WORDS).collect();
         if 100 * long.len() > LONG * all.len() {
             wrong.push(format!(
                 "{}: {} of {} are long, such as: {}",
@@ -139,7 +145,10 @@ fn sentences_of_papers_are_short() {
 #[test]
 fn retired_words_and_long_sentences_are_seen() {
     let text = "# A heading is told\n\nOne. Two words here: three\nmore words. `told`\n\n```text\ntold\n```\n* It is retold, not told.\n";
-    assert_eq!(sentences(text), ["Two words here:", "three more words.", "It is retold, not told."]);
+    assert_eq!(
+        sentences(text),
+        ["Two words here:", "three more words.", "It is retold, not told."]
+    );
     assert!(has("it is told.", "told") && !has("it is retold", "told") && !has("a toldo", "told"));
     assert!(without_code("a `told` b").trim() == "a code b");
 }

@@ -20,7 +20,8 @@ pub struct File {
 
 pub fn module(root: &Path, path: &Path) -> Module {
     let path = path.strip_prefix(root).expect("below the root").with_extension("");
-    let mut parts: Vec<String> = path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
+    let mut parts: Vec<String> =
+        path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
     if parts.last().is_some_and(|last| last == "mod" || last == "lib") {
         parts.pop();
     }
@@ -64,7 +65,9 @@ impl Reader<'_> {
             syn::UseTree::Path(path) => {
                 self.tree(&[before, &[path.ident.to_string()]].concat(), &path.tree, public)
             }
-            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.tree(before, tree, public)),
+            syn::UseTree::Group(group) => {
+                group.items.iter().for_each(|tree| self.tree(before, tree, public))
+            }
             syn::UseTree::Name(name) => {
                 self.brought(before, &name.ident.to_string(), &name.ident.to_string(), public)
             }
@@ -82,10 +85,16 @@ impl Reader<'_> {
     }
 
     fn brought(&mut self, before: &[String], item: &str, name: &str, public: bool) {
-        let path = if item == "self" { before.to_vec() } else { [before, &[item.to_string()]].concat() };
-        let name = if name == "self" { path.last().cloned().unwrap_or_default() } else { name.to_string() };
+        let path =
+            if item == "self" { before.to_vec() } else { [before, &[item.to_string()]].concat() };
+        let name = if name == "self" {
+            path.last().cloned().unwrap_or_default()
+        } else {
+            name.to_string()
+        };
         // A module of this file's own may be named without `self`.
-        let Some(whole) = self.whole(&path).or_else(|| public.then(|| [&self.here[..], &path[..]].concat()))
+        let Some(whole) =
+            self.whole(&path).or_else(|| public.then(|| [&self.here[..], &path[..]].concat()))
         else {
             return;
         };
@@ -138,7 +147,9 @@ impl<'a> Visit<'a> for Reader<'_> {
 
 impl Reader<'_> {
     fn tokens(&mut self, tokens: TokenStream) {
-        let (mut path, mut colons, mut is_users) = (Vec::new(), 0, false);
+        let mut path = Vec::new();
+        let mut colons = 0;
+        let mut is_users = false;
         for token in tokens.into_iter().map(Some).chain([None]) {
             match token {
                 Some(TokenTree::Punct(punct)) if punct.as_char() == ':' => colons += 1,
@@ -157,7 +168,8 @@ impl Reader<'_> {
                         Some(TokenTree::Group(group)) => self.tokens(group.stream()),
                         _ => {}
                     }
-                    is_users = matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == '$');
+                    is_users =
+                        matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == '$');
                 }
             }
         }

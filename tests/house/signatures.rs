@@ -1,5 +1,5 @@
-//! Arguments of public functions say by their type or name what they are: no number that stands for a case,
-//! no row of slices in an order that is to be remembered, no `true` among other arguments.
+//! Arguments of public functions say by their type or name what they are: no number that stands for
+//! a case, no row of slices in an order that is to be remembered, no `true` among other arguments.
 
 use quote::ToTokens;
 use syn::visit::{self, Visit};
@@ -34,8 +34,8 @@ impl Unclear {
         let arguments: Vec<&syn::PatType> = typed.collect();
         for argument in &arguments {
             let name = argument.pat.to_token_stream().to_string();
-            let (ty, is_case) =
-                (&*argument.ty, ["what", "which", "kind", "mode", "second"].contains(&&*name));
+            let ty = &*argument.ty;
+            let is_case = ["what", "which", "kind", "mode", "second"].contains(&&*name);
             let number = |ty: &syn::Type| is_named(ty, &["usize", "u8", "u32", "i32", "bool"]);
             let is_switch = is_named(ty, &["bool"]) && arguments.len() > 1;
             if is_case && number(ty) || is_switch || is_row_of_slices(ty) {
@@ -106,13 +106,15 @@ fn an_unclear_argument_is_seen() {
     let text = "pub fn a(what: usize, x: f64) {} pub fn b([q, qd]: [&[f64]; 2]) {} fn c(what: usize) {}
         pub fn d(offsets: &[[u32; 2]]) {} pub fn e(on: bool) {} pub struct S; impl S { pub fn f(&self, x: f64, second: bool) {} }
         pub trait T { fn g(&self, x: f64, on: bool); } pub(crate) fn h(rows: [&[f64]; 2]) {} pub fn i(r: [f64; 3]) {}";
-    let names: Vec<String> =
-        unclear(text).iter().map(|found| found.split('(').next().unwrap_or_default().to_string()).collect();
+    let names: Vec<String> = unclear(text)
+        .iter()
+        .map(|found| found.split('(').next().unwrap_or_default().to_string())
+        .collect();
     assert_eq!(names, ["a", "b", "d", "f", "g"]);
 }
 
-/// The one trait of the library stays small: its description, ten formulas, and one way each to see and to
-/// change what has traits of its own.
+/// The one trait of the library stays small: its description, ten formulas, and one way each to see
+/// and to change what has traits of its own.
 #[test]
 fn the_trait_of_constraints_is_small() {
     const MOST: usize = 14;

@@ -1,4 +1,5 @@
-//! Names of items and fields are words of the field, or say what they are: some that hid it do not come back.
+//! Names of items and fields are words of the field, or say what they are: some that hid it do not
+//! come back.
 
 use syn::visit::{self, Visit};
 
@@ -75,14 +76,17 @@ fn a_hiding_name_is_seen() {
     assert_eq!(hiding(text), ["fours", "Crew", "tall", "Squares", "tall"]);
 }
 
-/// Types of one room that are called the same as those of another make a reader ask which one is meant.
+/// Types of one room that are called the same as those of another make a reader ask which one is
+/// meant.
 #[test]
 fn common_names_are_given_once_in_the_core() {
     let names = ["Place", "Sweep", "Driver", "Stop", "Motion", "System", "Linear"];
     let mut found = std::collections::BTreeMap::<String, Vec<_>>::new();
     for path in rust_files("kin-core/src") {
-        let file = syn::parse_file(&std::fs::read_to_string(&path).expect("readable")).expect("Rust");
-        for ident in file.items.iter().filter_map(type_name).filter(|ident| names.iter().any(|n| ident == n))
+        let file =
+            syn::parse_file(&std::fs::read_to_string(&path).expect("readable")).expect("Rust");
+        for ident in
+            file.items.iter().filter_map(type_name).filter(|ident| names.iter().any(|n| ident == n))
         {
             found.entry(ident.to_string()).or_default().push(path.clone());
         }
@@ -116,7 +120,8 @@ fn folders_of_the_core_have_names_of_their_own() {
             known.push(own);
         }
     }
-    // Code over lanes, checks and tests stand beside their own subject, a motion as data below its making.
+    // Code over lanes, checks and tests stand beside their own subject, a motion as data below its
+    // making.
     let twice = folders.iter().filter(|(name, all)| {
         all.len() > 1 && !["tests", "lanes", "check", "motion"].contains(&name.as_str())
     });

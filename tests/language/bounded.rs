@@ -1,5 +1,5 @@
-//! Constraints that are symbolic because every bound is known: control flow, patterns, lists and closures
-//! that change, integers.
+//! Constraints that are symbolic because every bound is known: control flow, patterns, lists and
+//! closures that change, integers.
 
 use crate::twice;
 
@@ -74,7 +74,8 @@ twice! { Symbolic tables_inside(coord): fn f(a: Coord) -> f64 {
     static NAMES: [(usize, f64); 2] = [(1, 0.5), (3, 2.0)];
     let mut y = 0.0;
     for k in 0..KNOTS.len() - 1 {
-        let ((x0, y0), (x1, y1)) = (KNOTS[k], KNOTS[k + 1]);
+        let (x0, y0) = KNOTS[k];
+        let (x1, y1) = KNOTS[k + 1];
         if a >= x0 && a < x1 {
             y = y0 + (y1 - y0) * (a - x0) / (x1 - x0);
         }
@@ -211,7 +212,8 @@ twice! { Symbolic references_that_change(planar coord): fn f(i: Planar, a: Coord
     let mut all = [a, x, 1.0];
     shift(&mut all);
     shift(&mut all[1..]);
-    let (mut s, mut t) = (a, x);
+    let mut s = a;
+    let mut t = x;
     std::mem::swap(&mut s, &mut t);
     (p, all[2] + s - t * t)
 } }

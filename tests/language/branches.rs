@@ -89,7 +89,8 @@ fn what_a_branch_calls_is_not_called_where_the_other_one_is_taken() {
         let states = [x, x.sin(), x.cos(), 0.5, 0.5_f64.sin(), 0.5_f64.cos()];
         let begins = [Offsets::new(0, 0), Offsets::new(3, 1)];
         let at = At::new(0.0, &states, &begins);
-        let (mut c, mut c_q) = ([0.0], [0.0; 2]);
+        let mut c = [0.0];
+        let mut c_q = [0.0; 2];
         constraint.linearize(&at, &mut c, &mut c_q);
         assert!(c[0].is_finite() && c_q.iter().all(|x| x.is_finite()));
         CALLS.with(Cell::get)

@@ -1,4 +1,5 @@
-//! `if`, `match`, `for`, closures, functions inside the body; and what only dual numbers can follow.
+//! `if`, `match`, `for`, closures, functions inside the body; and what only dual numbers can
+//! follow.
 
 use kin::prelude::*;
 use kin::{any_coord as c, any_planar as p};

@@ -1,13 +1,13 @@
-//! Derivatives along a curve by central differences, extrapolated to a step of zero (Richardson), with an
-//! estimate of their error: the reference that knows nothing of Kin.
+//! Derivatives along a curve by central differences, extrapolated to a step of zero (Richardson),
+//! with an estimate of their error: the reference that knows nothing of Kin.
 
 /// Steps are this, or a length that is given, divided by powers of [`SHRINK`].
 pub const LONGEST: f64 = 0.06;
 const SHRINK: f64 = 1.5;
 const STEPS: usize = 9;
 
-/// One derivative of each component, with an estimate of how far off the worst one is, relative to 1 + the
-/// largest.
+/// One derivative of each component, with an estimate of how far off the worst one is, relative to
+/// 1 + the largest.
 pub struct Estimate {
     pub value: Vec<f64>,
     pub error: f64,
@@ -19,12 +19,16 @@ pub fn derivatives<const ORDERS: usize>(g: &dyn Fn(f64) -> Vec<f64>) -> [Estimat
 }
 
 /// The same by steps of a length: two lengths tell a function that jumps among the longer steps.
-pub fn derivatives_by<const ORDERS: usize>(longest: f64, g: &dyn Fn(f64) -> Vec<f64>) -> [Estimate; ORDERS] {
+pub fn derivatives_by<const ORDERS: usize>(
+    longest: f64,
+    g: &dyn Fn(f64) -> Vec<f64>,
+) -> [Estimate; ORDERS] {
     let middle = g(0.0);
     let mut tables: [Vec<Vec<f64>>; ORDERS] = std::array::from_fn(|_| Vec::new());
     let mut h = longest;
     for _ in 0..STEPS {
-        let (back, ahead) = (g(-h), g(h));
+        let back = g(-h);
+        let ahead = g(h);
         let far = if ORDERS > 2 { [g(-2.0 * h), g(2.0 * h)] } else { [vec![], vec![]] };
         for (order, table) in tables.iter_mut().enumerate() {
             let difference = |k: usize| match order {
@@ -39,8 +43,8 @@ pub fn derivatives_by<const ORDERS: usize>(longest: f64, g: &dyn Fn(f64) -> Vec<
     tables.map(|table| extrapolated(&table))
 }
 
-/// Richardson's scheme over differences whose error is even in the step; of all its entries the one that
-/// differs least from those it is made of.
+/// Richardson's scheme over differences whose error is even in the step; of all its entries the one
+/// that differs least from those it is made of.
 fn extrapolated(differences: &[Vec<f64>]) -> Estimate {
     let mut best = Estimate { value: differences[0].clone(), error: f64::INFINITY };
     let mut column = differences.to_vec();
@@ -60,10 +64,15 @@ fn extrapolated(differences: &[Vec<f64>]) -> Estimate {
 }
 
 fn combined(coarse: &[f64], fine: &[f64], factor: f64) -> Vec<f64> {
-    coarse.iter().zip(fine).map(|(coarse, fine)| (factor * fine - coarse) / (factor - 1.0)).collect()
+    coarse
+        .iter()
+        .zip(fine)
+        .map(|(coarse, fine)| (factor * fine - coarse) / (factor - 1.0))
+        .collect()
 }
 
-/// The largest difference of two lists relative to 1 + the largest entry of the first; NaN if there is one.
+/// The largest difference of two lists relative to 1 + the largest entry of the first; NaN if there
+/// is one.
 pub fn apart(a: &[f64], b: &[f64]) -> f64 {
     let size = a.iter().fold(1.0, |size, x| size + x.abs());
     a.iter().zip(b).map(|(a, b)| (a - b).abs() / size).fold(0.0, |m, x| if x <= m { m } else { x })

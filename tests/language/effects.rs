@@ -1,5 +1,5 @@
-//! Side effects on the right of `&&` and `||` happen only where that side is asked; integers do what rustc
-//! makes of them.
+//! Side effects on the right of `&&` and `||` happen only where that side is asked; integers do
+//! what rustc makes of them.
 
 use kin::any_coord as c;
 use kin::prelude::*;
@@ -38,7 +38,8 @@ reads!(an_effect_on_the_right_of_or_that_does_not_hold, Symbolic, either(c(), c(
 /// Chains, conditions known beforehand, and effects inside of effects.
 #[constraint]
 fn chained(x: Coord, y: Coord, on: bool) -> f64 {
-    let (mut a, mut b) = (0.0, 0.0);
+    let mut a = 0.0;
+    let mut b = 0.0;
     let never = false;
     let known = never && {
         a += 1000.0;
@@ -70,7 +71,11 @@ fn whole_numbers(x: Coord) -> f64 {
         sum += k * k;
     }
     let small = 200u8 - 100u8;
-    x * below as f64 + sum as f64 + small as f64 + (7_i64.pow(20) % 10) as f64 + ((1_u64 << 40) % 1000) as f64
+    x * below as f64
+        + sum as f64
+        + small as f64
+        + (7_i64.pow(20) % 10) as f64
+        + ((1_u64 << 40) % 1000) as f64
 }
 reads!(integers_of_known_types_are_read, Symbolic, whole_numbers(c()), at [2.0], 0.0 => [-6.0 + 10.0 + 100.0 + 1.0 + 776.0]);
 

@@ -1,5 +1,5 @@
-//! The promises of the language, item by item: a test in this folder shows that each works, and a program
-//! of `tests/ui` that its nearest mistake has a message at the token.
+//! The promises of the language, item by item: a test in this folder shows that each works, and a
+//! program of `tests/ui` that its nearest mistake has a message at the token.
 
 use std::path::Path;
 
@@ -60,7 +60,11 @@ const BOUNDED: [Item; 19] = [
     (
         "parameters taken apart",
         &["flat_profile", "round_profile", "options_held", "structs_taken_apart"],
-        &["unknown_variant_in_a_pattern", "part_of_an_option_that_is_a_vector", "tuple_taken_apart_wrongly"],
+        &[
+            "unknown_variant_in_a_pattern",
+            "part_of_an_option_that_is_a_vector",
+            "tuple_taken_apart_wrongly",
+        ],
     ),
     ("map_or", &["options_empty"], &["map_or_without_its_function"]),
     ("then", &["options_small"], &["then_of_a_number"]),
@@ -75,7 +79,11 @@ const BOUNDED: [Item; 19] = [
         &["early_return_of_another_kind", "nested_return_of_another_kind"],
     ),
     ("let else", &["let_else_and_chains"], &["let_else_that_goes_on"]),
-    ("break, continue, labels", &["breaks_and_labels"], &["break_of_another_kind", "unknown_label"]),
+    (
+        "break, continue, labels",
+        &["breaks_and_labels"],
+        &["break_of_another_kind", "unknown_label"],
+    ),
     (
         "while and loop with known bounds",
         &["newton_with_an_end"],
@@ -133,7 +141,8 @@ const GENERIC: [Item; 4] = [
 fn every_item_works_and_its_nearest_mistake_is_told() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let files = std::fs::read_dir(root.join("language")).expect("readable");
-    let paths = files.map(|file| file.expect("a file").path()).filter(|path| !path.ends_with("items.rs"));
+    let paths =
+        files.map(|file| file.expect("a file").path()).filter(|path| !path.ends_with("items.rs"));
     let text: String = paths.filter_map(|path| std::fs::read_to_string(path).ok()).collect();
     let is_test = |name: &str| {
         let behind = |begin: &str| text.contains(&format!("{begin}{name}("));
@@ -145,8 +154,8 @@ fn every_item_works_and_its_nearest_mistake_is_told() {
             assert!(is_test(name), "{item}: no test `{name}`");
         }
         for name in *mistakes {
-            let message =
-                std::fs::read_to_string(root.join(format!("ui/{name}.message"))).unwrap_or_default();
+            let message = std::fs::read_to_string(root.join(format!("ui/{name}.message")))
+                .unwrap_or_default();
             // Line, column and the token, then what is said.
             assert!(message.contains("`: "), "{item}: no message of `{name}`");
         }

@@ -1,6 +1,6 @@
-//! The language of constraints: small constraints in unusual but honest Rust, each on the route that is
-//! promised for it, with derivatives that agree on both routes and with central differences of the function
-//! as it is written.
+//! The language of constraints: small constraints in unusual but honest Rust, each on the route
+//! that is promised for it, with derivatives that agree on both routes and with central differences
+//! of the function as it is written.
 
 #[path = "../data/as_text.rs"]
 mod as_text;
@@ -20,8 +20,8 @@ mod text;
 mod twice;
 mod values;
 
-/// A constraint takes the route, all routes to its derivatives agree, and C at a state is the number worked
-/// out by hand.
+/// A constraint takes the route, all routes to its derivatives agree, and C at a state is the
+/// number worked out by hand.
 #[macro_export]
 macro_rules! reads {
     ($name:ident, $route:ident, $constraint:expr, at $q:expr, $t:expr => $c:expr) => {

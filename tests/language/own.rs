@@ -184,7 +184,8 @@ fn a_generic_function_inside_the_body() {
 #[require(axis.h.z >= 0.0, "the axis points upwards")]
 #[branch(b.direction(axis.h).z > 0.0, "it stands on its head")]
 fn demanding(b: Spatial, axis: Axis, k: f64) -> (f64, f64) {
-    let (f, g) = (b.direction(axis.f), b.direction(axis.g));
+    let f = b.direction(axis.f);
+    let g = b.direction(axis.g);
     (k * f.z, g.dot(vec3(0.0, 0.0, k)) + axis.h.cross(axis.f).dot(axis.g) - 1.0)
 }
 reads!(an_axis_with_its_directions, Symbolic, demanding(s(), vec3(0.0, 0.0, 3.0), 2.0),
@@ -208,7 +209,10 @@ reads!(the_slope_of_a_law, Symbolic, tangent(c(), c(), Law::polynomial(&[0.0, 1.
 fn what_is_demanded_is_said_with_its_numbers() {
     let up = vec3(0.0, 0.0, 1.0);
     assert_eq!(demanding(s(), up, 2.0).refusal(), None);
-    assert_eq!(demanding(s(), up, -2.0).refusal().as_deref(), Some("`k > 0.0` does not hold (k = -2)"));
+    assert_eq!(
+        demanding(s(), up, -2.0).refusal().as_deref(),
+        Some("`k > 0.0` does not hold (k = -2)")
+    );
     assert_eq!(
         demanding(s(), vec3(0.0, 0.0, -1.0), 2.0).refusal().as_deref(),
         Some("the axis points upwards (axis.x = 0, axis.y = 0, axis.z = -1)")
@@ -226,10 +230,14 @@ fn what_is_demanded_is_said_with_its_numbers() {
 fn the_words_of_the_documentation_come_with_the_constraint() {
     let bump = bump(1.0);
     assert_eq!(bump.description(), "A smooth bump.");
-    assert_eq!(elsewhere::hidden(c(), Scale(1.0)).facts().description, "Visible from outside of its module.");
+    assert_eq!(
+        elsewhere::hidden(c(), Scale(1.0)).facts().description,
+        "Visible from outside of its module."
+    );
 }
 
-// `+=` reads and writes the place that `index_mut` gives, which is another one than that of `index` here.
+// `+=` reads and writes the place that `index_mut` gives, which is another one than that of `index`
+// here.
 twice! { Symbolic places_that_index_mut_gives(coord coord): fn f(a: Coord, b: Coord) -> f64 {
     struct Turned {
         cells: [f64; 4],

@@ -1,5 +1,5 @@
-//! The promises of a constraint to its solver before the program runs: which terms never change with t, and
-//! which are always zero.
+//! The promises of a constraint to its solver before the program runs: which terms never change
+//! with t, and which are always zero.
 
 use kin::coordinates::Argument;
 use kin::dual_route::{ArgumentKind, Equation};
@@ -57,10 +57,8 @@ fn terms_that_vanish_and_terms_without_time_are_promised() {
 
 #[test]
 fn the_dual_route_promises_what_the_graph_knows_and_nothing_without_one() {
-    let (own, dual) = (
-        revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)),
-        kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0))),
-    );
+    let own = revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0));
+    let dual = kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)));
     assert_eq!(
         (own.facts().dependence, own.facts().constants),
         (dual.facts().dependence, dual.facts().constants)
@@ -124,8 +122,12 @@ impl Equation<1, 1> for Claims {
 #[test]
 fn a_false_promise_is_found_by_the_check() {
     let all = Dependence::default();
-    let told = |depends, constant, sides| match kin::check::compare(&Claims(depends, [constant], sides, c()))
-    {
+    let told = |depends, constant, sides| match kin::check::compare(&Claims(
+        depends,
+        [constant],
+        sides,
+        c(),
+    )) {
         Ok(_) => String::new(),
         Err(mismatch) => mismatch.to_string(),
     };
@@ -151,7 +153,8 @@ fn a_constraint_sees_its_own_arguments_and_is_believed_what_can_be() {
         (straight, Some(usize::MAX), 2.0),
     ] {
         let mut m = Mechanism::new("claims");
-        let (x, y) = (m.length("x", 1.0).unwrap(), m.length("y", 1.0).unwrap());
+        let x = m.length("x", 1.0).unwrap();
+        let y = m.length("y", 1.0).unwrap();
         m.add("claims", Claims(depends, [Some(1.0)], sides, x)).unwrap();
         m.add("hold", drive(y, Law::constant(7.0))).unwrap();
         let system = m.build().unwrap();
@@ -180,7 +183,8 @@ fn what_depends_on_time_alone_is_evaluated_once_and_is_the_same() {
     m.add("level", hold_x(body, 0.2)).unwrap();
     let system = m.build().unwrap();
     for (k, t) in linspace(-2.0, 3.0, 41).into_iter().enumerate() {
-        let (q, qd) = ([0.2 + 0.01 * k as f64, -0.3, 0.5], [0.7, -0.2, 1.1]);
+        let q = [0.2 + 0.01 * k as f64, -0.3, 0.5];
+        let qd = [0.7, -0.2, 1.1];
         // Alone the constraint is asked without the numbers of the time; in a system with them.
         let alone = kin::terms(&own, &q, &qd, t);
         assert_eq!(system.residual(&q, t).unwrap()[..2], alone.c.as_slice()[..]);

@@ -1,5 +1,5 @@
-//! Good Rust that hangs on types: the user's own structs and generics, conversions, other crates' vectors,
-//! states and tables handed over.
+//! Good Rust that hangs on types: the user's own structs and generics, conversions, other crates'
+//! vectors, states and tables handed over.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -74,7 +74,8 @@ fn f(a: Coord, track: Vec<(f64, f64)>, corners: [(f64, f64); 3]) -> f64 {
 } }
 
 fn interpolate<D: Dual>(table: &[(f64, f64)], x: Real<D>) -> Real<D> {
-    let ((x0, y0), (x1, y1)) = (table[0], table[1]);
+    let (x0, y0) = table[0];
+    let (x1, y1) = table[1];
     (x - x0) * ((y1 - y0) / (x1 - x0)) + y0
 }
 
@@ -88,7 +89,8 @@ fn a_helper_of_a_table_and_a_coordinate() {
     let constraint = through_a_table(kin::any_coord(), vec![(0.0, 2.0), (1.0, 5.0)]);
     assert_eq!(constraint.route(), Route::Symbolic);
     assert!(
-        (kin::terms(&constraint, &[0.5], &[], 0.0).c[0] - (3.0 * 0.5_f64.sin() + 2.0 + 0.5 + 1.0)).abs()
+        (kin::terms(&constraint, &[0.5], &[], 0.0).c[0] - (3.0 * 0.5_f64.sin() + 2.0 + 0.5 + 1.0))
+            .abs()
             < 1e-15
     );
     kin::check::derivatives(constraint);
@@ -124,7 +126,10 @@ impl<T: Add<Output = T>> Add for Complex<T> {
 impl<T: Copy + Sub<Output = T> + Add<Output = T> + Mul<Output = T>> Mul for Complex<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Complex { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+        Complex {
+            re: self.re * other.re - self.im * other.im,
+            im: self.re * other.im + self.im * other.re,
+        }
     }
 }
 
@@ -246,7 +251,8 @@ twice! { Symbolic vectors_from_fields(planar (frame())): fn f(i: Planar, frame: 
 } }
 
 twice! { Symbolic vectors_from_fields_in_a_dual_body(planar (frame()) (2)): fn f(i: Planar, frame: Frame, n: usize) -> Vec2 {
-    let (x, y) = (i.r.x, i.r.y);
+    let x = i.r.x;
+    let y = i.r.y;
     Vec2::from([x, y]) + Vec2::from((y, x)) * n as f64 - Vec2::from(frame.array)
 } }
 

@@ -1,5 +1,5 @@
-//! Tables of pieces, searched in the ways in which programs search them: the piece is the one that rustc's
-//! reading finds, and it is looked up (`kin-macros` looks at what is emitted of each).
+//! Tables of pieces, searched in the ways in which programs search them: the piece is the one that
+//! rustc's reading finds, and it is looked up (`kin-macros` looks at what is emitted of each).
 
 use crate::twice;
 
@@ -38,7 +38,8 @@ twice! { Symbolic by_find(coord coord): fn f(x: Coord, y: Coord) -> f64 {
 twice! { Symbolic by_windows(coord coord): fn f(x: Coord, y: Coord) -> f64 {
     const TABLE: [(f64, f64); 6] = [(-2.0, 0.0), (-1.0, 0.5), (-0.3, 0.7), (0.4, 0.1), (1.1, -0.6), (2.0, 0.2)];
     for w in TABLE.windows(2) {
-        let ((x0, y0), (x1, y1)) = (w[0], w[1]);
+        let (x0, y0) = w[0];
+        let (x1, y1) = w[1];
         if x >= x0 && x < x1 {
             return y - (y0 + (y1 - y0) * (x - x0) / (x1 - x0));
         }
@@ -98,7 +99,8 @@ twice! { Symbolic by_break(coord coord): fn f(x: Coord, y: Coord) -> f64 {
 twice! { Symbolic by_cell(coord coord coord): fn f(x: Coord, y: Coord, z: Coord) -> f64 {
     const GRID: [[f64; 5]; 5] = [[0.0, 1.0, 0.5, 0.1, 0.2], [1.0, 2.0, 0.0, 0.3, 0.4], [0.5, 1.5, 1.0, 0.7, 0.9], [0.2, 0.3, 0.4, 0.5, 0.6], [0.9, 0.8, 0.7, 0.6, 0.5]];
     let cell = |u: f64| { let mut k = 0; while k < 3 && u > k as f64 - 1.0 { k += 1; } (k, u - k as f64 + 2.0) };
-    let ((i, s), (j, t)) = (cell(x), cell(y));
+    let (i, s) = cell(x);
+    let (j, t) = cell(y);
     let low = GRID[i][j] * (1.0 - t) + GRID[i][j + 1] * t;
     let high = GRID[i + 1][j] * (1.0 - t) + GRID[i + 1][j + 1] * t;
     z - (low * (1.0 - s) + high * s)
@@ -131,7 +133,8 @@ twice! { Symbolic against_time(coord coord time): fn f(x: Coord, y: Coord, t: Ti
     const TIMES: [f64; 6] = [-1.5, -0.5, 0.0, 0.5, 1.5, 3.0];
     const PLACES: [f64; 7] = [0.0, 0.5, 0.25, -0.5, -1.0, 1.0, 2.0];
     let k = TIMES.iter().take_while(|&&time| time <= t).count();
-    let (from, to) = (PLACES[k], PLACES[(k + 1).min(6)]);
+    let from = PLACES[k];
+    let to = PLACES[(k + 1).min(6)];
     let s = (0.5 * t).sin();
     (x - (from + (to - from) * s), y * from - t)
 } }

@@ -1,4 +1,5 @@
-//! Every constraint of these tests, read from the text that it keeps: all terms are those that were compiled.
+//! Every constraint of these tests, read from the text that it keeps: all terms are those that were
+//! compiled.
 
 use kin::constraint::Constraint;
 use kin::data::Describer;
@@ -8,9 +9,9 @@ use kin_text::Equation;
 use crate::as_text::{difference, like};
 use crate::{branches, effects, generics, own, promises, refused};
 
-/// Constraints whose text does not stand alone, by what it speaks of: types of parameters that no file can
-/// hold, types and functions beside the constraint that are not marked as its helpers, bodies that only rustc
-/// can follow.
+/// Constraints whose text does not stand alone, by what it speaks of: types of parameters that no
+/// file can hold, types and functions beside the constraint that are not marked as its helpers,
+/// bodies that only rustc can follow.
 const PROGRAMS: [(&str, &[&str]); 4] = [
     (
         "` of `",
@@ -116,13 +117,14 @@ const PROGRAMS: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// Reads the text of a constraint, and compares all terms with the compiled ones: at states of order 1, near
-/// zeros, at zero and with single zeros.
+/// Reads the text of a constraint, and compares all terms with the compiled ones: at states of
+/// order 1, near zeros, at zero and with single zeros.
 pub fn agrees(path: &str, compiled: &dyn Constraint) {
     let name = path.trim_start_matches("language::");
     let mut describer = Describer::default();
     compiled.describe(&mut describer);
-    let listed = PROGRAMS.iter().find(|(_, names)| names.contains(&name)).map(|(reason, _)| *reason);
+    let listed =
+        PROGRAMS.iter().find(|(_, names)| names.contains(&name)).map(|(reason, _)| *reason);
     let (text, reason) = match (describer.equation(), listed) {
         (Some(text), None) => (text, ""),
         (None, Some(reason)) => (String::new(), reason),
@@ -133,7 +135,8 @@ pub fn agrees(path: &str, compiled: &dyn Constraint) {
         assert!(lacking.contains(reason), "{name} lacks {lacking}");
         return;
     }
-    let equation = Equation::read(&text).unwrap_or_else(|mistakes| panic!("{name}: {mistakes}\n{text}"));
+    let equation =
+        Equation::read(&text).unwrap_or_else(|mistakes| panic!("{name}: {mistakes}\n{text}"));
     let read = like(&equation, compiled);
     let n = compiled.arguments().iter().map(|argument| argument.target.columns()).sum();
     let random = &mut fastrand::Rng::with_seed(19);
@@ -152,7 +155,8 @@ pub fn agrees(path: &str, compiled: &dyn Constraint) {
 
 #[test]
 fn constraints_that_are_tested_by_themselves_agree_too() {
-    let (c, p) = (kin::any_coord, kin::any_planar);
+    let c = kin::any_coord;
+    let p = kin::any_planar;
     agrees("branches::with_a_call_in_one_branch", &branches::with_a_call_in_one_branch(c(), c()));
     agrees("effects::thirteen", &effects::thirteen(c()));
     agrees("effects::below_zero", &effects::below_zero(c(), [1.0; 3]));
@@ -169,7 +173,10 @@ fn constraints_that_are_tested_by_themselves_agree_too() {
     agrees("refused::types_of_a_macro", &refused::types_of_a_macro(c(), 2.0, [3.0, 4.0]));
     let link = refused::belt::Link { pitch: 0.5, roller: 0.1 };
     agrees("refused::own_link", &refused::belt::own_link(c(), link));
-    agrees("refused::through_a_table", &refused::through_a_table(c(), vec![(0.0, 2.0), (1.0, 5.0)]));
+    agrees(
+        "refused::through_a_table",
+        &refused::through_a_table(c(), vec![(0.0, 2.0), (1.0, 5.0)]),
+    );
     agrees("refused::of_a_state", &refused::of_a_state(p(), p(), 2.0));
     agrees("refused::real_from_integers", &refused::real_from_integers(c()));
 }
@@ -178,7 +185,8 @@ fn constraints_that_are_tested_by_themselves_agree_too() {
 #[test]
 fn no_constraint_of_these_tests_is_left_out() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/language");
-    let (mut all, mut left) = (String::new(), Vec::new());
+    let mut all = String::new();
+    let mut left = Vec::new();
     for entry in std::fs::read_dir(&folder)
         .expect("a folder")
         .chain(std::fs::read_dir(folder.join("corpus")).expect("a folder"))

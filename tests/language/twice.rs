@@ -1,5 +1,6 @@
-//! Functions that are compiled twice: by `#[constraint]`, and by rustc alone over f64. Both give the same C,
-//! and the constraint's derivatives agree with dual numbers and with differences of rustc's reading.
+//! Functions that are compiled twice: by `#[constraint]`, and by rustc alone over f64. Both give
+//! the same C, and the constraint's derivatives agree with dual numbers and with differences of
+//! rustc's reading.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -50,7 +51,8 @@ fn number(seed: &mut u64) -> f64 {
 /// Rustc's reading: C at local coordinates and a time.
 type Plain<'a> = &'a dyn Fn(&[f64], f64) -> Vec<f64>;
 
-/// Relative difference of C from rustc's reading, and of derivatives from extrapolated differences of it.
+/// Relative difference of C from rustc's reading, and of derivatives from extrapolated differences
+/// of it.
 const ROUNDING: f64 = 1e-12;
 const DIFFERENCES: f64 = 1e-6;
 
@@ -64,12 +66,13 @@ pub enum Expected {
     /// It takes this route, with a reason if it is the slow one, and its function is finite nearly
     /// everywhere.
     Route(Route, Option<&'static str>),
-    /// Nothing: where the function panics, or differences of it are no good, there is nothing to compare.
+    /// Nothing: where the function panics, or differences of it are no good, there is nothing to
+    /// compare.
     Nothing,
 }
 
-/// The route is the expected one. C equals rustc's reading, C_q, C_t, Q_d and the right side for the jerk
-/// equal differences of it, and both routes of the constraint agree.
+/// The route is the expected one. C equals rustc's reading, C_q, C_t, Q_d and the right side for
+/// the jerk equal differences of it, and both routes of the constraint agree.
 pub fn agree<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     constraint: E,
     expected: Expected,
@@ -88,14 +91,19 @@ pub fn agree<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
         if known {
             return plain(&mut Columns(q, t)).to_vec();
         }
-        catch_unwind(AssertUnwindSafe(|| plain(&mut Columns(q, t)))).unwrap_or([f64::NAN; M]).to_vec()
+        catch_unwind(AssertUnwindSafe(|| plain(&mut Columns(q, t))))
+            .unwrap_or([f64::NAN; M])
+            .to_vec()
     };
     let finite = values_agree(&constraint, N, &plain, known);
     // A function that nobody knows may jump among the steps of its differences.
     let steps: &[f64] = if known { &[LONGEST] } else { &[LONGEST, LONGEST / 20.0] };
     let smooth = derivatives_agree(&constraint, N, &plain, steps);
     assert!(!known || finite == VALUES, "the function is finite at {finite} states only");
-    assert!(!known || smooth == DERIVATIVES, "differences of the function are good at {smooth} states only");
+    assert!(
+        !known || smooth == DERIVATIVES,
+        "differences of the function are good at {smooth} states only"
+    );
     // Of other functions differences at states without a choice say too little.
     for seed in (1..4).take_while(|_| known) {
         if let Err(mismatch) = kin::check::compare_from::<E, N, M>(&constraint, seed) {
@@ -106,9 +114,11 @@ pub fn agree<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
 
 /// At how many states the function is finite. If it may panic, only these are compared.
 fn values_agree(constraint: &dyn Constraint, n: usize, plain: Plain, known: bool) -> usize {
-    let (mut seed, mut finite) = (7, 0);
+    let mut seed = 7;
+    let mut finite = 0;
     for _ in 0..TRIED * VALUES {
-        let (q, t) = (vector(&mut seed, n), 2.0 + number(&mut seed));
+        let q = vector(&mut seed, n);
+        let t = 2.0 + number(&mut seed);
         let expected = plain(&q, t);
         if !known && expected.iter().any(|x| x.is_nan()) {
             continue;
@@ -127,15 +137,17 @@ fn values_agree(constraint: &dyn Constraint, n: usize, plain: Plain, known: bool
     finite
 }
 
-/// At how many states the derivatives were compared, with differences by steps of these lengths. States
-/// beside a kink are left out: differences say nothing there, and know it.
+/// At how many states the derivatives were compared, with differences by steps of these lengths.
+/// States beside a kink are left out: differences say nothing there, and know it.
 fn derivatives_agree(constraint: &dyn Constraint, n: usize, plain: Plain, steps: &[f64]) -> usize {
-    let (mut seed, mut compared) = (11, 0);
+    let mut seed = 11;
+    let mut compared = 0;
     for _ in 0..TRIED * DERIVATIVES {
         let [q, qd, qdd] = std::array::from_fn(|_| vector(&mut seed, n));
         let t = 2.0 + number(&mut seed);
         let along = |direction: &[f64], bend: &[f64], by: f64, s: f64| {
-            let moved: Vec<f64> = (0..n).map(|k| q[k] + s * direction[k] + 0.5 * s * s * bend[k]).collect();
+            let moved: Vec<f64> =
+                (0..n).map(|k| q[k] + s * direction[k] + 0.5 * s * s * bend[k]).collect();
             plain(&moved, t + by * s)
         };
         let still = vec![0.0; n];
@@ -154,7 +166,8 @@ fn derivatives_agree(constraint: &dyn Constraint, n: usize, plain: Plain, steps:
         let known = all.swap_remove(0);
         let is_good = |estimate: &Estimate| estimate.error < 0.1 * DIFFERENCES;
         let is_known = |(k, estimate): (usize, &Estimate)| {
-            is_good(estimate) && all.iter().all(|other| apart(&estimate.value, &other[k].value) < DIFFERENCES)
+            is_good(estimate)
+                && all.iter().all(|other| apart(&estimate.value, &other[k].value) < DIFFERENCES)
         };
         if !known.iter().enumerate().all(is_known) {
             continue;
@@ -197,8 +210,8 @@ fn term(k: usize, n: usize) -> String {
     }
 }
 
-/// Compiles a function twice and compares. Behind it stand what its arguments are: `planar`, `spatial`,
-/// `coord`, `coords`, `time`, or a value in parentheses; behind `Dual` stands why, and
+/// Compiles a function twice and compares. Behind it stand what its arguments are: `planar`,
+/// `spatial`, `coord`, `coords`, `time`, or a value in parentheses; behind `Dual` stands why, and
 /// of `Any` nothing is known.
 #[macro_export]
 macro_rules! twice {

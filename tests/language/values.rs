@@ -25,7 +25,8 @@ reads!(compound_assignment_to_an_argument, Symbolic, mutable_argument(c(), 1.0),
 
 #[constraint]
 fn taken_apart(b: Planar) -> (f64, f64) {
-    let (p, (x, y)) = (b.point(vec2(1.0, 0.0)), (b.r.x, b.r.y));
+    let p = b.point(vec2(1.0, 0.0));
+    let (x, y) = (b.r.x, b.r.y);
     let Vec2 { x: px, y: py } = p;
     (px * x, py - y)
 }
@@ -61,7 +62,12 @@ reads!(spatial_states, Symbolic, spatial_algebra(s(), vec3(1.0, 2.0, 3.0)), at [
 fn vector_methods(i: Planar, j: Planar, u: Vec2) -> [f64; 4] {
     let d = i.point(u) - j.local(&u);
     let n = d.normalize().perp();
-    [n.dot(&u), d.cross(n), d.lerp(&u, 0.25).norm_squared(), (-d).component_div(vec2(2.0, 4.0)).norm()]
+    [
+        n.dot(&u),
+        d.cross(n),
+        d.lerp(&u, 0.25).norm_squared(),
+        (-d).component_div(vec2(2.0, 4.0)).norm(),
+    ]
 }
 reads!(vector_methods_by_value_and_reference, Symbolic, vector_methods(p(), p(), vec2(1.0, 0.0)),
     at [3.0, 4.0, 0.0, 0.0, 0.0, 0.0], 0.0 => [-0.8, 5.0, 15.25, 3.25_f64.sqrt()]);
@@ -110,7 +116,8 @@ reads!(time_in_several_ways, Symbolic, of_time(c()), at [2.0], 0.0 => [0.0, 2.0]
 fn odd_names(r#type: Coord, t0: Coord, at: Coord, s: f64, x: f64) -> f64 {
     let c = r#type * t0;
     let qd = at + x;
-    let (i_x, t1) = (c + qd * s, 0.5);
+    let i_x = c + qd * s;
+    let t1 = 0.5;
     i_x - t1
 }
 reads!(names_that_emitted_code_uses_too, Symbolic, odd_names(c(), c(), c(), 2.0, 1.0), at [2.0, 3.0, 4.0], 0.0 => [15.5]);

@@ -6,7 +6,8 @@ use nalgebra::DMatrix;
 
 use crate::support::*;
 
-/// The lecture's complex driver with a path of the test's own: (c0 + c1 cos c2 t, c3 + c4 sin c5 t).    \[m\]
+/// The lecture's complex driver with a path of the test's own: (c0 + c1 cos c2 t, c3 + c4 sin c5
+/// t).   \[m\]
 #[constraint]
 fn trajectory(i: Planar, u: Vec2, c: [f64; 6], t: Time) -> [f64; 2] {
     let f = (c[0] + c[1] * (c[2] * t).cos(), c[3] + c[4] * (c[5] * t).sin());
@@ -18,7 +19,8 @@ fn trajectory(i: Planar, u: Vec2, c: [f64; 6], t: Time) -> [f64; 2] {
 
 /// R_x + x̄ cos θ − ȳ sin θ = f1(t), R_y + x̄ sin θ + ȳ cos θ = f2(t); f, ḟ, f̈ given.
 fn complex_by_hand(q: &[f64; 3], qd: &[f64; 3], u: V2, [f, f_dot, f_ddot]: [V2; 3]) -> Hand {
-    let ([x, y, theta], [vx, vy, w]) = (*q, *qd);
+    let [x, y, theta] = *q;
+    let [vx, vy, w] = *qd;
     let (s, c) = theta.sin_cos();
     let mut hand = Hand::new(2, 3);
     hand.c = column(&[x + u.x * c - u.y * s - f.x, y + u.x * s + u.y * c - f.y]);
@@ -34,11 +36,15 @@ fn complex_by_hand(q: &[f64; 3], qd: &[f64; 3], u: V2, [f, f_dot, f_ddot]: [V2; 
 
 #[test]
 fn complex_driver_terms_are_the_lectures() {
-    let (mut random, mut comparison) = (Random::new(10), Comparison::of("complex driver, own path"));
+    let mut random = Random::new(10);
+    let mut comparison = Comparison::of("complex driver, own path");
     for _ in 0..STATES {
-        let ((q, qd), u, t) = (random.bodies(), random.vector(2.0), random.within(2.0));
+        let (q, qd) = random.bodies();
+        let u = random.vector(2.0);
+        let t = random.within(2.0);
         let c: [f64; 6] = random.array(2.0);
-        let ((s2, c2), (s5, c5)) = ((c[2] * t).sin_cos(), (c[5] * t).sin_cos());
+        let (s2, c2) = (c[2] * t).sin_cos();
+        let (s5, c5) = (c[5] * t).sin_cos();
         let f = V2::new(c[0] + c[1] * c2, c[3] + c[4] * s5);
         let f_dot = V2::new(-c[1] * c[2] * s2, c[4] * c[5] * c5);
         let f_ddot = V2::new(-c[1] * c[2] * c[2] * c2, -c[4] * c[5] * c[5] * s5);
@@ -49,10 +55,14 @@ fn complex_driver_terms_are_the_lectures() {
 
 #[test]
 fn shipped_point_driver_terms_are_the_lectures() {
-    let (mut random, mut comparison) = (Random::new(11), Comparison::of("complex driver, laws"));
+    let mut random = Random::new(11);
+    let mut comparison = Comparison::of("complex driver, laws");
     for _ in 0..STATES {
-        let ((q, qd), u, t) = (random.bodies(), random.vector(2.0), random.within(2.0));
-        let ([b0, b1, b2, b3], [amplitude, omega, phase]) = (random.array(1.0), random.array(2.0));
+        let (q, qd) = random.bodies();
+        let u = random.vector(2.0);
+        let t = random.within(2.0);
+        let [b0, b1, b2, b3] = random.array(1.0);
+        let [amplitude, omega, phase] = random.array(2.0);
         let (s, c) = (omega * t + phase).sin_cos();
         let f = V2::new(b0 + b1 * t + b2 * t * t + b3 * t * t * t, amplitude * s);
         let f_dot = V2::new(b1 + 2.0 * b2 * t + 3.0 * b3 * t * t, amplitude * omega * c);
@@ -77,7 +87,8 @@ fn simple_by_hand(theta: f64, w: f64, [f, f_dot, f_ddot]: [f64; 3], at: usize, n
 
 #[test]
 fn simple_driver_terms_are_the_lectures() {
-    let (mut random, mut comparison) = (Random::new(12), Comparison::of("simple driver"));
+    let mut random = Random::new(12);
+    let mut comparison = Comparison::of("simple driver");
     for _ in 0..STATES {
         let ((q, qd), t): (([f64; 3], [f64; 3]), f64) = (random.bodies(), random.within(4.0));
         let [theta0, omega, alpha] = random.array(3.0);

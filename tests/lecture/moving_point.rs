@@ -26,7 +26,8 @@ fn motion_in_body(c: &[f64; 6], t: f64) -> [V2; 3] {
 fn by_hand(q: &[f64; 6], qd: &[f64; 6], [u, u_dot, u_ddot]: [V2; 3], u_j: V2) -> Hand {
     let [xi, yi, ti, xj, yj, tj] = *q;
     let [vxi, vyi, wi, vxj, vyj, wj] = *qd;
-    let (ti_u, tj_u) = (a_theta(ti) * u, a_theta(tj) * u_j);
+    let ti_u = a_theta(ti) * u;
+    let tj_u = a_theta(tj) * u_j;
     let mut hand = Hand::new(2, 6);
     hand.c = column_of(V2::new(xi, yi) + a(ti) * u - V2::new(xj, yj) - a(tj) * u_j);
     hand.c_q = DMatrix::from_row_slice(
@@ -50,10 +51,13 @@ fn by_hand(q: &[f64; 6], qd: &[f64; 6], [u, u_dot, u_ddot]: [V2; 3], u_j: V2) ->
 
 #[test]
 fn moving_point_terms_are_the_lectures_with_coriolis() {
-    let (mut random, mut comparison) = (Random::new(7), Comparison::of("moving point"));
+    let mut random = Random::new(7);
+    let mut comparison = Comparison::of("moving point");
     for _ in 0..STATES {
         let (q, qd) = random.bodies();
-        let (c, u_j, t) = (random.array(2.0), random.vector(2.0), 1.0 + random.within(1.0));
+        let c = random.array(2.0);
+        let u_j = random.vector(2.0);
+        let t = 1.0 + random.within(1.0);
         let joint = block_in_a_slot(any_planar(), any_planar(), vec2(u_j.x, u_j.y), c);
         comparison.check(&joint, &q, &qd, t, &by_hand(&q, &qd, motion_in_body(&c, t), u_j));
         let shipped = moving_point(
@@ -67,15 +71,18 @@ fn moving_point_terms_are_the_lectures_with_coriolis() {
     }
 }
 
-/// With body j the ground's frame, C is r_P itself: C_q q̇ + C_t is its velocity and C_q q̈ − Q_d its
-/// acceleration.
+/// With body j the ground's frame, C is r_P itself: C_q q̇ + C_t is its velocity and C_q q̈ − Q_d
+/// its acceleration.
 #[test]
 fn moving_point_has_the_lectures_velocity_and_acceleration() {
-    let (mut random, mut worst) = (Random::new(8), 0.0_f64);
+    let mut random = Random::new(8);
+    let mut worst = 0.0_f64;
     for _ in 0..STATES {
-        let ([x, y, theta], [vx, vy, w], [ax, ay, alpha]) =
-            (random.array(3.0), random.array(3.0), random.array(3.0));
-        let (c, t) = (random.array(2.0), 1.0 + random.within(1.0));
+        let [x, y, theta] = random.array(3.0);
+        let [vx, vy, w] = random.array(3.0);
+        let [ax, ay, alpha] = random.array(3.0);
+        let c = random.array(2.0);
+        let t = 1.0 + random.within(1.0);
         let [u, u_dot, u_ddot] = motion_in_body(&c, t);
         let velocity = V2::new(vx, vy) + w * (a_theta(theta) * u) + a(theta) * u_dot;
         let acceleration = V2::new(ax, ay) + alpha * (a_theta(theta) * u) - w * w * (a(theta) * u)

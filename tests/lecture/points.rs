@@ -19,11 +19,15 @@ fn omega_cross(w: f64) -> Matrix2<f64> {
 
 #[test]
 fn point_velocity_and_acceleration_are_the_lectures() {
-    let (mut random, mut worst) = (Random::new(9), 0.0_f64);
+    let mut random = Random::new(9);
+    let mut worst = 0.0_f64;
     for _ in 0..STATES {
         let (q, qd): ([f64; 3], [f64; 3]) = random.bodies();
-        let (qdd, u) = (random.array::<3>(3.0), random.vector(2.0));
-        let ([x, y, theta], [vx, vy, w], [ax, ay, alpha]) = (q, qd, qdd);
+        let qdd = random.array::<3>(3.0);
+        let u = random.vector(2.0);
+        let [x, y, theta] = q;
+        let [vx, vy, w] = qd;
+        let [ax, ay, alpha] = qdd;
         let point = at_origin(any_planar(), vec2(u.x, u.y));
         // r = R + A ū,  ṙ = Ṙ + θ̇ A_θ ū,  r̈ = R̈ + θ̈ A_θ ū − θ̇² A ū
         let r = V2::new(x, y) + a(theta) * u;
@@ -32,10 +36,12 @@ fn point_velocity_and_acceleration_are_the_lectures() {
         // the classical forms, with u = A ū: v_O + ω × u,  a_O + α × u + ω × (ω × u)
         let global = a(theta) * u;
         let classical_v = V2::new(vx, vy) + omega_cross(w) * global;
-        let classical_a =
-            V2::new(ax, ay) + omega_cross(alpha) * global + omega_cross(w) * (omega_cross(w) * global);
+        let classical_a = V2::new(ax, ay)
+            + omega_cross(alpha) * global
+            + omega_cross(w) * (omega_cross(w) * global);
         for found in [terms(&point, &q, &qd, 0.0), dual_terms(&point, &q, &qd, 0.0)] {
-            let (rates, second_rates) = (&found.c_q * column(&qd), &found.c_q * column(&qdd) - &found.q_d);
+            let rates = &found.c_q * column(&qd);
+            let second_rates = &found.c_q * column(&qdd) - &found.q_d;
             for (found, hand) in [
                 (&found.c, r),
                 (&rates, v),

@@ -5,12 +5,15 @@ use kin::prelude::*;
 
 use crate::support::*;
 
-/// The slide's formulas, body j's columns with the sign of the derivative (its first line repeats the minus
-/// signs).
+/// The slide's formulas, body j's columns with the sign of the derivative (its first line repeats
+/// the minus signs).
 fn by_hand(q: &[f64; 6], qd: &[f64; 6], u_i: V2, u_j: V2) -> Hand {
     let [xi, yi, ti, xj, yj, tj] = *q;
     let [vxi, vyi, wi, vxj, vyj, wj] = *qd;
-    let (ai, aj, ti_u, tj_u) = (a(ti) * u_i, a(tj) * u_j, a_theta(ti) * u_i, a_theta(tj) * u_j);
+    let ai = a(ti) * u_i;
+    let aj = a(tj) * u_j;
+    let ti_u = a_theta(ti) * u_i;
+    let tj_u = a_theta(tj) * u_j;
     let mut hand = Hand::new(2, 6);
     // R_i + A_i ū_i − R_j − A_j ū_j
     hand.c = column_of(V2::new(xi, yi) + ai - V2::new(xj, yj) - aj);
@@ -29,10 +32,12 @@ fn by_hand(q: &[f64; 6], qd: &[f64; 6], u_i: V2, u_j: V2) -> Hand {
 
 #[test]
 fn revolute_terms_are_the_lectures() {
-    let (mut random, mut comparison) = (Random::new(1), Comparison::of("revolute"));
+    let mut random = Random::new(1);
+    let mut comparison = Comparison::of("revolute");
     for _ in 0..STATES {
         let (q, qd) = random.bodies();
-        let (u_i, u_j) = (random.vector(2.0), random.vector(2.0));
+        let u_i = random.vector(2.0);
+        let u_j = random.vector(2.0);
         let joint = revolute(any_planar(), any_planar(), vec2(u_i.x, u_i.y), vec2(u_j.x, u_j.y));
         comparison.check(&joint, &q, &qd, random.within(5.0), &by_hand(&q, &qd, u_i, u_j));
     }

@@ -42,8 +42,10 @@ impl Crank {
     /// The slides' formulas at (θ3, x_B), their rates, and θ2, θ̇2, θ̈2.
     fn by_hand(&self, q: &[f64; 2], qd: &[f64; 2], [theta2, w2, alpha2]: [f64; 3]) -> Hand {
         let Crank { l2, l3, h } = *self;
-        let ([theta3, x], [w3, vx]) = (*q, *qd);
-        let ((s2, c2), (s3, c3)) = (theta2.sin_cos(), theta3.sin_cos());
+        let [theta3, x] = *q;
+        let [w3, vx] = *qd;
+        let (s2, c2) = theta2.sin_cos();
+        let (s3, c3) = theta3.sin_cos();
         let mut hand = Hand::new(2, 2);
         hand.c = column(&[l2 * c2 + l3 * c3 - x, l2 * s2 + l3 * s3 - h]);
         // "Jacobian Matrix"
@@ -51,8 +53,8 @@ impl Crank {
         hand.c_q_qd = column(&[-l3 * w3 * s3 - vx, l3 * w3 * c3]);
         // "Velocity Analysis": J (θ̇3, ẋ) = θ̇2 (l2 sin θ2, −l2 cos θ2) = −C_t
         hand.c_t = -w2 * column(&[l2 * s2, -l2 * c2]);
-        // "Acceleration Analysis": J (θ̈3, ẍ) = θ̇2² (l2 cos θ2, l2 sin θ2) + θ̈2 (l2 sin θ2, −l2 cos θ2) +
-        // θ̇3² (l3 cos θ3, l3 sin θ3)
+        // "Acceleration Analysis": J (θ̈3, ẍ) = θ̇2² (l2 cos θ2, l2 sin θ2) + θ̈2 (l2 sin θ2, −l2
+        // cos θ2) + θ̇3² (l3 cos θ3, l3 sin θ3)
         let given = w2 * w2 * column(&[l2 * c2, l2 * s2]) + alpha2 * column(&[l2 * s2, -l2 * c2]);
         let quadratic = w3 * w3 * column(&[l3 * c3, l3 * s3]);
         hand.c_tt = -&given;
@@ -68,10 +70,13 @@ fn state(random: &mut Random) -> ([f64; 2], [f64; 2]) {
 
 #[test]
 fn slider_crank_terms_at_constant_speed_are_the_lectures() {
-    let (mut random, mut comparison) = (Random::new(4), Comparison::of("slider-crank, constant speed"));
+    let mut random = Random::new(4);
+    let mut comparison = Comparison::of("slider-crank, constant speed");
     for _ in 0..STATES {
-        let ((q, qd), crank) = (state(&mut random), Crank::random(&mut random));
-        let (t, omega) = (random.within(2.0), random.within(5.0));
+        let (q, qd) = state(&mut random);
+        let crank = Crank::random(&mut random);
+        let t = random.within(2.0);
+        let omega = random.within(5.0);
         let closure = steady(any_coord(), any_coord(), crank.l2, crank.l3, crank.h, omega);
         comparison.check(&closure, &q, &qd, t, &crank.by_hand(&q, &qd, [omega * t, omega, 0.0]));
     }
@@ -79,10 +84,13 @@ fn slider_crank_terms_at_constant_speed_are_the_lectures() {
 
 #[test]
 fn slider_crank_terms_with_an_accelerating_crank_are_the_lectures() {
-    let (mut random, mut comparison) = (Random::new(5), Comparison::of("slider-crank, accelerating crank"));
+    let mut random = Random::new(5);
+    let mut comparison = Comparison::of("slider-crank, accelerating crank");
     for k in 0..STATES {
-        let ((q, qd), crank) = (state(&mut random), Crank::random(&mut random));
-        let (t, [f0, w, alpha]) = (2.0 + random.within(2.0), random.array(3.0));
+        let (q, qd) = state(&mut random);
+        let crank = Crank::random(&mut random);
+        let t = 2.0 + random.within(2.0);
+        let [f0, w, alpha] = random.array(3.0);
         // each law with θ2, θ̇2, θ̈2 by hand
         let (law, given) = match k % 3 {
             0 => (
@@ -94,8 +102,12 @@ fn slider_crank_terms_with_an_accelerating_crank_are_the_lectures() {
                 (Law::sine(alpha, w, f0), [alpha * s, alpha * w * c, -alpha * w * w * s])
             }
             _ => {
-                let (tau, decay) = (2.0, (-t / 2.0_f64).exp());
-                (run_up(w, tau), [w * (t - tau * (1.0 - decay)), w * (1.0 - decay), w * decay / tau])
+                let tau = 2.0;
+                let decay = (-t / 2.0_f64).exp();
+                (
+                    run_up(w, tau),
+                    [w * (t - tau * (1.0 - decay)), w * (1.0 - decay), w * decay / tau],
+                )
             }
         };
         let closure = driven(any_coord(), any_coord(), crank.l2, crank.l3, crank.h, law);
@@ -108,7 +120,8 @@ fn slider_crank_elimination_formula_closes_the_loop() {
     let mut random = Random::new(6);
     for _ in 0..STATES {
         let crank = Crank { l2: 0.9 + random.within(0.5), ..Crank::random(&mut random) };
-        let (Crank { l2, h, .. }, theta2) = (crank, random.within(4.0 * PI));
+        let Crank { l2, h, .. } = crank;
+        let theta2 = random.within(4.0 * PI);
         // θ3 = asin((h − l2 sin θ2) / l3) and its other branch, π − that; l3 long enough for both.
         let l3 = 2.5 + random.within(0.05);
         let angle = ((h - l2 * theta2.sin()) / l3).asin();

@@ -113,14 +113,18 @@ impl Comparison {
 impl Drop for Comparison {
     fn drop(&mut self) {
         if !std::thread::panicking() {
-            let (states, [symbolic, dual]) = (self.states[0], self.worst);
+            let states = self.states[0];
+            let [symbolic, dual] = self.worst;
             assert!(
                 states > 0 && self.states[1] == states,
                 "{}: {:?} states compared",
                 self.what,
                 self.states
             );
-            println!("{}: {states} states, worst {symbolic:.1e} symbolic, {dual:.1e} dual", self.what);
+            println!(
+                "{}: {states} states, worst {symbolic:.1e} symbolic, {dual:.1e} dual",
+                self.what
+            );
         }
     }
 }
@@ -130,8 +134,9 @@ pub fn difference(found: &DVector<f64>, hand: &DVector<f64>) -> f64 {
     if found.len() != hand.len() {
         return f64::INFINITY;
     }
-    let worst =
-        (found - hand).iter().fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d.abs()) });
+    let worst = (found - hand)
+        .iter()
+        .fold(0.0_f64, |m, d| if d.is_nan() { f64::INFINITY } else { m.max(d.abs()) });
     worst / (1.0 + hand.amax())
 }
 
@@ -163,10 +168,12 @@ impl Random {
         V2::new(self.within(size), self.within(size))
     }
 
-    /// Coordinates of planar bodies, R within 2 m and θ within two turns; rates within 3 m/s and 3 rad/s.
+    /// Coordinates of planar bodies, R within 2 m and θ within two turns; rates within 3 m/s and 3
+    /// rad/s.
     pub fn bodies<const N: usize>(&mut self) -> ([f64; N], [f64; N]) {
-        let q =
-            std::array::from_fn(|k| self.within(if k % 3 == 2 { 4.0 * std::f64::consts::PI } else { 2.0 }));
+        let q = std::array::from_fn(|k| {
+            self.within(if k % 3 == 2 { 4.0 * std::f64::consts::PI } else { 2.0 })
+        });
         (q, self.array(3.0))
     }
 }

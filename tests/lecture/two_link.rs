@@ -1,5 +1,5 @@
-//! "Example: Two Link Manipulator": the full set of nine constraints in nine coordinates, assembled by hand
-//! from its five constraints.
+//! "Example: Two Link Manipulator": the full set of nine constraints in nine coordinates, assembled
+//! by hand from its five constraints.
 
 use kin::dual_route::Equation;
 use kin::prelude::*;
@@ -20,7 +20,10 @@ const START3: f64 = PI / 12.0;
 fn by_hand(q: &[f64; 9], qd: &[f64; 9], t: f64) -> Hand {
     let [x1, y1, t1, x2, y2, t2, x3, y3, t3] = *q;
     let [vx1, vy1, w1, vx2, vy2, w2, vx3, vy3, w3] = *qd;
-    let ((s2, c2), (s3, c3), m2, m3) = (t2.sin_cos(), t3.sin_cos(), L2 / 2.0, L3 / 2.0);
+    let (s2, c2) = t2.sin_cos();
+    let (s3, c3) = t3.sin_cos();
+    let m2 = L2 / 2.0;
+    let m3 = L3 / 2.0;
     let mut hand = Hand::new(9, 9);
     hand.c = column(&[
         x1,
@@ -72,7 +75,8 @@ fn by_hand(q: &[f64; 9], qd: &[f64; 9], t: f64) -> Hand {
     // "Velocity Analysis": seven zeros (printed: six)
     hand.c_t = column(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -W2, -W3]);
     // "Acceleration Analysis": C_qt and C_tt are zero
-    let (n2, n3) = ((m2 * w2 * w2 * c2, m2 * w2 * w2 * s2), (m3 * w3 * w3 * c3, m3 * w3 * w3 * s3));
+    let n2 = (m2 * w2 * w2 * c2, m2 * w2 * w2 * s2);
+    let n3 = (m3 * w3 * w3 * c3, m3 * w3 * w3 * s3);
     hand.c_qqd_qd = column(&[0.0, 0.0, 0.0, -n2.0, -n2.1, -n2.0 - n3.0, -n2.1 - n3.1, 0.0, 0.0]);
     hand.q_d = column(&[0.0, 0.0, 0.0, n2.0, n2.1, n2.0 + n3.0, n2.1 + n3.1, 0.0, 0.0]);
     hand
@@ -111,7 +115,8 @@ impl<'a> Assembly<'a> {
         assert_eq!(constraint.route(), Route::Symbolic, "{}", constraint.facts().kind);
         let columns: Vec<usize> = bodies.iter().flat_map(|body| 3 * (body - 1)..3 * body).collect();
         let local = |all: &[f64; 9]| columns.iter().map(|&k| all[k]).collect::<Vec<f64>>();
-        let (q, qd) = (local(self.q), local(self.qd));
+        let q = local(self.q);
+        let qd = local(self.qd);
         let found = [terms(&constraint, &q, &qd, self.t), dual_terms(&constraint, &q, &qd, self.t)];
         for (all, one) in self.routes.iter_mut().zip(found) {
             for k in 0..M {
@@ -143,9 +148,11 @@ fn pin_a(i: impl Into<PlanarBody>, j: impl Into<PlanarBody>) -> revolute {
 
 #[test]
 fn two_link_constraints_assemble_to_the_lectures_nine_by_nine() {
-    let (mut random, mut comparison) = (Random::new(13), Comparison::of("two-link, 9 x 9 by hand"));
+    let mut random = Random::new(13);
+    let mut comparison = Comparison::of("two-link, 9 x 9 by hand");
     for _ in 0..STATES {
-        let ((q, qd), t) = (random.bodies(), 12.0 + random.within(12.0));
+        let (q, qd) = random.bodies();
+        let t = 12.0 + random.within(12.0);
         let mut all = Assembly::new(&q, &qd, t);
         all.add(0, &[1], fixed(any_planar(), vec2(0.0, 0.0), 0.0));
         all.add(3, &[1, 2], pin_o(any_planar(), any_planar()));
@@ -166,9 +173,10 @@ fn mechanism(dual: bool) -> kin::Result<Mechanism> {
     let body2 = m.planar("2", pose(0.1, 0.0, 0.0))?;
     let body3 = m.planar("3", pose(0.3, 0.0, 0.0))?;
     let ground = fixed(body1, vec2(0.0, 0.0), 0.0);
-    let (o, a) = (pin_o(body1, body2), pin_a(body2, body3));
-    let (drive2, drive3) =
-        (drive_angle(body2, Law::linear(START2, W2)), drive_angle(body3, Law::linear(START3, W3)));
+    let o = pin_o(body1, body2);
+    let a = pin_a(body2, body3);
+    let drive2 = drive_angle(body2, Law::linear(START2, W2));
+    let drive3 = drive_angle(body3, Law::linear(START3, W3));
     if dual {
         m.add("ground", by_dual(ground))?;
         m.add("O", by_dual(o))?;
@@ -187,12 +195,14 @@ fn mechanism(dual: bool) -> kin::Result<Mechanism> {
 
 #[test]
 fn two_link_system_is_the_lectures_nine_by_nine() -> kin::Result<()> {
-    let (mut random, mut worst) = (Random::new(14), [0.0_f64; 2]);
+    let mut random = Random::new(14);
+    let mut worst = [0.0_f64; 2];
     for (dual, worst) in [false, true].into_iter().zip(&mut worst) {
         let system = mechanism(dual)?.build()?;
         assert_eq!((system.n_coordinates(), system.n_equations()), (9, 9));
         for _ in 0..STATES {
-            let ((q, qd), t) = (random.bodies(), 12.0 + random.within(12.0));
+            let (q, qd) = random.bodies();
+            let t = 12.0 + random.within(12.0);
             let hand = by_hand(&q, &qd, t);
             let c_q = system.jacobian(&q, t)?;
             for (term, found, hand) in [

@@ -70,7 +70,8 @@ fn a_slip_is_shown_as_a_table_with_names() {
     // the same entry on all routes, so that one sees which of them is alone
     let entry = &mismatch.entries[0];
     assert!(
-        (entry.own + entry.dual).abs() < 1e-12 && (entry.dual - entry.central.expect("central")).abs() < 1e-8
+        (entry.own + entry.dual).abs() < 1e-12
+            && (entry.dual - entry.central.expect("central")).abs() < 1e-8
     );
     assert_eq!(mismatch.entries.len(), 1, "what agrees is not shown");
 }

@@ -36,14 +36,16 @@ fn symbolic_is_dual_is_central_difference() {
     );
 }
 
-/// Drivers that are linear in the coordinates tell a solver with their numbers of the time all that it wants
-/// to know: that it is right is among what the comparison above compares.
+/// Drivers that are linear in the coordinates tell a solver with their numbers of the time all that
+/// it wants to know: that it is right is among what the comparison above compares.
 #[test]
 fn linear_drivers_tell_their_sides() {
     let mut telling = Vec::new();
     each(100, |joint, name, random| {
         let sample = (joint.make)(random);
-        if sample.constraint().facts().sides_of_time.is_some() && !telling.contains(&name.to_owned()) {
+        if sample.constraint().facts().sides_of_time.is_some()
+            && !telling.contains(&name.to_owned())
+        {
             telling.push(name.to_owned());
         }
     });
@@ -52,8 +54,8 @@ fn linear_drivers_tell_their_sides() {
     }
 }
 
-/// Bodies that coincide, angles of whole quarters, axes along the frames': where products vanish and square
-/// roots stand at zero.
+/// Bodies that coincide, angles of whole quarters, axes along the frames': where products vanish
+/// and square roots stand at zero.
 #[test]
 fn routes_agree_at_degenerate_poses() {
     let half = 0.5_f64.sqrt();
@@ -75,14 +77,14 @@ fn routes_agree_at_degenerate_poses() {
                     Argument::Planar(first) => {
                         q[first + 2] = (k * number) as f64 * std::f64::consts::FRAC_PI_2
                     }
-                    Argument::Spatial(first) => {
-                        q[first + 3..first + 7].copy_from_slice(if number == 0 { &turns[0] } else { turn })
-                    }
+                    Argument::Spatial(first) => q[first + 3..first + 7]
+                        .copy_from_slice(if number == 0 { &turns[0] } else { turn }),
                     Argument::Coord(first) => q[first] = k as f64 * std::f64::consts::FRAC_PI_2,
                 }
             }
             for qd in [random.numbers(n), vec![0.0; n]] {
-                let report = sample.at(&q, &qd, 0.0).unwrap_or_else(|mismatch| panic!("{mismatch}"));
+                let report =
+                    sample.at(&q, &qd, 0.0).unwrap_or_else(|mismatch| panic!("{mismatch}"));
                 compared += report.states;
             }
         }
@@ -90,7 +92,8 @@ fn routes_agree_at_degenerate_poses() {
     assert!(compared > 2000, "{compared}");
 }
 
-/// As many independent rows as the documentation says freedoms are removed, at every pose with C = 0.
+/// As many independent rows as the documentation says freedoms are removed, at every pose with
+/// C = 0.
 #[test]
 fn rank_is_the_number_of_rows() {
     let mut worst = (f64::INFINITY, String::new());
@@ -119,7 +122,8 @@ fn rank_is_the_number_of_rows() {
 fn documentation_says_how_many_freedoms_are_removed() {
     for joint in all() {
         let sample = (joint.make)(&mut Random::new(1));
-        let (text, rows) = (sample.constraint().facts().description, sample.constraint().facts().rows.len());
+        let text = sample.constraint().facts().description;
+        let rows = sample.constraint().facts().rows.len();
         if joint.group.ends_with("drivers") {
             continue;
         }
@@ -138,18 +142,23 @@ fn a_rigid_motion_of_all_bodies_keeps_the_joint_closed() {
     let mut moved = 0;
     each(400, |joint, name, random| {
         let sample = (joint.make)(random);
-        let bodies: Vec<Argument> =
-            arguments(sample.constraint()).into_iter().filter(|a| !matches!(a, Argument::Coord(_))).collect();
+        let bodies: Vec<Argument> = arguments(sample.constraint())
+            .into_iter()
+            .filter(|a| !matches!(a, Argument::Coord(_)))
+            .collect();
         if bodies.len() < 2 {
             return;
         }
         let t = random.between(0.0, 2.0);
         let mut q = on_manifold(sample.constraint(), random, t);
-        let (angle, shift, turn) = (random.number(), random.v3(), random.turn());
+        let angle = random.number();
+        let shift = random.v3();
+        let turn = random.turn();
         for body in bodies {
             match body {
                 Argument::Planar(first) => {
-                    let r = Mat2::rotation(angle) * vec2(q[first], q[first + 1]) + vec2(shift.x, shift.y);
+                    let r = Mat2::rotation(angle) * vec2(q[first], q[first + 1])
+                        + vec2(shift.x, shift.y);
                     (q[first], q[first + 1], q[first + 2]) = (r.x, r.y, q[first + 2] + angle);
                 }
                 Argument::Spatial(first) => {
@@ -177,7 +186,8 @@ fn bodies_exchanged_with_their_parameters_close_at_the_same_poses() {
     let mut exchanged = 0;
     for (joint, seed) in all().into_iter().zip(500..) {
         let Some(other) = joint.exchanged else { continue };
-        let (sample, other) = ((joint.make)(&mut Random::new(seed)), other(&mut Random::new(seed)));
+        let sample = (joint.make)(&mut Random::new(seed));
+        let other = other(&mut Random::new(seed));
         let mut random = Random::new(seed + 1000);
         for _ in 0..5 {
             let t = random.between(0.0, 2.0);
@@ -208,7 +218,9 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
     each(600, |joint, name, random| {
         let sample = (joint.make)(random);
         let n = columns(sample.constraint());
-        let (qd, qdd, t) = (random.numbers(n), random.numbers(n), random.between(0.0, 2.0));
+        let qd = random.numbers(n);
+        let qdd = random.numbers(n);
+        let t = random.between(0.0, 2.0);
         let q = on_manifold(sample.constraint(), random, t);
         let second = |s: f64| -> DVector<f64> {
             let at: Vec<f64> = (0..n).map(|k| q[k] + s * qd[k] + 0.5 * s * s * qdd[k]).collect();
@@ -219,9 +231,10 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
         // of two steps the one that is farther from the truth by 16 times: Richardson
         let slope = |h: f64| (second(h) - second(-h)) / (2.0 * h);
         let difference = (slope(1e-4) * 4.0 - slope(2e-4)) / 3.0;
-        let jerk = kin::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t).expect("the library knows it");
-        let by_dual =
-            kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t).expect("dual numbers know it");
+        let jerk =
+            kin::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t).expect("the library knows it");
+        let by_dual = kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t)
+            .expect("dual numbers know it");
         assert!(
             (&jerk - &by_dual).amax() < 1e-12 * (1.0 + jerk.amax()),
             "{name}: jerk right side {jerk} by dual numbers {by_dual}"
@@ -233,11 +246,12 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
     println!("jerk right side: worst {worst:.1e}");
 }
 
-/// Measures by `Dual3_64` against central differences of the value and of the first two derivatives along a
-/// motion.
+/// Measures by `Dual3_64` against central differences of the value and of the first two derivatives
+/// along a motion.
 #[test]
 fn measures_have_the_rates_of_their_values() {
-    let (mut worst, mut seen) = (0.0_f64, std::collections::BTreeSet::new());
+    let mut worst = 0.0_f64;
+    let mut seen = std::collections::BTreeSet::new();
     each(600, |joint, name, random| {
         let sample = (joint.make)(random);
         let n = columns(sample.constraint());
@@ -257,16 +271,27 @@ fn measures_have_the_rates_of_their_values() {
                     along([&qd, &qdd, &qddd, &zero]),
                     along([&qdd, &qddd, &zero, &zero]),
                 ];
-                kin::measure(sample.constraint(), k, kin::Moving { q: &q, qd: &v, qdd: &a, qddd: &qddd }, s)
+                kin::measure(
+                    sample.constraint(),
+                    k,
+                    kin::Moving { q: &q, qd: &v, qdd: &a, qddd: &qddd },
+                    s,
+                )
             };
-            let (here, h) = (at(0.0), 1e-4);
+            let here = at(0.0);
+            let h = 1e-4;
             let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|s| at(s * h));
             for order in 0..3 {
                 // over the cut of an angle its value jumps by a turn
                 let near = |x: f64| {
-                    if order == 0 && told.turns { x - TAU * ((x - here[0]) / TAU).round() } else { x }
+                    if order == 0 && told.turns {
+                        x - TAU * ((x - here[0]) / TAU).round()
+                    } else {
+                        x
+                    }
                 };
-                let slope = (near(a[order]) - 8.0 * near(b[order]) + 8.0 * near(c[order]) - near(d[order]))
+                let slope = (near(a[order]) - 8.0 * near(b[order]) + 8.0 * near(c[order])
+                    - near(d[order]))
                     / (12.0 * h);
                 let error = (slope - here[order + 1]).abs()
                     / (1.0 + here.iter().fold(0.0_f64, |m, x| m.max(x.abs())));
@@ -286,8 +311,8 @@ fn measures_have_the_rates_of_their_values() {
     assert!(seen.len() >= 20, "{seen:?}");
 }
 
-/// The table holds every constraint of the library: a joint that is added without a line here is found by its
-/// name.
+/// The table holds every constraint of the library: a joint that is added without a line here is
+/// found by its name.
 #[test]
 fn the_table_is_complete() {
     let listed: Vec<(bool, String)> =
@@ -298,13 +323,17 @@ fn the_table_is_complete() {
     while let Some(path) = files.pop() {
         if path.is_dir() {
             files.extend(
-                std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()),
+                std::fs::read_dir(path)
+                    .expect("readable")
+                    .map(|entry| entry.expect("an entry").path()),
             );
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("readable");
         let spatial = path.to_string_lossy().contains("spatial");
-        for name in text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split(['(', '<']).next()) {
+        for name in
+            text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split(['(', '<']).next())
+        {
             let name = name.to_owned();
             // the norm of Euler parameters comes with every body by itself, a held turn with
             // `hold_idle_turns`

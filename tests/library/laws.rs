@@ -31,7 +31,8 @@ fn wave() -> Vec<(f64, f64)> {
 }
 
 pub fn all() -> Vec<Line> {
-    let (up, down) = (Law::cycloidal(0.5, 1.0), Law::constant(0.5) - Law::polynomial_345(0.5, 1.5));
+    let up = Law::cycloidal(0.5, 1.0);
+    let down = Law::constant(0.5) - Law::polynomial_345(0.5, 1.5);
     vec![
         line("constant", Law::constant(-3.0), -2.0, 2.0),
         line("ramp", Law::ramp(2.5), -2.0, 2.0),
@@ -39,7 +40,12 @@ pub fn all() -> Vec<Line> {
         line("polynomial", Law::polynomial(&[1.0, -2.0, 0.5, 3.0, -0.25]), -2.0, 2.0),
         line("harmonic", Law::harmonic(0.3, 0.05), -4.0, 4.0),
         line("sine", Law::sine(2.0, 3.0, 0.5), -2.0, 2.0),
-        line("fourier", Law::fourier(0.5, 2.0, &[(0.3, -0.2), (0.0, 0.1), (0.05, 0.02)]), -2.0, 2.0),
+        line(
+            "fourier",
+            Law::fourier(0.5, 2.0, &[(0.3, -0.2), (0.0, 0.1), (0.05, 0.02)]),
+            -2.0,
+            2.0,
+        ),
         line("harmonic_rise", Law::harmonic_rise(0.8, 1.5), -0.4, 2.0),
         line("cycloidal", Law::cycloidal(0.8, 1.5), -0.4, 2.0),
         line("polynomial_345", Law::polynomial_345(-0.8, 1.5), -0.4, 2.0),
@@ -64,7 +70,10 @@ pub fn all() -> Vec<Line> {
         line("quintic_spline", Law::quintic_spline(&wave(), Ends::Periodic), -5.0, 9.0),
         line(
             "sequence",
-            Law::sequence(0.25, [(1.0, up.clone()), (0.5, Law::constant(0.5)), (1.5, down.clone())]),
+            Law::sequence(
+                0.25,
+                [(1.0, up.clone()), (0.5, Law::constant(0.5)), (1.5, down.clone())],
+            ),
             -0.5,
             4.0,
         ),
@@ -74,7 +83,12 @@ pub fn all() -> Vec<Line> {
             -4.0,
             8.0,
         ),
-        line("compose", Law::trapezoidal(2.0, 1.0, 2.0).compose(&Law::sine(3.0, 1.0, 0.0)), -2.0, 4.0),
+        line(
+            "compose",
+            Law::trapezoidal(2.0, 1.0, 2.0).compose(&Law::sine(3.0, 1.0, 0.0)),
+            -2.0,
+            4.0,
+        ),
         line("shifted", Law::cycloidal(1.0, 1.0).shifted(0.5), -1.0, 3.0),
         line(
             "sum",
@@ -88,21 +102,21 @@ pub fn all() -> Vec<Line> {
     ]
 }
 
-/// And those of intervals, of which proofs are made: each law has them (no derivative is left out but those
-/// beyond a break).
+/// And those of intervals, of which proofs are made: each law has them (no derivative is left out
+/// but those beyond a break).
 #[test]
 fn derivatives_and_breaks_are_those_of_the_law() {
     for Line { name, law, from, to } in all() {
         assert!(law.refusal().is_none(), "{name}: {:?}", law.refusal());
-        let worst =
-            check::compare_law(&law, from, to).unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
+        let worst = check::compare_law(&law, from, to)
+            .unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
         println!("{name:20} {worst:.1e}  {} breaks", law.breaks(from, to).len());
         assert!(!law.description().is_empty(), "{name}");
     }
 }
 
-/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are known, and
-/// narrow enough; and the law is in the tube.
+/// Each law drives a coordinate over its whole range, breaks and all: proved, so its bounds are
+/// known, and narrow enough; and the law is in the tube.
 #[test]
 fn motions_by_every_law_can_be_proved() {
     for Line { name, law, from, to } in all() {
@@ -117,7 +131,8 @@ fn motions_by_every_law_can_be_proved() {
         for (step, u) in
             proof.steps().iter().flat_map(|step| (0..=16).map(move |k| (step, f64::from(k) / 16.0)))
         {
-            let (t, radius) = (step.from + u * (step.to - step.from), step.tube.as_ref().unwrap().radius[0]);
+            let t = step.from + u * (step.to - step.from);
+            let radius = step.tube.as_ref().unwrap().radius[0];
             let off = (hermite::interpolated(&motion, step.step, u)[0] - law.at(t)).abs();
             assert!(off <= radius + 1e-13, "{name}: at {t} off by {off:e}, tube {radius:e}");
         }
@@ -125,16 +140,18 @@ fn motions_by_every_law_can_be_proved() {
     }
 }
 
-/// A number just below zero, brought into the period, is the period itself by rounding: there the law is what
-/// it is at zero.
+/// A number just below zero, brought into the period, is the period itself by rounding: there the
+/// law is what it is at zero.
 #[test]
 fn periodic_laws_just_below_zero() {
     let spline = Law::spline(&wave(), Ends::Periodic);
-    let repeated = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
+    let repeated =
+        Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
     for (law, period) in [(spline, 4.0), (repeated, 2.0)] {
         for x in [-1e-17, -3e-17, -1e-300] {
             for turn in [0.0, period] {
-                let (below, zero) = (law.jet(x + turn), law.jet(0.0));
+                let below = law.jet(x + turn);
+                let zero = law.jet(0.0);
                 assert!(
                     (0..3).all(|k| (below[k] - zero[k]).abs() < 1e-12),
                     "{} at {x}: {below:?} instead of {zero:?}",
@@ -145,13 +162,17 @@ fn periodic_laws_just_below_zero() {
     }
 }
 
-/// A smooth law has no break anywhere; the others have what they list, and no listed break is of no effect
-/// (`compare_law` looks at each).
+/// A smooth law has no break anywhere; the others have what they list, and no listed break is of no
+/// effect (`compare_law` looks at each).
 #[test]
 fn breaks_are_listed() {
-    let orders =
-        |law: &Law, from, to| law.breaks(from, to).iter().map(|b| (b.x, b.order)).collect::<Vec<_>>();
-    assert_eq!(orders(&Law::trapezoidal(2.0, 1.0, 2.0), -1.0, 9.0), [(0.0, 2), (0.5, 2), (2.0, 2), (2.5, 2)]);
+    let orders = |law: &Law, from, to| {
+        law.breaks(from, to).iter().map(|b| (b.x, b.order)).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        orders(&Law::trapezoidal(2.0, 1.0, 2.0), -1.0, 9.0),
+        [(0.0, 2), (0.5, 2), (2.0, 2), (2.5, 2)]
+    );
     assert_eq!(orders(&Law::trapezoidal(0.5, 1.0, 2.0), -1.0, 9.0), [(0.0, 2), (0.5, 2), (1.0, 2)]);
     assert_eq!(orders(&Law::cycloidal(1.0, 2.0), 0.0, 2.0), [(0.0, 3), (2.0, 3)]);
     assert_eq!(orders(&Law::cycloidal(1.0, 2.0), 0.5, 1.5), []);
@@ -202,7 +223,10 @@ fn fourth_derivative_is_that_of_the_third() {
                 continue;
             }
             let slope = (law.jet(x + h)[3] - law.jet(x - h)[3]) / (2.0 * h);
-            assert!((slope - fourth).abs() < 1e-4 * (1.0 + fourth.abs()), "{name} at {x}: {fourth} {slope}");
+            assert!(
+                (slope - fourth).abs() < 1e-4 * (1.0 + fourth.abs()),
+                "{name} at {x}: {fourth} {slope}"
+            );
             known += 1;
         }
     }
@@ -253,16 +277,22 @@ fn motions_keep_their_limits() {
             [f64::NAN, 1.0, 8.0],
         ),
         // neither speed nor acceleration reached: 4 ∛(d/2j)
-        (Law::s_curve(-0.05, 2.0, 2.0, 8.0), 4.0 * (0.05_f64 / 16.0).cbrt(), [f64::NAN, f64::NAN, 8.0]),
+        (
+            Law::s_curve(-0.05, 2.0, 2.0, 8.0),
+            4.0 * (0.05_f64 / 16.0).cbrt(),
+            [f64::NAN, f64::NAN, 8.0],
+        ),
     ] {
         let last = law.breaks(-1.0, 99.0).last().expect("an end").x;
         assert!((last - end).abs() < 1e-12, "{law:?} ends at {last}, not at {end}");
         let largest = (0..20_000).map(|k| law.jet(end * f64::from(k) / 20_000.0));
-        let largest = largest.fold([0.0_f64; 4], |m, jet| std::array::from_fn(|k| m[k].max(jet[k].abs())));
+        let largest =
+            largest.fold([0.0_f64; 4], |m, jet| std::array::from_fn(|k| m[k].max(jet[k].abs())));
         for (found, peak) in largest[1..].iter().zip(peaks) {
             assert!(peak.is_nan() || (found - peak).abs() < 1e-3 * peak, "{law:?}: {largest:?}");
         }
-        let (before, after) = (law.at(end - 1e-9), law.jet(end + 1e-9));
+        let before = law.at(end - 1e-9);
+        let after = law.jet(end + 1e-9);
         assert!((before - after[0]).abs() < 1e-12 && after[1] == 0.0, "{law:?}");
     }
 }
@@ -275,8 +305,10 @@ fn splines_go_through_their_tables_and_repeat_what_is_cubic() {
     }
     // a cubic with its own end slopes comes back everywhere
     let cubic = Law::polynomial(&[1.0, -2.0, 0.5, 0.75]);
-    let table: Vec<(f64, f64)> = [0.0, 0.3, 1.1, 1.4, 2.0].iter().map(|x| (*x, cubic.at(*x))).collect();
-    let spline = Law::spline(&table, Ends::Clamped { start: cubic.jet(0.0)[1], end: cubic.jet(2.0)[1] });
+    let table: Vec<(f64, f64)> =
+        [0.0, 0.3, 1.1, 1.4, 2.0].iter().map(|x| (*x, cubic.at(*x))).collect();
+    let spline =
+        Law::spline(&table, Ends::Clamped { start: cubic.jet(0.0)[1], end: cubic.jet(2.0)[1] });
     for k in 0..200 {
         let x = f64::from(k) / 100.0;
         (0..4).for_each(|order| {
@@ -291,8 +323,10 @@ fn splines_go_through_their_tables_and_repeat_what_is_cubic() {
     let places = (0..=64).map(|k| f64::from(k) * TAU / 64.0);
     let sine: Vec<(f64, f64)> = places.map(|x| (x, if x == TAU { 0.0 } else { x.sin() })).collect();
     let spline = Law::spline(&sine, Ends::Periodic);
-    let worst =
-        (0..1000).map(|k| f64::from(k) * 0.02).map(|x| (spline.at(x) - x.sin()).abs()).fold(0.0, f64::max);
+    let worst = (0..1000)
+        .map(|k| f64::from(k) * 0.02)
+        .map(|x| (spline.at(x) - x.sin()).abs())
+        .fold(0.0, f64::max);
     assert!(worst < 3.0 * (TAU / 64.0).powi(4) / 384.0 && spline.is_periodic(TAU), "{worst:e}");
 }
 
@@ -319,7 +353,10 @@ fn tables_are_read_from_files() {
     }
     std::fs::remove_file(&path).expect("removed");
     assert!(
-        Law::spline_from_csv(&path, Ends::Natural).expect_err("no file").to_string().contains("kin-table")
+        Law::spline_from_csv(&path, Ends::Natural)
+            .expect_err("no file")
+            .to_string()
+            .contains("kin-table")
     );
 }
 
@@ -338,7 +375,10 @@ fn what_makes_no_sense_is_refused_in_words() {
             Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(2.0))]),
             "parts 1 and 2 of the sequence do not meet: the first ends at 1",
         ),
-        (Law::sequence(0.0, [(1.0, Law::cycloidal(1.0, -1.0))]), "part 1 of the sequence: cycloidal"),
+        (
+            Law::sequence(0.0, [(1.0, Law::cycloidal(1.0, -1.0))]),
+            "part 1 of the sequence: cycloidal",
+        ),
         (Law::sequence(0.0, [(0.0, Law::ramp(1.0))]), "the length 0"),
         (Law::ramp(1.0).periodic(2.0), "does not repeat after 2"),
         (Law::constant(1.0).periodic(-1.0), "period is above zero"),
@@ -375,19 +415,23 @@ fn the_checker_finds_what_is_wrong() {
 /// Every constructor of laws is in the table.
 #[test]
 fn the_table_is_complete() {
-    let mut open = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/model/law")];
+    let mut open =
+        vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/model/law")];
     let names: Vec<&str> = all().iter().map(|line| line.name).collect();
     let mut missing = Vec::new();
     while let Some(path) = open.pop() {
         if path.is_dir() {
             open.extend(
-                std::fs::read_dir(path).expect("readable").map(|entry| entry.expect("an entry").path()),
+                std::fs::read_dir(path)
+                    .expect("readable")
+                    .map(|entry| entry.expect("an entry").path()),
             );
             continue;
         }
         let text = std::fs::read_to_string(path).expect("readable");
-        let constructors =
-            text.lines().filter(|line| line.starts_with("    pub fn ") && line.ends_with("-> Law {"));
+        let constructors = text
+            .lines()
+            .filter(|line| line.starts_with("    pub fn ") && line.ends_with("-> Law {"));
         missing.extend(
             constructors
                 .filter_map(|line| line[11..].split(['(', '<']).next())

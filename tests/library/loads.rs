@@ -23,7 +23,8 @@ pub struct LoadFunction {
 pub fn of_file(file: &str) -> Vec<LoadFunction> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/forces").join(file);
     let text = std::fs::read_to_string(path).expect("readable");
-    let (mut before, mut at) = (String::new(), 0);
+    let mut before = String::new();
+    let mut at = 0;
     let mut all = Vec::new();
     for line in text.split_inclusive('\n') {
         if line.starts_with("pub fn ") {
@@ -51,7 +52,8 @@ fn function(before: &str, text: &str) -> LoadFunction {
     let documentation = before.lines().filter_map(|line| line.strip_prefix("///"));
     let documentation: Vec<&str> =
         documentation.map(str::trim).take_while(|line| !line.starts_with("```")).collect();
-    let (name, documentation) = (name.to_owned(), documentation.join("\n"));
+    let name = name.to_owned();
+    let documentation = documentation.join("\n");
     LoadFunction { kind, name, arguments: given(arguments), documentation }
 }
 
@@ -83,7 +85,8 @@ pub fn sections() -> String {
             let (equation, more, signs) = paragraphs(&documentation);
             let more = if more.is_empty() { String::new() } else { format!(" {more}") };
             let signs = if signs.is_empty() { String::new() } else { format!(" *Signs:* {signs}") };
-            let _ = writeln!(text, "* **`{name}`** `({arguments})`, {kind}: {equation}{more}{signs}");
+            let _ =
+                writeln!(text, "* **`{name}`** `({arguments})`, {kind}: {equation}{more}{signs}");
         }
     }
     text

@@ -1,4 +1,5 @@
-//! The library: every joint, driver and law, in one table each, and every test loops over the tables.
+//! The library: every joint, driver and law, in one table each, and every test loops over the
+//! tables.
 
 #[path = "../data/as_text.rs"]
 mod as_text;

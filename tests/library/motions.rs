@@ -25,7 +25,8 @@ fn turn(q: &[f64]) -> UnitQuaternion<f64> {
 /// Value, rate and second rate at each time.
 fn follows(found: &Quantity, exact: impl Fn(f64) -> [f64; 3]) {
     for (k, t) in found.value.times().iter().enumerate() {
-        let found = [&found.value, &found.rate, &found.second_rate].map(|series| series.values()[k]);
+        let found =
+            [&found.value, &found.rate, &found.second_rate].map(|series| series.values()[k]);
         found.into_iter().zip(exact(*t)).for_each(|(found, exact)| near(found, exact, 1e-10));
     }
 }
@@ -40,28 +41,41 @@ fn swung(t: f64) -> [f64; 3] {
     [0.3 + 2.0 * t + 0.4 * sin, 2.0 + 1.2 * cos, -3.6 * sin]
 }
 
-/// A hinge on a slanting axis between two bodies that are turned anyhow: unchosen its zero is where it
-/// happens to be, chosen it is as drawn.
+/// A hinge on a slanting axis between two bodies that are turned anyhow: unchosen its zero is where
+/// it happens to be, chosen it is as drawn.
 #[test]
 fn the_zero_of_a_hinge_is_where_it_was_chosen() {
-    let (h, f) = (vec3(0.4, -0.3, 0.8), vec3(1.0, 0.5, 0.2));
+    let h = vec3(0.4, -0.3, 0.8);
+    let f = vec3(1.0, 0.5, 0.2);
     for (frame_turn, door_turn) in [(0.0, 0.0), (0.7, -1.9), (2.8, 0.4)] {
         let mut m = Mechanism::new("door");
         let frame = m
-            .spatial("frame", SpatialPose::turned(vec3(0.5, 0.1, 0.0), vec3(1.0, 2.0, 3.0), frame_turn))
+            .spatial(
+                "frame",
+                SpatialPose::turned(vec3(0.5, 0.1, 0.0), vec3(1.0, 2.0, 3.0), frame_turn),
+            )
             .unwrap();
         let door = m
-            .spatial("door", SpatialPose::turned(vec3(0.2, 0.0, 0.9), vec3(-1.0, 0.3, 0.1), door_turn))
+            .spatial(
+                "door",
+                SpatialPose::turned(vec3(0.2, 0.0, 0.9), vec3(-1.0, 0.3, 0.1), door_turn),
+            )
             .unwrap();
         let wall = EulerParameters::from_axis_angle(vec3(1.0, 2.0, 3.0), frame_turn);
         m.add("wall", spatial::fixed(frame, vec3(0.5, 0.1, 0.0), wall)).unwrap();
         let at = (0.3, 0.3, 0.3);
-        let (u_i, u_j) = (m.local(door, at).unwrap(), m.local(frame, at).unwrap());
-        let (h_i, h_j) = (m.local_direction(door, h).unwrap(), m.local_direction(frame, h).unwrap());
-        let (f_i, f_j) = (m.local_direction(door, f).unwrap(), m.local_direction(frame, f).unwrap());
+        let u_i = m.local(door, at).unwrap();
+        let u_j = m.local(frame, at).unwrap();
+        let h_i = m.local_direction(door, h).unwrap();
+        let h_j = m.local_direction(frame, h).unwrap();
+        let f_i = m.local_direction(door, f).unwrap();
+        let f_j = m.local_direction(frame, f).unwrap();
         m.add("hinge", spatial::revolute(door, frame, u_i, u_j, h_i, h_j).zero(f_i, f_j)).unwrap();
-        m.add("motor", spatial::drive_turn(door, frame, Axis::new(h_i, f_i), Axis::new(h_j, f_j), swing()))
-            .unwrap();
+        m.add(
+            "motor",
+            spatial::drive_turn(door, frame, Axis::new(h_i, f_i), Axis::new(h_j, f_j), swing()),
+        )
+        .unwrap();
         let system = m.build().unwrap();
         let motion = system.run_both(linspace(0.0, 3.0, 61)).unwrap();
         follows(&system.measure(&motion, "hinge.angle").unwrap(), swung);
@@ -74,8 +88,8 @@ fn the_zero_of_a_hinge_is_where_it_was_chosen() {
     }
 }
 
-/// A row of `zeros.json`: axes and directions of a body that stands as the ground does, and the angle of f_i
-/// from f_j about them.
+/// A row of `zeros.json`: axes and directions of a body that stands as the ground does, and the
+/// angle of f_i from f_j about them.
 #[derive(serde::Deserialize)]
 struct Zero {
     h_i: (V, Option<V>),
@@ -98,8 +112,12 @@ fn zeros_of_hinges_sleeves_and_tables() {
             let mut m = Mechanism::new("m");
             let a = m.spatial("a", SpatialPose::at(o)).unwrap();
             match joint {
-                "hinge" => m.add(joint, spatial::revolute(a, Ground, o, o, h_i, h_j).zero(f_i, f_j)),
-                "sleeve" => m.add(joint, spatial::cylindrical(a, Ground, o, o, h_i, h_j).zero(f_i, f_j)),
+                "hinge" => {
+                    m.add(joint, spatial::revolute(a, Ground, o, o, h_i, h_j).zero(f_i, f_j))
+                }
+                "sleeve" => {
+                    m.add(joint, spatial::cylindrical(a, Ground, o, o, h_i, h_j).zero(f_i, f_j))
+                }
                 _ => m.add(joint, spatial::planar(a, Ground, o, o, h_i, h_j).zero(f_i, f_j)),
             }
             .unwrap();
@@ -115,7 +133,8 @@ fn zeros_of_hinges_sleeves_and_tables() {
 #[test]
 fn a_zero_along_the_axis_is_refused() {
     let mut m = Mechanism::new("m");
-    let (a, z) = (m.spatial("a", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap(), vec3(0.0, 0.0, 1.0));
+    let a = m.spatial("a", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
+    let z = vec3(0.0, 0.0, 1.0);
     let o = vec3(0.0, 0.0, 0.0);
     for (f_i, f_j) in [((0.0, 0.0, 2.0), (1.0, 0.0, 0.0)), ((1.0, 0.0, 0.0), (0.0, 0.0, 2.0))] {
         for refused in [
@@ -129,11 +148,12 @@ fn a_zero_along_the_axis_is_refused() {
     }
 }
 
-/// Body i is turned in body j by the one angle about its bar and by the other about that of j: from any two
-/// angles the measures find them again.
+/// Body i is turned in body j by the one angle about its bar and by the other about that of j: from
+/// any two angles the measures find them again.
 #[test]
 fn angles_of_a_universal_joint_turn_the_one_frame_into_the_other() {
-    let (h_i, h_j) = ([0.6, 0.8, 0.0], [0.0, 0.0, 2.0]);
+    let h_i = [0.6, 0.8, 0.0];
+    let h_j = [0.0, 0.0, 2.0];
     let joint = spatial::universal(
         s(),
         s(),
@@ -148,8 +168,9 @@ fn angles_of_a_universal_joint_turn_the_one_frame_into_the_other() {
         for (a_i, a_j) in [(0.0, 0.0), (0.4, -0.9), (-2.5, 1.1), (1.5, 3.0)] {
             let j = about([1.0, -2.0, 0.5], j_anyhow);
             let i = j * about(h_j, a_j) * about(h_i, a_i);
-            let body =
-                |turn: UnitQuaternion<f64>| [vec![0.0; 3], parameters(turn).to_array().to_vec()].concat();
+            let body = |turn: UnitQuaternion<f64>| {
+                [vec![0.0; 3], parameters(turn).to_array().to_vec()].concat()
+            };
             let q = [body(i), body(j)].concat();
             assert!(kin::terms(&joint, &q, &[], 0.0).c.amax() < 1e-14, "the joint is open");
             let still = kin::Moving { q: &q, ..kin::Moving::default() };
@@ -162,7 +183,9 @@ fn angles_of_a_universal_joint_turn_the_one_frame_into_the_other() {
 /// A thread makes a screw of a sleeve.
 #[test]
 fn a_thread_on_a_sleeve_is_a_screw() {
-    let (o, axis, lead) = (vec3(0.0, 0.0, 0.0), Axis::new((0.0, 3.0, 4.0), (1.0, 0.0, 0.0)), -0.02);
+    let o = vec3(0.0, 0.0, 0.0);
+    let axis = Axis::new((0.0, 3.0, 4.0), (1.0, 0.0, 0.0));
+    let lead = -0.02;
     let mut m = Mechanism::new("nut");
     let nut = m.spatial("nut", SpatialPose::at(o)).unwrap();
     m.add("sleeve", spatial::cylindrical(nut, Ground, o, o, axis, axis.h)).unwrap();
@@ -171,24 +194,33 @@ fn a_thread_on_a_sleeve_is_a_screw() {
     let system = m.build().unwrap();
     let motion = system.run_both(linspace(0.0, 8.0, 81)).unwrap();
     follows(&system.measure(&motion, "sleeve.angle").unwrap(), swung);
-    follows(&system.measure(&motion, "sleeve.slide").unwrap(), |t| swung(t).map(|x| lead / TAU * x));
+    follows(&system.measure(&motion, "sleeve.slide").unwrap(), |t| {
+        swung(t).map(|x| lead / TAU * x)
+    });
     follows(&motion.coordinate(nut.z()).unwrap(), |t| swung(t).map(|x| 0.8 * lead / TAU * x));
 }
 
-/// Two bevel friction wheels whose radii have no common measure, over many turns, driven by what rolls
-/// through.
+/// Two bevel friction wheels whose radii have no common measure, over many turns, driven by what
+/// rolls through.
 #[test]
 fn wheels_by_their_radii_keep_any_ratio_over_many_turns() {
-    let (o, x, z, r_i, r_j) = (vec3(0.0, 0.0, 0.0), Vec3::x(), Vec3::z(), 0.1, 0.1 * 2.0_f64.sqrt());
+    let o = vec3(0.0, 0.0, 0.0);
+    let x = Vec3::x();
+    let z = Vec3::z();
+    let r_i = 0.1;
+    let r_j = 0.1 * 2.0_f64.sqrt();
     for sign in [1.0, -1.0] {
         let mut m = Mechanism::new("wheels");
-        let (i, j) =
-            (m.spatial("i", SpatialPose::at(o)).unwrap(), m.spatial("j", SpatialPose::at(o)).unwrap());
+        let i = m.spatial("i", SpatialPose::at(o)).unwrap();
+        let j = m.spatial("j", SpatialPose::at(o)).unwrap();
         let rolled = m.length("rolled", 0.0).unwrap();
         m.add("axle i", spatial::revolute(i, Ground, o, o, z, z)).unwrap();
         m.add("axle j", spatial::revolute(j, Ground, o, o, x, x)).unwrap();
-        m.add("mesh", spatial::gear_by_radii(i, j, Ground, rolled, z, x, z, x, r_i, sign * r_j, 0.25))
-            .unwrap();
+        m.add(
+            "mesh",
+            spatial::gear_by_radii(i, j, Ground, rolled, z, x, z, x, r_i, sign * r_j, 0.25),
+        )
+        .unwrap();
         m.add("motor", spatial::drive_turn(i, Ground, z, z, Law::linear(0.25, 20.0))).unwrap();
         let system = m.build().unwrap();
         let motion = system.run_both(linspace(0.0, 5.0, 201)).unwrap();
@@ -199,8 +231,8 @@ fn wheels_by_their_radii_keep_any_ratio_over_many_turns() {
     }
 }
 
-/// A differential: the cage turns by half of what both wheels turn; and six coordinates, as many as there may
-/// be.
+/// A differential: the cage turns by half of what both wheels turn; and six coordinates, as many as
+/// there may be.
 #[test]
 fn more_than_two_coordinates_are_coupled() {
     let mut m = Mechanism::new("differential");
@@ -244,23 +276,34 @@ fn more_than_two_coordinates_are_coupled() {
     );
 }
 
-/// A planetary train by its turns alone: Willis' ratio of sun, planet and carrier with the ring held.
+/// A planetary train by its turns alone: Willis' ratio of sun, planet and carrier with the ring
+/// held.
 #[test]
 fn a_planetary_train_is_one_linear_coupling_a_mesh() {
-    let (sun_teeth, planet_teeth) = (20.0, 15.0);
+    let sun_teeth = 20.0;
+    let planet_teeth = 15.0;
     let ring_teeth = sun_teeth + 2.0 * planet_teeth;
     let mut m = Mechanism::new("planetary train");
     let [sun, planet, carrier, ring] =
         ["sun", "planet", "carrier", "ring"].map(|name| m.angle(name, 0.0).unwrap());
-    // seen from the carrier: z_s (φ_s − φ_c) + z_p (φ_p − φ_c) = 0 and z_r (φ_r − φ_c) − z_p (φ_p − φ_c) = 0
+    // seen from the carrier: z_s (φ_s − φ_c) + z_p (φ_p − φ_c) = 0 and z_r (φ_r − φ_c) − z_p (φ_p −
+    // φ_c) = 0
     m.add(
         "sun with planet",
-        linear_coupling([sun, planet, carrier], [sun_teeth, planet_teeth, -sun_teeth - planet_teeth], 0.0),
+        linear_coupling(
+            [sun, planet, carrier],
+            [sun_teeth, planet_teeth, -sun_teeth - planet_teeth],
+            0.0,
+        ),
     )
     .unwrap();
     m.add(
         "planet in ring",
-        linear_coupling([ring, planet, carrier], [ring_teeth, -planet_teeth, planet_teeth - ring_teeth], 0.0),
+        linear_coupling(
+            [ring, planet, carrier],
+            [ring_teeth, -planet_teeth, planet_teeth - ring_teeth],
+            0.0,
+        ),
     )
     .unwrap();
     m.add("brake", drive(ring, Law::constant(0.0))).unwrap();
@@ -274,11 +317,15 @@ fn a_planetary_train_is_one_linear_coupling_a_mesh() {
 /// nalgebra's quaternions, rates by differences.
 #[test]
 fn a_body_moves_in_another_by_six_laws() {
-    let law = |k: f64| Law::sine(0.3 + 0.1 * k, 1.0 + 0.2 * k, k) + Law::linear(0.2 * k, 0.5 - 0.3 * k);
-    let value =
-        |k: f64, t: f64| (0.3 + 0.1 * k) * ((1.0 + 0.2 * k) * t + k).sin() + 0.2 * k + (0.5 - 0.3 * k) * t;
-    let (u_i, u_j) = (vec3(0.3, -0.2, 0.5), vec3(-0.4, 0.1, 0.7));
-    let (f_i, f_j) = (about([1.0, 2.0, -1.0], 0.8), about([0.3, -1.0, 0.6], -2.1));
+    let law =
+        |k: f64| Law::sine(0.3 + 0.1 * k, 1.0 + 0.2 * k, k) + Law::linear(0.2 * k, 0.5 - 0.3 * k);
+    let value = |k: f64, t: f64| {
+        (0.3 + 0.1 * k) * ((1.0 + 0.2 * k) * t + k).sin() + 0.2 * k + (0.5 - 0.3 * k) * t
+    };
+    let u_i = vec3(0.3, -0.2, 0.5);
+    let u_j = vec3(-0.4, 0.1, 0.7);
+    let f_i = about([1.0, 2.0, -1.0], 0.8);
+    let f_j = about([0.3, -1.0, 0.6], -2.1);
     let mut m = Mechanism::new("general motion");
     let base = m.spatial("base", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
     let tool = m.spatial("tool", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
@@ -295,16 +342,21 @@ fn a_body_moves_in_another_by_six_laws() {
     .unwrap();
     m.add("spin", spatial::drive_rotation(base, Ground, (1.0, 1.0, 0.0), Law::ramp(0.9))).unwrap();
     // Euler parameters of any length: what counts is the turn
-    let (p_i, p_j) = (parameters(f_i), parameters(f_j));
+    let p_i = parameters(f_i);
+    let p_j = parameters(f_j);
     let p_i = EulerParameters::new(3.0 * p_i.e0, 3.0 * p_i.e1, 3.0 * p_i.e2, 3.0 * p_i.e3);
     let [x, y, z, yaw, pitch, roll] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(law);
-    m.add("motion", spatial::drive_motion(tool, base, u_i, u_j, p_i, p_j, x, y, z, yaw, pitch, roll))
-        .unwrap();
+    m.add(
+        "motion",
+        spatial::drive_motion(tool, base, u_i, u_j, p_i, p_j, x, y, z, yaw, pitch, roll),
+    )
+    .unwrap();
     let motion = m.build().unwrap().run_both(linspace(0.0, 5.0, 501)).unwrap();
     let vector = |v: Vec3| Vector3::new(v.x, v.y, v.z);
     for (k, t) in motion.times().iter().enumerate() {
         let [base, tool] = [&motion.q(k)[..7], &motion.q(k)[7..]];
-        let (a_j, a_i) = (turn(base), turn(tool));
+        let a_j = turn(base);
+        let a_i = turn(tool);
         let frame_j = about([1.0, 1.0, 0.0], 0.9 * t) * f_j;
         near((a_j * f_j).angle_to(&frame_j), 0.0, 1e-7);
         let expected = frame_j
@@ -320,7 +372,10 @@ fn a_body_moves_in_another_by_six_laws() {
     let point = motion.point(tool, u_i).unwrap();
     for k in 1..motion.len() - 1 {
         let slope = (vector(point.r()[k + 1]) - vector(point.r()[k - 1])) / 0.02;
-        assert!((slope - vector(point.v()[k])).norm() < 1e-3 * (1.0 + slope.norm()), "velocity at step {k}");
+        assert!(
+            (slope - vector(point.v()[k])).norm() < 1e-3 * (1.0 + slope.norm()),
+            "velocity at step {k}"
+        );
     }
 }
 
@@ -341,7 +396,8 @@ fn tuples_and_arrays_are_points() {
 
 #[test]
 fn a_law_is_divided_by_a_number() {
-    let (law, half) = (Law::sine(0.3, 2.0, 0.1), Law::sine(0.3, 2.0, 0.1) / 2.0);
+    let law = Law::sine(0.3, 2.0, 0.1);
+    let half = Law::sine(0.3, 2.0, 0.1) / 2.0;
     for x in [-1.0, 0.0, 0.7] {
         assert_eq!(half.jet(x), law.jet(x).map(|of| 0.5 * of));
     }

@@ -1,5 +1,5 @@
-//! `docs/library.md`, made of the code's own table, and its pictures. `KIN_BLESS=1 cargo test --test library
-//! page` writes them anew.
+//! `docs/library.md`, made of the code's own table, and its pictures.
+//! `KIN_BLESS=1 cargo test --test library page` writes them anew.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,8 @@ fn tidy(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The doc comment's first paragraph, its equation and unit; the rest; what it says of signs and directions.
+/// The doc comment's first paragraph, its equation and unit; the rest; what it says of signs and
+/// directions.
 pub fn paragraphs(text: &str) -> (String, String, String) {
     let (first, rest) = text.split_once("\n\n").unwrap_or((text, ""));
     let (rest, signs) = match rest.strip_prefix("Signs: ") {
@@ -55,9 +56,10 @@ fn links(text: &str) -> String {
         .replace("(fn@super::", "(fn@")
         .replace("[`Axis::along`]", "`Axis::along`")
         .replace("[`Vec3::axis_near`]", "`Vec3::axis_near`");
-    while let (Some(from), Some(to)) =
-        (text.find("](fn@"), text.find("](fn@").and_then(|from| Some(from + text[from..].find(')')?)))
-    {
+    while let (Some(from), Some(to)) = (
+        text.find("](fn@"),
+        text.find("](fn@").and_then(|from| Some(from + text[from..].find(')')?)),
+    ) {
         text.replace_range(from..=to, "");
         if let Some(open) = text[..from].rfind('[') {
             text.remove(open);
@@ -70,14 +72,17 @@ fn line(joint: &Joint) -> String {
     let sample = (joint.make)(&mut Random::new(1));
     let constraint = sample.constraint();
     let (equation, ..) = paragraphs(constraint.facts().description);
-    let (rows, own) = (constraint.facts().rows.len(), arguments(constraint));
+    let rows = constraint.facts().rows.len();
+    let own = arguments(constraint);
     let coordinates = own.iter().filter(|argument| matches!(argument, Argument::Coord(_))).count();
-    let all = if own.iter().any(|argument| matches!(argument, Argument::Spatial(_))) { 6 } else { 3 };
+    let all =
+        if own.iter().any(|argument| matches!(argument, Argument::Spatial(_))) { 6 } else { 3 };
     let left = match own.len() - coordinates {
         1 | 2 => (all + coordinates - rows).to_string(),
         _ => "–".to_owned(),
     };
-    let mut names: Vec<&str> = constraint.arguments().iter().map(|argument| argument.name).collect();
+    let mut names: Vec<&str> =
+        constraint.arguments().iter().map(|argument| argument.name).collect();
     names.dedup();
     let picture = format!("library/{}", file(joint));
     let exchanged = if joint.exchanged.is_some() { "✓" } else { "" };
@@ -108,7 +113,8 @@ fn page() -> String {
             text,
             "\n## {title}\n\n| | joint | equation | rows | left | ex. |\n|---|---|---|---|---|---|\n"
         );
-        let own: Vec<Joint> = table::all().into_iter().filter(|joint| joint.group == group).collect();
+        let own: Vec<Joint> =
+            table::all().into_iter().filter(|joint| joint.group == group).collect();
         own.iter().for_each(|joint| text += &line(joint));
         text += "\n";
         for joint in &own {
@@ -140,7 +146,8 @@ fn page() -> String {
         };
         let _ = writeln!(text, "| `{name}` | {} | {shown} | {order} |", tidy(law.description()));
     }
-    text += "\nA user-defined law: `#[law]` on a function of one variable, or `impl LawFunction`.\n";
+    text +=
+        "\nA user-defined law: `#[law]` on a function of one variable, or `impl LawFunction`.\n";
     text
 }
 
@@ -165,7 +172,11 @@ fn every_joint_says_which_way_is_positive() {
     for joint in table::all() {
         let sample = (joint.make)(&mut Random::new(1));
         let (equation, _, signs) = paragraphs(sample.constraint().facts().description);
-        assert!(!signs.is_empty(), "`{}` does not tell its signs in a paragraph of their own", joint.name());
+        assert!(
+            !signs.is_empty(),
+            "`{}` does not tell its signs in a paragraph of their own",
+            joint.name()
+        );
         assert!(
             equation.contains('[') && equation.ends_with(']'),
             "`{}` does not tell its units: {equation}",
@@ -174,8 +185,8 @@ fn every_joint_says_which_way_is_positive() {
     }
 }
 
-/// The signatures on the page, taken from the source, have the arguments and parameters that the constraint
-/// itself tells.
+/// The signatures on the page, taken from the source, have the arguments and parameters that the
+/// constraint itself tells.
 #[test]
 fn signatures_are_those_of_the_constraints() {
     let signatures = signature::all();
@@ -186,11 +197,15 @@ fn signatures_are_those_of_the_constraints() {
             .split(", ")
             .filter_map(|argument| argument.split_once(": ").map(|(name, _)| name))
             .collect();
-        let mut told: Vec<String> =
-            sample.constraint().arguments().iter().map(|argument| argument.name.to_owned()).collect();
-        sample
+        let mut told: Vec<String> = sample
             .constraint()
-            .parameters(&mut |name, _| told.extend(name.split(['.', '[']).next().map(str::to_owned)));
+            .arguments()
+            .iter()
+            .map(|argument| argument.name.to_owned())
+            .collect();
+        sample.constraint().parameters(&mut |name, _| {
+            told.extend(name.split(['.', '[']).next().map(str::to_owned))
+        });
         told.dedup();
         assert_eq!(told.len(), names.len(), "`{}`: {told:?} {given}", joint.name());
         assert!(

@@ -1,5 +1,5 @@
-//! Quintic splines against their conditions, solved as one dense system, and against curves that they must
-//! give exactly.
+//! Quintic splines against their conditions, solved as one dense system, and against curves that
+//! they must give exactly.
 
 use kin::prelude::*;
 use nalgebra::{DMatrix, DVector};
@@ -15,7 +15,9 @@ fn power(p: usize, x: f64, order: usize) -> f64 {
 /// Coefficients of the pieces, six each in powers of x − x_k, from all conditions at once.
 fn dense(table: &[(f64, f64)], ends: Ends) -> DVector<f64> {
     let n = table.len() - 1;
-    let (mut a, mut b, mut row) = (DMatrix::zeros(6 * n, 6 * n), DVector::zeros(6 * n), 0);
+    let mut a = DMatrix::zeros(6 * n, 6 * n);
+    let mut b = DVector::zeros(6 * n);
+    let mut row = 0;
     let h = |k: usize| table[k + 1].0 - table[k].0;
     let mut put = |terms: &[(usize, f64, usize, f64)], right: f64| {
         for &(piece, x, order, factor) in terms {
@@ -55,9 +57,11 @@ fn quintic_splines_are_what_their_conditions_say() {
     let mut random = Random::new(31);
     for round in 0..30 {
         let points = if round < 6 { 2 + round / 2 } else { 12 };
-        for ends in
-            [Ends::Natural, Ends::Clamped { start: random.number(), end: random.number() }, Ends::Periodic]
-        {
+        for ends in [
+            Ends::Natural,
+            Ends::Clamped { start: random.number(), end: random.number() },
+            Ends::Periodic,
+        ] {
             let points = if ends == Ends::Periodic { points.max(3) } else { points };
             let mut x = random.number();
             let mut table: Vec<(f64, f64)> = Vec::new();
@@ -68,13 +72,17 @@ fn quintic_splines_are_what_their_conditions_say() {
             if ends == Ends::Periodic {
                 table.last_mut().expect("a point").1 = table[0].1;
             }
-            let (law, exact) = (Law::quintic_spline(&table, ends), dense(&table, ends));
+            let law = Law::quintic_spline(&table, ends);
+            let exact = dense(&table, ends);
             for (k, pair) in table.windows(2).enumerate() {
                 for u in [0.0, 0.21, 0.5, 0.83] {
                     let t = u * (pair[1].0 - pair[0].0);
                     let [f, f1, f2, f3] = law.jet(pair[0].0 + t);
-                    for (order, found) in [f, f1, f2, f3, law.fourth(pair[0].0 + t)].into_iter().enumerate() {
-                        let value: f64 = (0..6).map(|p| exact[6 * k + p] * power(p, t, order)).sum();
+                    for (order, found) in
+                        [f, f1, f2, f3, law.fourth(pair[0].0 + t)].into_iter().enumerate()
+                    {
+                        let value: f64 =
+                            (0..6).map(|p| exact[6 * k + p] * power(p, t, order)).sum();
                         let size = exact.amax();
                         assert!(
                             (found - value).abs() < 1e-8 * (1.0 + size),
@@ -87,15 +95,18 @@ fn quintic_splines_are_what_their_conditions_say() {
     }
 }
 
-/// A closed law has no break, goes through its points, and nears a smooth periodic curve with the sixth power
-/// of the distance of its points.
+/// A closed law has no break, goes through its points, and nears a smooth periodic curve with the
+/// sixth power of the distance of its points.
 #[test]
 fn closed_quintic_laws_have_a_smooth_jerk_and_follow_smooth_curves() {
-    let curve = |x: f64| (2.0 + (x.sin() + 0.3 * (2.0 * x).cos()).exp(), x.cos() - 0.6 * (2.0 * x).sin());
+    let curve =
+        |x: f64| (2.0 + (x.sin() + 0.3 * (2.0 * x).cos()).exp(), x.cos() - 0.6 * (2.0 * x).sin());
     let mut errors = Vec::new();
     for n in [20_u32, 40] {
-        let table: Vec<(f64, f64)> =
-            (0..=n).map(|k| TAU * f64::from(k % n) / f64::from(n)).map(|x| (x, curve(x).0)).collect();
+        let table: Vec<(f64, f64)> = (0..=n)
+            .map(|k| TAU * f64::from(k % n) / f64::from(n))
+            .map(|x| (x, curve(x).0))
+            .collect();
         let mut table = table;
         table.last_mut().expect("a point").0 = TAU;
         let law = Law::quintic_spline(&table, Ends::Periodic);
@@ -108,7 +119,8 @@ fn closed_quintic_laws_have_a_smooth_jerk_and_follow_smooth_curves() {
         for &(x, y) in &table {
             assert!((law.at(x - TAU) - y).abs() < 1e-12);
             let step = 1e-9;
-            let (before, after) = (law.jet(x - step), law.jet(x + step));
+            let before = law.jet(x - step);
+            let after = law.jet(x + step);
             let jump = (0..4).map(|k| (after[k] - before[k]).abs()).fold(0.0, f64::max);
             assert!(
                 jump < 1e-4 && (law.fourth(x + step) - law.fourth(x - step)).abs() < 1e-3,
@@ -128,8 +140,8 @@ fn closed_quintic_laws_have_a_smooth_jerk_and_follow_smooth_curves() {
     assert!(errors[1][0] < errors[0][0] / 30.0 && errors[1][1] < errors[0][1] / 15.0, "{errors:?}");
 }
 
-/// The 3-4-5 rise has no slope and no curvature at its ends: whatever points of it the table has, the clamped
-/// spline is that rise.
+/// The 3-4-5 rise has no slope and no curvature at its ends: whatever points of it the table has,
+/// the clamped spline is that rise.
 #[test]
 fn a_clamped_quintic_spline_through_a_345_rise_is_that_rise() {
     let rise = Law::polynomial_345(0.7, 2.0);
@@ -149,11 +161,19 @@ fn a_clamped_quintic_spline_through_a_345_rise_is_that_rise() {
 
 #[test]
 fn tables_through_which_no_quintic_spline_goes() {
-    let refusal = |table: &[(f64, f64)], ends| Law::quintic_spline(table, ends).refusal().expect("refused");
-    assert!(refusal(&[(0.0, 1.0)], Ends::Natural).contains("quintic_spline: the table has 1 points"));
+    let refusal =
+        |table: &[(f64, f64)], ends| Law::quintic_spline(table, ends).refusal().expect("refused");
+    assert!(
+        refusal(&[(0.0, 1.0)], Ends::Natural).contains("quintic_spline: the table has 1 points")
+    );
     assert!(refusal(&[(0.0, 1.0), (0.0, 2.0)], Ends::Natural).contains("does not increase"));
-    assert!(refusal(&[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], Ends::Periodic).contains("ends as it begins"));
-    assert!(Law::quintic_spline(&[(0.0, 0.0); 0], Ends::Periodic).jet(0.3).iter().all(|x| x.is_nan()));
+    assert!(
+        refusal(&[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], Ends::Periodic)
+            .contains("ends as it begins")
+    );
+    assert!(
+        Law::quintic_spline(&[(0.0, 0.0); 0], Ends::Periodic).jet(0.3).iter().all(|x| x.is_nan())
+    );
 }
 
 /// Many points cost no more than a few each: a table of 20 000 is made at once, and is right.

@@ -16,8 +16,11 @@ fn refusal(m: &mut Mechanism, constraint: impl Constraint + 'static) -> String {
 #[test]
 fn bad_parameters_of_planar_joints() {
     let mut m = Mechanism::new("m");
-    let (a, b) = (m.link("a", 1.0).expect("a link"), m.link("b", 1.0).expect("a link"));
-    let (o, x, zero) = (vec2(0.0, 0.0), vec2(1.0, 0.0), Law::constant(1.0));
+    let a = m.link("a", 1.0).expect("a link");
+    let b = m.link("b", 1.0).expect("a link");
+    let o = vec2(0.0, 0.0);
+    let x = vec2(1.0, 0.0);
+    let zero = Law::constant(1.0);
     let cases = [
         (
             refusal(&mut m, distance(a, b, o, o, -1.0)),
@@ -45,12 +48,21 @@ fn bad_parameters_of_planar_joints() {
         (refusal(&mut m, belt(a, b, Ground, 0.0, 1.0, 0.0)), "a pulley needs a radius"),
         (refusal(&mut m, rack_and_pinion(a, b, o, o, x, 0.0, 0.0)), "a pinion needs a radius"),
         (refusal(&mut m, rolling(a, b, o, o, o, 1.0, 0.0)), "the track needs a direction"),
-        (refusal(&mut m, coupling(a.theta(), b.theta(), 0.0, 1.0, 0.0)), "a factor of zero couples nothing"),
+        (
+            refusal(&mut m, coupling(a.theta(), b.theta(), 0.0, 1.0, 0.0)),
+            "a factor of zero couples nothing",
+        ),
         (refusal(&mut m, parallel(a, b, o, x)), "a direction needs a length"),
         (refusal(&mut m, cam_knife_edge(a, b, o, Law::ramp(0.1))), "it has to repeat after 2π"),
-        (refusal(&mut m, cam_flat_face(a, b, o, x, Law::sine(0.1, 0.5, 0.0))), "it has to repeat after 2π"),
+        (
+            refusal(&mut m, cam_flat_face(a, b, o, x, Law::sine(0.1, 0.5, 0.0))),
+            "it has to repeat after 2π",
+        ),
         (refusal(&mut m, cam_flat_face(a, b, o, o, zero)), "the normal of the face"),
-        (refusal(&mut m, drive_slide(a, b, o, o, o, Law::ramp(1.0))), "the slide needs a direction"),
+        (
+            refusal(&mut m, drive_slide(a, b, o, o, o, Law::ramp(1.0))),
+            "the slide needs a direction",
+        ),
         (
             refusal(&mut m, drive_angle(a, Law::trapezoidal(1.0, 0.0, 1.0))),
             "`it` (drive_angle): law: trapezoidal: speed, acceleration and jerk are above zero",
@@ -58,14 +70,22 @@ fn bad_parameters_of_planar_joints() {
         (
             refusal(
                 &mut m,
-                drive_angle(a, Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(0.0))])),
+                drive_angle(
+                    a,
+                    Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(0.0))]),
+                ),
             ),
             "do not meet",
         ),
         (
             refusal(
                 &mut m,
-                drive_point(a, o, Law::spline(&[(1.0, 0.0), (0.5, 0.0)], Ends::Natural), Law::ramp(1.0)),
+                drive_point(
+                    a,
+                    o,
+                    Law::spline(&[(1.0, 0.0), (0.5, 0.0)], Ends::Natural),
+                    Law::ramp(1.0),
+                ),
             ),
             "path_x: spline: the table does not increase",
         ),
@@ -79,11 +99,16 @@ fn bad_parameters_of_planar_joints() {
 fn bad_parameters_of_spatial_joints() {
     let mut m = Mechanism::new("m");
     let origin = SpatialPose::at(vec3(0.0, 0.0, 0.0));
-    let (a, b) = (m.spatial("a", origin).expect("a body"), m.spatial("b", origin).expect("a body"));
-    let (o, z) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
+    let a = m.spatial("a", origin).expect("a body");
+    let b = m.spatial("b", origin).expect("a body");
+    let o = vec3(0.0, 0.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
     let none = EulerParameters::new(0.0, 0.0, 0.0, 0.0);
     let cases = [
-        (refusal(&mut m, spatial::revolute(a, b, o, o, o, z)), "`it`: the parameter `h_i.x` is NaN"),
+        (
+            refusal(&mut m, spatial::revolute(a, b, o, o, o, z)),
+            "`it`: the parameter `h_i.x` is NaN",
+        ),
         (
             refusal(&mut m, spatial::revolute(a, b, o, o, z, o)),
             "`it` (revolute): the axis in body j needs a length above zero (h_j.x = 0, h_j.y = 0, h_j.z = 0)",
@@ -93,7 +118,10 @@ fn bad_parameters_of_spatial_joints() {
             "h_i: this axis has no direction",
         ),
         (refusal(&mut m, spatial::weld(a, b, o, o, none)), "Euler parameters are not all zero"),
-        (refusal(&mut m, spatial::universal(a, b, o, o, o, z)), "a bar of the cross needs a length"),
+        (
+            refusal(&mut m, spatial::universal(a, b, o, o, o, z)),
+            "a bar of the cross needs a length",
+        ),
         (refusal(&mut m, spatial::angle(a, b, z, z, 0.0)), "between 0 and π"),
         (refusal(&mut m, spatial::screw(a, b, o, o, z, z, 0.0)), "a screw needs a lead"),
         (
@@ -131,7 +159,8 @@ fn a_parameter_that_makes_no_sense_cannot_be_set() {
 fn door(guess: SpatialPose, h_j: Vec3) -> kin::Result<kin::Motion> {
     let mut m = Mechanism::new("door");
     let body = m.spatial("door", guess)?;
-    let (o, z) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
+    let o = vec3(0.0, 0.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
     m.add("hinge", spatial::revolute(body, Ground, o, o, z, h_j))?;
     m.add("motor", spatial::drive_turn(body, Ground, z, z, Law::ramp(1.0)))?;
     m.build()?.run_both(linspace(0.0, 1.0, 11))
@@ -142,15 +171,19 @@ fn an_axis_the_wrong_way_round_is_told() {
     let upright = SpatialPose::at(vec3(0.0, 0.0, 0.0));
     assert!(door(upright, vec3(0.0, 0.0, 2.0)).is_ok());
     // from upside down the equations close, but not the hinge: the door is turned over
-    let upside_down =
-        door(SpatialPose::turned(vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), PI), vec3(0.0, 0.0, 1.0));
+    let upside_down = door(
+        SpatialPose::turned(vec3(0.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0), PI),
+        vec3(0.0, 0.0, 1.0),
+    );
     assert!(upside_down.is_ok(), "{upside_down:?}");
     // the hinge asks for the opposite of what the motor turns about
     let error = door(upright, vec3(0.0, 0.0, -1.0)).expect_err("flipped");
     let text = error.to_string();
     assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
     assert!(
-        text.contains("`hinge` (revolute) closes the wrong way: its axes are opposite: h_i · h_j < 0."),
+        text.contains(
+            "`hinge` (revolute) closes the wrong way: its axes are opposite: h_i · h_j < 0."
+        ),
         "{text}"
     );
 }
@@ -188,7 +221,9 @@ fn a_run_lists_the_breaks_it_crosses() {
     // the same backwards
     let back = driven(Law::trapezoidal(2.0, 1.0, 2.0), &linspace(4.0, -1.0, 51)).expect("runs");
     assert_eq!(back.breaks().len(), 4);
-    assert!(driven(Law::cycloidal(1.0, 1.0), &linspace(0.1, 0.9, 9)).expect("runs").breaks().is_empty());
+    assert!(
+        driven(Law::cycloidal(1.0, 1.0), &linspace(0.1, 0.9, 9)).expect("runs").breaks().is_empty()
+    );
 }
 
 #[test]
@@ -198,7 +233,10 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
     let error = driven(corner, &linspace(0.1, 1.9, 10)).expect_err("a corner");
     let text = error.to_string();
     assert!(matches!(error, Error::LawJumps { order: 1, .. }), "{text}");
-    assert!(text.contains("the law `law` of `motor` jumps at 1: its slope changes there"), "{text}");
+    assert!(
+        text.contains("the law `law` of `motor` jumps at 1: its slope changes there"),
+        "{text}"
+    );
     let before = error.motion().expect("the motion before");
     assert_eq!((before.len(), before.breaks().len()), (5, 0), "it ends before the corner");
     // a value that jumps, in a law of one's own that says so
@@ -218,7 +256,8 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
     assert!(text.contains("its value changes there"), "{text}");
 }
 
-/// Breaks of a cam's profile are crossed by the angle at which it is asked, also over the cut of that angle.
+/// Breaks of a cam's profile are crossed by the angle at which it is asked, also over the cut of
+/// that angle.
 #[test]
 fn a_cam_lists_the_breaks_of_its_profile() {
     let rise = Law::constant(1.0) + Law::cycloidal(0.2, 2.0);
@@ -229,10 +268,8 @@ fn a_cam_lists_the_breaks_of_its_profile() {
     )
     .periodic(TAU);
     let mut m = Mechanism::new("cam");
-    let (cam, rod) = (
-        m.planar("cam", pose(0.0, 0.0, 0.0)).expect("a body"),
-        m.planar("rod", pose(0.0, 1.0, 0.0)).expect("a body"),
-    );
+    let cam = m.planar("cam", pose(0.0, 0.0, 0.0)).expect("a body");
+    let rod = m.planar("rod", pose(0.0, 1.0, 0.0)).expect("a body");
     m.add("O", revolute(cam, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0))).expect("let in");
     m.add("guide", prismatic(rod, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0))
         .expect("let in");
@@ -241,5 +278,7 @@ fn a_cam_lists_the_breaks_of_its_profile() {
     let motion = m.build().expect("square").run_both(linspace(0.0, 2.0 * TAU, 401)).expect("runs");
     // the tip stands over the cam's angle π/2 + t: two turns, four breaks each
     assert_eq!(motion.breaks().len(), 8, "{:?}", motion.breaks());
-    assert!(motion.breaks().iter().all(|crossed| crossed.found.order == 3 && crossed.law == "profile"));
+    assert!(
+        motion.breaks().iter().all(|crossed| crossed.found.order == 3 && crossed.law == "profile")
+    );
 }

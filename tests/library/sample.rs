@@ -75,9 +75,11 @@ pub fn with_norms(joint: &dyn Constraint, q: &[f64], t: f64) -> (DVector<f64>, D
     let spatial = arguments(joint)
         .into_iter()
         .filter_map(|a| if let Argument::Spatial(first) = a { Some(first + 3) } else { None });
-    let (mut c, mut c_q) = (own.c, own.c_q);
+    let mut c = own.c;
+    let mut c_q = own.c_q;
     for first in spatial {
-        let (row, p) = (c.len(), &q[first..first + 4]);
+        let row = c.len();
+        let p = &q[first..first + 4];
         c = c.push(p.iter().map(|e| e * e).sum::<f64>() - 1.0);
         c_q = c_q.insert_row(row, 0.0);
         (0..4).for_each(|k| c_q[(row, first + k)] = 2.0 * p[k]);
@@ -142,13 +144,15 @@ impl Random {
 
     /// Euler parameters of length one.
     pub fn turn(&mut self) -> EulerParameters {
-        EulerParameters::from([self.number(), self.number(), self.number(), self.number()]).normalize()
+        EulerParameters::from([self.number(), self.number(), self.number(), self.number()])
+            .normalize()
     }
 
     /// A smooth law of any size.
     pub fn law(&mut self) -> Law {
         let sine = Law::sine(self.number(), self.length(), self.number());
-        Law::polynomial(&[self.number(), self.number(), 0.3 * self.number(), 0.1 * self.number()]) + sine
+        Law::polynomial(&[self.number(), self.number(), 0.3 * self.number(), 0.1 * self.number()])
+            + sine
     }
 
     /// A law between 1 and 3, 2π-periodic.

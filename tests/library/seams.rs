@@ -14,7 +14,8 @@ fn orders(law: &Law, from: f64, to: f64) -> Vec<(f64, usize)> {
     law.breaks(from, to).iter().map(|b| (b.x, b.order)).collect()
 }
 
-/// A fast and small vibration has a large third derivative, beside which the jump of the value was nothing.
+/// A fast and small vibration has a large third derivative, beside which the jump of the value was
+/// nothing.
 #[test]
 fn a_law_that_jumps_after_a_fast_vibration_is_refused() {
     for omega in [1.0, 100.0 * PI, 1e4 * PI, 1e7 * PI] {
@@ -29,20 +30,28 @@ fn a_law_that_jumps_after_a_fast_vibration_is_refused() {
         assert!(back.refusal().is_some_and(|said| said.contains("do not meet")), "{omega}");
         let ramp = (vibration() + Law::ramp(1e-3)).periodic(10.0);
         assert!(ramp.refusal().is_some_and(|said| said.contains("does not repeat")), "{omega}");
-        assert!(jump.shifted(3.0).refusal().is_some() && (jump.clone() + Law::ramp(1.0)).refusal().is_some());
+        assert!(
+            jump.shifted(3.0).refusal().is_some()
+                && (jump.clone() + Law::ramp(1.0)).refusal().is_some()
+        );
     }
     // Whole vibrations end where they began; their slope jumps, and that is a break.
-    let stops = Law::sequence(0.0, [(10.0, Law::sine(0.1, 100.0 * PI, 0.0)), (10.0, Law::constant(0.0))]);
+    let stops =
+        Law::sequence(0.0, [(10.0, Law::sine(0.1, 100.0 * PI, 0.0)), (10.0, Law::constant(0.0))]);
     assert_eq!((stops.refusal(), orders(&stops, -1.0, 30.0)), (None, vec![(0.0, 1), (10.0, 1)]));
 }
 
-/// The same of slopes: a jump of 1e-4 of it is a break, though the third derivative is a million times as
-/// large.
+/// The same of slopes: a jump of 1e-4 of it is a break, though the third derivative is a million
+/// times as large.
 #[test]
 fn a_jump_of_slope_beside_a_fast_vibration_is_a_break() {
-    let (omega, slope) = (100.0 * PI, 10.0 * PI);
+    let omega = 100.0 * PI;
+    let slope = 10.0 * PI;
     let stops = |share: f64| {
-        Law::sequence(0.0, [(10.0, Law::sine(0.1, omega, 0.0)), (1.0, Law::linear(0.0, slope * share))])
+        Law::sequence(
+            0.0,
+            [(10.0, Law::sine(0.1, omega, 0.0)), (1.0, Law::linear(0.0, slope * share))],
+        )
     };
     assert_eq!(orders(&stops(1.0 + 1e-4), 5.0, 10.5), [(10.0, 1)]);
     assert_eq!(orders(&stops(1.0), 5.0, 10.5), [(10.0, 3)]);
@@ -59,7 +68,10 @@ fn a_jump_of_slope_beside_a_fast_vibration_is_a_break() {
 fn parts_meet_to_nine_digits_whatever_their_size() {
     for size in [1e-150, 1e-30, 1e-3, 1.0, 1e12, 1e150] {
         let parts = |apart: f64| {
-            Law::sequence(0.0, [(1.0, Law::cycloidal(size, 1.0)), (1.0, Law::constant(size * (1.0 + apart)))])
+            Law::sequence(
+                0.0,
+                [(1.0, Law::cycloidal(size, 1.0)), (1.0, Law::constant(size * (1.0 + apart)))],
+            )
         };
         let turn = |apart: f64| (Law::constant(size) + Law::ramp(size * apart)).periodic(1.0);
         for apart in [1e-3, 1e-6, 1e-8, -1e-8] {
@@ -93,11 +105,18 @@ fn parts_meet_to_nine_digits_whatever_their_size() {
 fn a_law_that_repeats_but_for_a_drift_does_not_repeat() {
     let wave = Law::fourier(0.4, 1.0, &[(0.1, 0.2), (0.0, 0.0), (0.01, 0.0)]);
     let fast = Law::sine(0.1, 1000.0, 0.3);
-    assert!(wave.is_periodic(TAU) && fast.is_periodic(TAU) && (wave.clone() + fast.clone()).is_periodic(TAU));
+    assert!(
+        wave.is_periodic(TAU)
+            && fast.is_periodic(TAU)
+            && (wave.clone() + fast.clone()).is_periodic(TAU)
+    );
     assert!(Law::constant(3.0).is_periodic(TAU) && !Law::ramp(1.0).is_periodic(TAU));
     for drift in [1e-3, 1e-6] {
         assert!(!(wave.clone() + Law::ramp(drift)).is_periodic(TAU), "{drift}");
-        assert!(!(fast.clone() + Law::ramp(drift)).is_periodic(TAU), "{drift} beside a fast vibration");
+        assert!(
+            !(fast.clone() + Law::ramp(drift)).is_periodic(TAU),
+            "{drift} beside a fast vibration"
+        );
     }
     assert!(!Law::sine(1.0, 1.001, 0.0).is_periodic(TAU));
 }
@@ -142,7 +161,10 @@ fn breaks_of_laws_that_repeat_are_listed_in_bounded_time_and_memory() {
         ] {
             let breaks = law.breaks(from, to);
             assert!(breaks.len() <= 10_000, "{name}: {}", breaks.len());
-            assert!(breaks.windows(2).all(|pair| pair[0].x < pair[1].x), "{name} from {from} to {to}");
+            assert!(
+                breaks.windows(2).all(|pair| pair[0].x < pair[1].x),
+                "{name} from {from} to {to}"
+            );
         }
         assert!(law.breaks(0.0, 1e12).len() > 1000, "{name}");
         assert!(law.sharpest_break(0.0, 1e12).is_some_and(|found| found.order == 3), "{name}");
@@ -180,9 +202,13 @@ fn a_corner_behind_more_breaks_than_are_listed_ends_the_run() {
     let corner = Law::sequence(0.0, [(1e9, Law::constant(0.0)), (1e9, Law::ramp(1e-9))]);
     for law in [wave() + corner.clone(), (wave() + corner.clone()).shifted(0.25)] {
         let error = driven(law.clone(), &[0.5, 1.5e9]).expect_err("a corner");
-        assert!(matches!(error, Error::LawJumps { order: 1, at, .. } if (at - 1e9).abs() < 1.0), "{error}");
+        assert!(
+            matches!(error, Error::LawJumps { order: 1, at, .. } if (at - 1e9).abs() < 1.0),
+            "{error}"
+        );
         assert!(matches!(law.sharpest_break(0.5, 1.5e9), Some(Break { order: 1, .. })));
     }
-    let saw = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
+    let saw =
+        Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
     assert!(matches!(driven(saw, &[0.5, 1e10]), Err(Error::LawJumps { order: 1, at: 1.0, .. })));
 }

@@ -1,15 +1,20 @@
-//! A small drawing of each joint, from a few strokes: body i blue, body j grey, what is driven orange.
+//! A small drawing of each joint, from a few strokes: body i blue, body j grey, what is driven
+//! orange.
 
 use std::fmt::Write;
 
-/// Strokes, one a word and its points: `i`, `j` bodies, `I`, `J` filled ones, `a` an axis, `t` a thin line,
-/// `o` an open circle (a pin or ball), `d` a dot, `c`, `k` a circle of body i, j, `>` a driven way, `@` a
-/// driven turn, `g` the ground, `q`, `w` a curve of body j, i.
+/// Strokes, one a word and its points: `i`, `j` bodies, `I`, `J` filled ones, `a` an axis, `t` a
+/// thin line, `o` an open circle (a pin or ball), `d` a dot, `c`, `k` a circle of body i, j, `>` a
+/// driven way, `@` a driven turn, `g` the ground, `q`, `w` a curve of body j, i.
 const STROKES: &[(Option<bool>, &str, &str)] = &[
     (None, "fixed", "g 24,44 72,44; I 32,20 64,20 64,44 32,44"),
     (None, "weld", "i 10,40 48,26; j 86,40 48,26; I 42,20 54,20 54,32 42,32"),
     (Some(false), "revolute", "i 12,44 48,22; j 84,44 48,22; o 48,22 5"),
-    (Some(false), "prismatic", "j 8,34 88,34; I 34,26 62,26 62,42 34,42; i 48,26 48,8; t 34,20 62,20"),
+    (
+        Some(false),
+        "prismatic",
+        "j 8,34 88,34; I 34,26 62,26 62,42 34,42; i 48,26 48,8; t 34,20 62,20",
+    ),
     (None, "distance", "i 8,46 22,20; j 88,46 74,24; t 22,20 74,24; o 22,20 4; o 74,24 4"),
     (Some(false), "angle", "j 14,44 84,44; i 14,44 72,12; w 50,44 50,34 44,28"),
     (Some(false), "parallel", "i 14,16 82,16; j 14,36 82,36; d 82,16 3; d 82,36 3"),
@@ -17,26 +22,50 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
     (Some(false), "pin_in_slot", "J 10,24 86,24 86,36 10,36; i 40,4 40,30; o 40,30 5"),
     (Some(false), "point_on_circle", "k 46,34 18; i 82,6 60,22; d 60,22 4; d 46,34 2"),
     (Some(false), "point_on_curve", "q 8,16 46,62 88,12; i 40,6 44,38; d 44,38 4"),
-    (Some(false), "cam_knife_edge", "k 48,40 14; d 48,42 2; i 48,4 48,18; i 42,10 48,26; i 54,10 48,26"),
+    (
+        Some(false),
+        "cam_knife_edge",
+        "k 48,40 14; d 48,42 2; i 48,4 48,18; i 42,10 48,26; i 54,10 48,26",
+    ),
     (Some(false), "cam_flat_face", "k 48,42 13; d 48,44 2; i 48,4 48,28; i 26,28 70,28"),
     (Some(false), "cam_roller", "k 48,44 11; d 48,46 2; c 48,25 7; i 48,4 48,25; d 48,25 2"),
     (Some(false), "gear", "c 32,28 18; k 64,28 14; a 32,28 64,28; d 32,28 2; d 64,28 2"),
     (Some(false), "internal_gear", "k 48,28 25; c 35,28 12; a 35,28 48,28; d 35,28 2; d 48,28 2"),
-    (Some(false), "belt", "c 22,28 12; k 74,28 8; t 23,16 75,20; t 23,40 75,36; d 22,28 2; d 74,28 2"),
+    (
+        Some(false),
+        "belt",
+        "c 22,28 12; k 74,28 8; t 23,16 75,20; t 23,40 75,36; d 22,28 2; d 74,28 2",
+    ),
     (None, "rack_and_pinion", "j 8,44 88,44; t 8,40 88,40; c 48,24 16; d 48,24 2"),
     (Some(false), "rolling", "j 8,46 88,46; c 44,28 18; d 44,28 2; i 44,28 56,16"),
-    (Some(false), "coupling", "I 10,20 34,20 34,38 10,38; J 62,20 86,20 86,38 62,38; t 34,29 62,29"),
+    (
+        Some(false),
+        "coupling",
+        "I 10,20 34,20 34,38 10,38; J 62,20 86,20 86,38 62,38; t 34,29 62,29",
+    ),
     (
         Some(false),
         "linear_coupling",
         "I 6,8 28,8 28,24 6,24; I 6,34 28,34 28,50 6,50; J 66,20 88,20 88,38 66,38; t 28,16 48,29; t 28,42 48,29; t 48,29 66,29; d 48,29 3",
     ),
-    (None, "moving_point", "I 10,14 86,14 86,44 10,44; t 20,36 44,22 76,24; d 44,22 4; > 44,22 66,18"),
-    (None, "point_on_path", "I 10,14 86,14 86,44 10,44; q 18,38 48,8 78,38; o 48,23 4; j 48,23 48,4"),
+    (
+        None,
+        "moving_point",
+        "I 10,14 86,14 86,44 10,44; t 20,36 44,22 76,24; d 44,22 4; > 44,22 66,18",
+    ),
+    (
+        None,
+        "point_on_path",
+        "I 10,14 86,14 86,44 10,44; q 18,38 48,8 78,38; o 48,23 4; j 48,23 48,4",
+    ),
     (Some(true), "spherical", "i 10,44 42,28; j 86,44 50,24; k 48,26 10; o 47,26 6"),
     (Some(true), "point_on_line", "a 8,46 88,14; i 48,4 48,28; o 48,30 6"),
     (Some(true), "point_in_plane", "J 6,46 30,26 90,26 66,46; i 48,4 48,32; o 48,34 6"),
-    (Some(true), "point_coordinate", "t 12,48 12,8; t 12,48 84,48; i 78,8 56,22; d 56,22 4; t 56,22 12,22"),
+    (
+        Some(true),
+        "point_coordinate",
+        "t 12,48 12,8; t 12,48 84,48; i 78,8 56,22; d 56,22 4; t 56,22 12,22",
+    ),
     (Some(true), "parallel", "a 22,50 46,6; a 52,50 76,6; i 28,39 40,17; j 58,39 70,17"),
     (Some(true), "perpendicular", "i 20,44 76,44; j 48,44 48,8; t 56,44 56,36 48,36"),
     (Some(true), "angle", "j 14,44 84,44; i 14,44 72,12; t 50,44 46,27"),
@@ -50,7 +79,11 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
         "prismatic",
         "j 6,32 90,32; j 6,26 90,26; I 32,20 58,20 58,38 32,38; I 32,20 38,14 64,14 58,20; i 50,14 50,2",
     ),
-    (Some(true), "cylindrical", "a 4,30 92,30; j 8,30 88,30; I 34,22 62,22 62,38 34,38; i 48,22 48,4"),
+    (
+        Some(true),
+        "cylindrical",
+        "a 4,30 92,30; j 8,30 88,30; I 34,22 62,22 62,38 34,38; i 48,22 48,4",
+    ),
     (
         Some(true),
         "universal",
@@ -72,7 +105,11 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
         "relative_angle",
         "a 48,4 48,52; i 48,28 86,20; j 48,28 84,42; w 74,23 78,30 74,37; d 48,28 3",
     ),
-    (Some(true), "gear", "I 20,12 40,19 40,33 20,40; J 20,41 92,41 72,34 40,34; a 8,26 56,26; a 56,6 56,52"),
+    (
+        Some(true),
+        "gear",
+        "I 20,12 40,19 40,33 20,40; J 20,41 92,41 72,34 40,34; a 8,26 56,26; a 56,6 56,52",
+    ),
     (
         Some(true),
         "gear_by_radii",
@@ -131,8 +168,9 @@ const STROKES: &[(Option<bool>, &str, &str)] = &[
 /// The strokes of a joint, which may be one of the plane or of space alone.
 fn strokes(group: &str, name: &str) -> Option<&'static str> {
     let spatial = group.starts_with("spatial");
-    let found =
-        STROKES.iter().find(|(space, known, _)| *known == name && space.is_none_or(|space| space == spatial));
+    let found = STROKES
+        .iter()
+        .find(|(space, known, _)| *known == name && space.is_none_or(|space| space == spatial));
     found.map(|(_, _, strokes)| *strokes)
 }
 
@@ -161,7 +199,9 @@ fn drawn(word: &str, n: &[f64]) -> String {
         )
     };
     let area = |fill: &str, color: &str| {
-        format!("<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>\n")
+        format!(
+            "<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>\n"
+        )
     };
     let round = |fill: &str, color: &str| {
         format!(
@@ -198,7 +238,9 @@ fn drawn(word: &str, n: &[f64]) -> String {
 
 /// An arrow that turns.
 fn arc(n: &[f64], drive: &str) -> String {
-    let (x, y, r) = (n[0], n[1], n[2]);
+    let x = n[0];
+    let y = n[1];
+    let r = n[2];
     let arc = format!(
         "<path d=\"M{},{} A{r},{r} 0 0 0 {},{}\" fill=\"none\" stroke=\"{drive}\" stroke-width=\"2\"/>\n",
         x + r,
@@ -214,7 +256,11 @@ fn hatch(n: &[f64]) -> String {
     let mut text = String::new();
     let mut x = n[0];
     while x < n[2] {
-        let _ = writeln!(text, "<path d=\"M{x},{} l-5,6\" stroke=\"#111827\" stroke-width=\"1\"/>", n[1]);
+        let _ = writeln!(
+            text,
+            "<path d=\"M{x},{} l-5,6\" stroke=\"#111827\" stroke-width=\"1\"/>",
+            n[1]
+        );
         x += 6.0;
     }
     text
@@ -223,7 +269,8 @@ fn hatch(n: &[f64]) -> String {
 /// The head of an arrow that ends at (x, y).
 fn head(x: f64, y: f64, dx: f64, dy: f64, color: &str) -> String {
     let length = dx.hypot(dy);
-    let (u, v) = (dx / length * 4.0, dy / length * 4.0);
+    let u = dx / length * 4.0;
+    let v = dy / length * 4.0;
     format!(
         "<polygon points=\"{:.1},{:.1} {:.1},{:.1} {:.1},{:.1}\" fill=\"{color}\"/>\n",
         x + u,

@@ -1,5 +1,5 @@
-//! Every joint of the library read as text: the same facts, the same terms, the same measures, demands and
-//! points as the compiled one has.
+//! Every joint of the library read as text: the same facts, the same terms, the same measures,
+//! demands and points as the compiled one has.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -46,11 +46,13 @@ fn equations(text: &str) -> Vec<Equation> {
         .collect();
     let (own, helpers): (Vec<&ItemFn>, Vec<&ItemFn>) =
         functions.into_iter().partition(|function| is_constraint(function));
-    let helpers: String = helpers.iter().map(|helper| helper.to_token_stream().to_string()).collect();
+    let helpers: String =
+        helpers.iter().map(|helper| helper.to_token_stream().to_string()).collect();
     own.into_iter()
         .map(|function| {
             let text = format!("{helpers}\n{}", function.to_token_stream());
-            Equation::read(&text).unwrap_or_else(|mistakes| panic!("{}: {mistakes}", function.sig.ident))
+            Equation::read(&text)
+                .unwrap_or_else(|mistakes| panic!("{}: {mistakes}", function.sig.ident))
         })
         .collect()
 }
@@ -83,7 +85,8 @@ fn same_points(a: &dyn Constraint, b: &dyn Constraint) -> bool {
         })
         .collect()
     };
-    let (a, b) = (points(a), points(b));
+    let a = points(a);
+    let b = points(b);
     a.len() == b.len()
         && a.into_iter().zip(b).all(|((k, is_point, u), (l, is_same, v))| {
             k == l && is_point == is_same && (u - v).norm() <= 1e-15 * (1.0 + u.norm())
@@ -93,10 +96,12 @@ fn same_points(a: &dyn Constraint, b: &dyn Constraint) -> bool {
 /// Everything that does not depend on the state.
 fn says_the_same(compiled: &dyn Constraint, read: &dyn Constraint, name: &str) {
     use kin::constraint::Facts;
-    let (a, b) = (compiled.facts(), read.facts());
+    let a = compiled.facts();
+    let b = read.facts();
     // How emitted code splits a row by time is its own matter.
-    let facts =
-        |f: &Facts<'_>| format!("{:?}", Facts { n_timed: 0, sides_of_time: None, constants: &[], ..*f });
+    let facts = |f: &Facts<'_>| {
+        format!("{:?}", Facts { n_timed: 0, sides_of_time: None, constants: &[], ..*f })
+    };
     assert_eq!(facts(&a), facts(&b), "{name}");
     assert_eq!(compiled.arguments(), read.arguments(), "{name}");
     assert_eq!(compiled.refusal(), read.refusal(), "{name}");
@@ -115,7 +120,8 @@ fn says_the_same(compiled: &dyn Constraint, read: &dyn Constraint, name: &str) {
 #[test]
 fn every_joint_from_text_is_the_compiled_one() {
     let library = library();
-    let (mut worst, mut states) = (0.0_f64, 0);
+    let mut worst = 0.0_f64;
+    let mut states = 0;
     for joint in all() {
         for seed in 0..4 {
             let random = &mut Random::new(300 + seed);
@@ -127,8 +133,9 @@ fn every_joint_from_text_is_the_compiled_one() {
             says_the_same(compiled, &read, &name);
             for _ in 0..8 {
                 let n = columns(compiled);
-                let mut vector =
-                    |near: f64| -> Vec<f64> { (0..n).map(|_| random.between(-near, near)).collect() };
+                let mut vector = |near: f64| -> Vec<f64> {
+                    (0..n).map(|_| random.between(-near, near)).collect()
+                };
                 let near = if states % 3 == 0 { 1e-8 } else { 2.0 };
                 let [q, qd, qdd] = [vector(near), vector(2.0), vector(2.0)];
                 let found = difference(compiled, &read, [&q, &qd, &qdd], 0.37);

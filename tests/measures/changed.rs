@@ -15,7 +15,8 @@ fn parallelogram(law: Law, from: f64) -> (System, Link, Link) {
     m.add("B", revolute(b, c, b.end(), c.end())).unwrap();
     m.add("C", revolute(c, Ground, c.start(), vec2(2.0, 0.0))).unwrap();
     m.add("motor", drive_angle(a, law)).unwrap();
-    let (x, y) = (from.cos(), from.sin());
+    let x = from.cos();
+    let y = from.sin();
     m.set_pose(a, pose(0.5 * x, 0.5 * y, from)).unwrap();
     m.set_pose(b, pose(x + 1.0, y, 0.0)).unwrap();
     m.set_pose(c, pose(2.0 + 0.5 * x, 0.5 * y, from)).unwrap();
@@ -25,7 +26,8 @@ fn parallelogram(law: Law, from: f64) -> (System, Link, Link) {
 /// A slider-crank with links of 1: at 90° the slider is at the crank's bearing.
 fn equal_links(law: Law) -> System {
     let mut m = Mechanism::new("equal links");
-    let [crank, rod] = [("crank", 1.0), ("rod", 1.0)].map(|(name, length)| m.link(name, length).unwrap());
+    let [crank, rod] =
+        [("crank", 1.0), ("rod", 1.0)].map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
     m.add("g", point_on_line(rod, m.ground(), rod.end(), vec2(0.0, 0.0), vec2(1.0, 0.0))).unwrap();
@@ -54,8 +56,8 @@ fn extremes_at_the_change_points_of_a_parallelogram() {
     }
 }
 
-/// The crank's end is highest, the rod is in the middle of its turn, and the slider passes zero, all of them
-/// at the change point; and the same where the run turns into the other branch.
+/// The crank's end is highest, the rod is in the middle of its turn, and the slider passes zero,
+/// all of them at the change point; and the same where the run turns into the other branch.
 #[test]
 fn extremes_and_crossings_at_the_change_point_of_equal_links() {
     // θ = π/2 at 1.2 t + 0.3 t²
@@ -76,10 +78,13 @@ fn extremes_and_crossings_at_the_change_point_of_equal_links() {
                 let [top] = half.all() else { panic!("{half:?}") };
                 near(top.t, at, 1e-9);
                 near(top.value, 0.5, 1e-10);
-                let [crossing] = system.crossings(&motion, "g.slide", 0.0).unwrap()[..] else { panic!() };
+                let [crossing] = system.crossings(&motion, "g.slide", 0.0).unwrap()[..] else {
+                    panic!()
+                };
                 near(crossing.t, at, 1e-9);
                 assert!(!crossing.rises);
-                let [crossing] = system.crossings(&motion, "crank.theta", 0.5 * PI).unwrap()[..] else {
+                let [crossing] = system.crossings(&motion, "crank.theta", 0.5 * PI).unwrap()[..]
+                else {
                     panic!()
                 };
                 near(crossing.t, at, 1e-12);

@@ -1,5 +1,5 @@
-//! Answers about a motion do not depend on its grid of times: against the laws themselves, and against fine
-//! grids.
+//! Answers about a motion do not depend on its grid of times: against the laws themselves, and
+//! against fine grids.
 
 use kin::prelude::*;
 
@@ -23,9 +23,13 @@ fn dwell() -> Law {
 #[test]
 fn extremes_of_a_dwell_on_a_coarse_grid() {
     let (system, x) = followed(&dwell(), 0.0);
-    for times in
-        [linspace(0.0, 4.0, 5), linspace(0.0, 4.0, 3), vec![0.0, 4.0], vec![4.0, 0.0], vec![0.5, 3.9]]
-    {
+    for times in [
+        linspace(0.0, 4.0, 5),
+        linspace(0.0, 4.0, 3),
+        vec![0.0, 4.0],
+        vec![4.0, 0.0],
+        vec![0.5, 3.9],
+    ] {
         let found = system.extremes(&system.run(&times).unwrap(), x).unwrap();
         near(found.max().value, 1.0, 1e-12);
         near(found.stroke(), 1.0, 1e-6);
@@ -55,10 +59,12 @@ fn dead_centres_between_times_that_are_turns_apart() {
     let fine = linkage.system.run(linspace(0.0, 6.0, 2161)).unwrap();
     let asked = |m: &Motion| m.transmission_angle(linkage.coupler, linkage.rocker);
     let exact = linkage.system.extremes(&fine, linkage.rocker.theta()).unwrap();
-    let (angle, slide) =
-        (linkage.system.extremes(&fine, asked).unwrap(), linkage.system.extremes(&fine, "B.angle").unwrap());
+    let angle = linkage.system.extremes(&fine, asked).unwrap();
+    let slide = linkage.system.extremes(&fine, "B.angle").unwrap();
     assert_eq!(exact.all().len(), 12);
-    for times in [linspace(0.0, 6.0, 4), linspace(0.0, 6.0, 3), linspace(0.0, 6.0, 13), vec![6.0, 0.0]] {
+    for times in
+        [linspace(0.0, 6.0, 4), linspace(0.0, 6.0, 3), linspace(0.0, 6.0, 13), vec![6.0, 0.0]]
+    {
         let motion = linkage.system.run(&times).unwrap();
         let found = linkage.system.extremes(&motion, linkage.rocker.theta()).unwrap();
         assert_eq!(found.all().len(), 12, "{} times", times.len());
@@ -79,12 +85,14 @@ fn time_ratio_over_several_turns() {
         let [crank, rod] = [("crank", 1.0), ("rod", 3.0)].map(|(name, l)| m.link(name, l).unwrap());
         m.add("O", revolute(crank, m.ground(), crank.start(), vec2(0.0, offset))).unwrap();
         m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
-        m.add("g", point_on_line(rod, m.ground(), rod.end(), vec2(0.0, 0.0), vec2(1.0, 0.0))).unwrap();
+        m.add("g", point_on_line(rod, m.ground(), rod.end(), vec2(0.0, 0.0), vec2(1.0, 0.0)))
+            .unwrap();
         m.add("w", drive_angle(crank, Law::linear(begin, TAU))).unwrap();
         m.prefer(rod, -0.1);
         m.build().unwrap()
     };
-    // Dead centres where crank and rod are in line: sin of the angle is the offset over 4, and over 2.
+    // Dead centres where crank and rod are in line: sin of the angle is the offset over 4, and
+    // over 2.
     let offset = 0.8_f64;
     let between = PI + (offset / 2.0).asin() - (offset / 4.0).asin();
     let exact = between.max(TAU - between) / between.min(TAU - between);
@@ -104,8 +112,8 @@ fn time_ratio_over_several_turns() {
     }
 }
 
-/// A cam whose follower rises and rests more than once between two times; the cam is a law of the crank's
-/// angle.
+/// A cam whose follower rises and rests more than once between two times; the cam is a law of the
+/// crank's angle.
 #[test]
 fn a_cam_that_turns_over_between_two_times() {
     let mut m = Mechanism::new("cam");
@@ -159,7 +167,8 @@ struct Random(u64);
 
 impl Random {
     fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
@@ -176,9 +185,11 @@ impl Random {
 fn random_law(random: &mut Random, depth: usize) -> Law {
     match random.below(if depth > 0 { 6 } else { 4 }) {
         0 => {
-            let (mut value, mut parts) = (random.between(-1.0, 1.0), Vec::new());
+            let mut value = random.between(-1.0, 1.0);
+            let mut parts = Vec::new();
             while parts.len() < 3 + random.below(8) {
-                let (h, length) = (random.between(-1.0, 1.0), random.between(0.05, 0.9));
+                let h = random.between(-1.0, 1.0);
+                let length = random.between(0.05, 0.9);
                 let rise = match random.below(4) {
                     0 => Law::constant(0.0),
                     1 => Law::cycloidal(h, length),
@@ -191,18 +202,28 @@ fn random_law(random: &mut Random, depth: usize) -> Law {
             }
             Law::sequence(random.between(0.0, 0.5), parts)
         }
-        1 => Law::sine(random.between(0.1, 1.0), random.between(0.5, 60.0), random.between(0.0, 6.0)),
+        1 => {
+            Law::sine(random.between(0.1, 1.0), random.between(0.5, 60.0), random.between(0.0, 6.0))
+        }
         2 => {
             let count = 4 + random.below(12);
-            let table: Vec<(f64, f64)> =
-                (0..=count).map(|k| (4.0 * k as f64 / count as f64, random.between(-1.0, 1.0))).collect();
+            let table: Vec<(f64, f64)> = (0..=count)
+                .map(|k| (4.0 * k as f64 / count as f64, random.between(-1.0, 1.0)))
+                .collect();
             Law::spline(&table, Ends::Natural)
         }
         3 => {
-            let (h, length) = (random.between(0.2, 1.0), random.between(0.05, 0.3));
-            let (up, down) = (Law::cycloidal(h, length), Law::constant(h) - Law::cycloidal(h, length));
+            let h = random.between(0.2, 1.0);
+            let length = random.between(0.05, 0.3);
+            let up = Law::cycloidal(h, length);
+            let down = Law::constant(h) - Law::cycloidal(h, length);
             let rest = random.between(0.05, 0.3);
-            let parts = [(length, up), (rest, Law::constant(h)), (length, down), (rest, Law::constant(0.0))];
+            let parts = [
+                (length, up),
+                (rest, Law::constant(h)),
+                (length, down),
+                (rest, Law::constant(0.0)),
+            ];
             Law::sequence(0.0, parts).periodic(2.0 * (length + rest))
         }
         4 => random_law(random, depth - 1) + random_law(random, depth - 1),
@@ -210,7 +231,8 @@ fn random_law(random: &mut Random, depth: usize) -> Law {
     }
 }
 
-/// The largest value of a law between 0 and 4 by itself: at many places, then by thirds about the best ones.
+/// The largest value of a law between 0 and 4 by itself: at many places, then by thirds about the
+/// best ones.
 fn largest(law: &Law, sign: f64) -> f64 {
     const PLACES: usize = 8000;
     let at = |x: f64| sign * law.at(x);
@@ -218,13 +240,16 @@ fn largest(law: &Law, sign: f64) -> f64 {
     let values: Vec<f64> = (0..=PLACES).map(|k| at(x(k))).collect();
     let best = values.iter().fold(f64::MIN, |m, v| m.max(*v));
     let near_best = (0..=PLACES).filter(|k| {
-        let beside = [k.saturating_sub(1), (k + 1).min(PLACES)].map(|j| (values[j] - values[*k]).abs());
+        let beside =
+            [k.saturating_sub(1), (k + 1).min(PLACES)].map(|j| (values[j] - values[*k]).abs());
         values[*k] + beside[0].max(beside[1]) >= best
     });
     let refined = near_best.map(|k| {
-        let (mut a, mut b) = (x(k.saturating_sub(1)), x((k + 1).min(PLACES)));
+        let mut a = x(k.saturating_sub(1));
+        let mut b = x((k + 1).min(PLACES));
         for _ in 0..60 {
-            let (p, q) = (a + (b - a) / 3.0, b - (b - a) / 3.0);
+            let p = a + (b - a) / 3.0;
+            let q = b - (b - a) / 3.0;
             if at(p) < at(q) { a = p } else { b = q }
         }
         at(0.5 * (a + b))
@@ -255,7 +280,9 @@ fn extremes_of_random_laws_do_not_depend_on_the_grid() {
         said("max of the fine grid", fine.max().value, largest(&law, 1.0));
         said("stroke", found.stroke(), fine.stroke());
         match (found.time_ratio(), fine.time_ratio()) {
-            (Some(a), Some(b)) => assert!((a - b).abs() <= 1e-6 * b, "{seed}: ratio {a}, it is {b}; {law:?}"),
+            (Some(a), Some(b)) => {
+                assert!((a - b).abs() <= 1e-6 * b, "{seed}: ratio {a}, it is {b}; {law:?}")
+            }
             (a, b) => assert_eq!(a, b, "{seed}; {law:?}"),
         }
     }

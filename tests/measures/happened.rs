@@ -13,7 +13,13 @@ fn short_slot(scale: f64) -> Mechanism {
     let pin = m.planar("pin", pose(0.0, 0.0, 0.0)).unwrap();
     m.add(
         "slot",
-        pin_in_slot(pin, m.ground(), vec2(0.0, 0.0), vec2(-0.1 * scale, 0.0), vec2(0.2 * scale, 0.0)),
+        pin_in_slot(
+            pin,
+            m.ground(),
+            vec2(0.0, 0.0),
+            vec2(-0.1 * scale, 0.0),
+            vec2(0.2 * scale, 0.0),
+        ),
     )
     .unwrap();
     m.add("upright", drive_angle(pin, Law::constant(0.0))).unwrap();
@@ -41,7 +47,10 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
             assert_eq!(texts[1], "`slot.slide` comes back from beyond its upper end, 0.3 m");
             assert_eq!(texts[2], "`slot.slide` passes its lower end, 0 m");
             let text = serde_json::to_string(&motion.data()).unwrap();
-            assert_eq!(Motion::from_data(&serde_json::from_str(&text).unwrap()).unwrap().events(), events);
+            assert_eq!(
+                Motion::from_data(&serde_json::from_str(&text).unwrap()).unwrap().events(),
+                events
+            );
         }
         // backwards the same four, in the order of the run
         let back = system.run_both(linspace(TAU, 0.0, steps)).unwrap();
@@ -57,12 +66,15 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
 #[test]
 fn the_motion_before_a_toggle_has_its_events() {
     let mut m = Mechanism::new("two links on a slide");
-    let (ground, crank, rod) = (m.ground(), m.link("crank", 1.0).unwrap(), m.link("rod", 2.0).unwrap());
+    let ground = m.ground();
+    let crank = m.link("crank", 1.0).unwrap();
+    let rod = m.link("rod", 2.0).unwrap();
     let slider = m.planar("slider", pose(2.5, 0.0, 0.0)).unwrap();
     m.add("O", revolute(crank, ground, crank.start(), vec2(0.0, 0.0))).unwrap();
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
     m.add("B", revolute(rod, slider, rod.end(), vec2(0.0, 0.0))).unwrap();
-    m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0)).unwrap();
+    m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))
+        .unwrap();
     m.add("motor", drive(slider.x(), Law::linear(2.5, 0.3))).unwrap();
     m.limit("guide.slide", 0.0, 2.8).unwrap();
     m.prefer(crank, 0.7);
@@ -82,7 +94,8 @@ fn limits_can_be_asked_for_by_name() {
     m.limit("slot.slide", f64::NEG_INFINITY, 0.25).unwrap();
     m.limit("pin.R_x", -0.35, 0.35).unwrap();
     let text = serde_json::to_string(&m.data().unwrap()).unwrap();
-    let again = Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &kin::Registry::new()).unwrap();
+    let again =
+        Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &kin::Registry::new()).unwrap();
     for m in [m, again] {
         let motion = m.build().unwrap().run_both(linspace(0.0, TAU, 50)).unwrap();
         let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
@@ -97,7 +110,10 @@ fn limits_can_be_asked_for_by_name() {
     );
     let mut m = short_slot(1.0);
     let error = m.limit("slot.slide", 1.0, 0.0).unwrap_err().to_string();
-    assert_eq!(error, "`slot.slide` (limit): its limits are 1 and 0; give a smaller one and a larger one");
+    assert_eq!(
+        error,
+        "`slot.slide` (limit): its limits are 1 and 0; give a smaller one and a larger one"
+    );
     m.limit("slot.turn", 0.0, 1.0).unwrap();
     let error = m.build().unwrap_err().to_string();
     assert_eq!(
@@ -190,7 +206,8 @@ fn a_joint_of_ones_own_has_measures_too() {
     let motion = system.run_both(linspace(0.0, 3.0, 31)).unwrap();
     let steep = system.measure(&motion, "slot.steepness").unwrap();
     for (k, t) in motion.times().iter().enumerate() {
-        let (x, v) = (0.3 * t.sin(), 0.3 * t.cos());
+        let x = 0.3 * t.sin();
+        let v = 0.3 * t.cos();
         near(steep.value.values()[k], (4.0 * x).atan(), 1e-13);
         near(steep.rate.values()[k], 4.0 * v / (1.0 + 16.0 * x * x), 1e-12);
     }
@@ -209,34 +226,40 @@ fn what_cannot_be_asked_is_told_by_name() {
         said("A.slide"),
         "`A` (revolute): there is no `A.slide`; what can be asked of this joint is `A.angle`"
     );
-    assert_eq!(said("A"), "`A` (revolute): there is no `A`; what can be asked of this joint is `A.angle`");
+    assert_eq!(
+        said("A"),
+        "`A` (revolute): there is no `A`; what can be asked of this joint is `A.angle`"
+    );
     assert_eq!(
         said("motor.angle"),
         "`motor` (drive_angle): there is no `motor.angle`: this joint has no measure. Ask for a point, an angle between bodies or a \
          coordinate instead"
     );
     assert!(
-        said("D.angle")
-            .starts_with("there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"),
+        said("D.angle").starts_with(
+            "there is no measure or coordinate `D.angle`; there are `O.angle`, `A.angle`"
+        ),
         "{}",
         said("D.angle")
     );
 }
 
-/// The distance of two points that move, planar and spatial, with three rates: against differences and closed
-/// form; asked for its extremes.
+/// The distance of two points that move, planar and spatial, with three rates: against differences
+/// and closed form; asked for its extremes.
 #[test]
 fn the_distance_of_two_points_is_a_measure() {
     let FourBar { system, crank, coupler, rocker, .. } = crank_rocker();
     let motion = system
         .run_both_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() })
         .unwrap();
-    let (p, q) = (vec2(0.3, 0.4), (1.0, -0.7));
+    let p = vec2(0.3, 0.4);
+    let q = (1.0, -0.7);
     let distance = motion.distance(coupler, p, rocker, q).unwrap();
     assert_eq!((distance.value.unit(), distance.third_rate.unit()), ("m", "m/s^3"));
-    let (r_p, r_q) = (motion.point(coupler, p).unwrap(), motion.point(rocker, q).unwrap());
-    let orders =
-        [&distance.value, &distance.rate, &distance.second_rate, &distance.third_rate].map(Series::values);
+    let r_p = motion.point(coupler, p).unwrap();
+    let r_q = motion.point(rocker, q).unwrap();
+    let orders = [&distance.value, &distance.rate, &distance.second_rate, &distance.third_rate]
+        .map(Series::values);
     for k in 2..motion.len() - 2 {
         near(orders[0][k], (r_p.r()[k] - r_q.r()[k]).norm(), 1e-14);
         for order in 0..3 {
@@ -245,14 +268,17 @@ fn the_distance_of_two_points_is_a_measure() {
             near(orders[order + 1][k], slope, 1e-5);
         }
     }
-    // Between the crank's pin and a point of the ground it is a circle's: extremes where the pin, the axle
-    // and the point are in line.
+    // Between the crank's pin and a point of the ground it is a circle's: extremes where the pin,
+    // the axle and the point are in line.
     let point = (3.0, 4.0);
     let ground = PlanarBody::from(Ground);
-    let found = system.extremes(&motion, |m: &Motion| m.distance(crank, crank.end(), ground, point)).unwrap();
+    let found = system
+        .extremes(&motion, |m: &Motion| m.distance(crank, crank.end(), ground, point))
+        .unwrap();
     near(found.max().value, 6.0, 1e-12);
     near(found.min().value, 4.0, 1e-12);
-    let met = motion.distance(crank, crank.end(), coupler, coupler.start()).unwrap_err().to_string();
+    let met =
+        motion.distance(crank, crank.end(), coupler, coupler.start()).unwrap_err().to_string();
     assert!(met.contains("distance of zero"), "{met}");
 }
 
@@ -263,7 +289,10 @@ fn a_name_may_be_a_string() {
     let name = format!("{}.angle", "A");
     let by_text = system.measure(&motion, "A.angle").unwrap();
     assert_eq!(system.measure(&motion, &name).unwrap(), by_text);
-    assert_eq!(system.extremes(&motion, &name).unwrap(), system.extremes(&motion, "A.angle").unwrap());
+    assert_eq!(
+        system.extremes(&motion, &name).unwrap(),
+        system.extremes(&motion, "A.angle").unwrap()
+    );
     assert_eq!(system.measure(&motion, name).unwrap(), by_text);
 }
 
@@ -292,12 +321,13 @@ fn what_is_zero_at_a_time_of_the_grid_is_found_there_and_once() {
         crossed(Law::polynomial(&[-6.0, 11.0, -6.0, 1.0]), 0.0),
         [(1.0, true), (2.0, false), (3.0, true)]
     );
-    // Zero but for rounding at the grid, and properly beside it: where it is, not where the grid is.
+    // Zero but for rounding at the grid, and properly beside it: where it is, not where the grid
+    // is.
     let beside = 1e-14;
     let found = crossed(Law::linear(-2.0 - beside, 1.0), 0.0);
     assert!(matches!(found[..], [(t, true)] if (t - 2.0 - beside).abs() < 4e-15), "{found:?}");
-    // Touched at a time of the grid, and not crossed; at the first and at the last time nothing is seen to be
-    // crossed.
+    // Touched at a time of the grid, and not crossed; at the first and at the last time nothing is
+    // seen to be crossed.
     assert_eq!(crossed(Law::polynomial(&[4.0, -4.0, 1.0]), 0.0), []);
     assert_eq!(crossed(Law::linear(0.0, 1.0), 0.0), []);
     assert_eq!(crossed(Law::linear(-4.0, 1.0), 0.0), []);

@@ -1,5 +1,5 @@
-//! Measures of mechanisms, against closed forms: angular velocities, angles, slides, dead centres, limits,
-//! instant centres.
+//! Measures of mechanisms, against closed forms: angular velocities, angles, slides, dead centres,
+//! limits, instant centres.
 
 mod changed;
 mod coarse;
@@ -56,7 +56,8 @@ fn corner(a: f64, b: f64, c: f64) -> f64 {
 fn dead_centres_and_time_ratio_of_a_crank_rocker() {
     let [a, b, c, d] = LINKS;
     // crank and coupler in line: stretched, and folded with the crank pointing away
-    let (stretched, folded) = (corner(a + b, d, c), PI + corner(b - a, d, c));
+    let stretched = corner(a + b, d, c);
+    let folded = PI + corner(b - a, d, c);
     let ratio = {
         let forth = folded - stretched;
         forth.max(TAU - forth) / forth.min(TAU - forth)
@@ -65,7 +66,9 @@ fn dead_centres_and_time_ratio_of_a_crank_rocker() {
         let FourBar { system, crank, rocker, .. } = crank_rocker();
         let motion = system.run_both(linspace(0.0, 1.0, steps + 1)).unwrap();
         let swing = system.extremes(&motion, rocker.theta()).unwrap();
-        let [first, second] = swing.all() else { panic!("two dead centres, not {:?}", swing.all()) };
+        let [first, second] = swing.all() else {
+            panic!("two dead centres, not {:?}", swing.all())
+        };
         near(first.t, stretched / TAU, 1e-12);
         near(second.t, folded / TAU, 1e-12);
         assert!(!first.is_max && second.is_max);
@@ -81,7 +84,10 @@ fn dead_centres_and_time_ratio_of_a_crank_rocker() {
         // backwards in time the same
         let back = system.run_both(linspace(1.0, 0.0, steps + 1)).unwrap();
         let swing = system.extremes(&back, "rocker.theta").unwrap();
-        assert_eq!(swing.all().iter().map(|extreme| extreme.is_max).collect::<Vec<_>>(), [true, false]);
+        assert_eq!(
+            swing.all().iter().map(|extreme| extreme.is_max).collect::<Vec<_>>(),
+            [true, false]
+        );
         near(swing.all()[1].t, stretched / TAU, 1e-12);
     }
 }
@@ -100,7 +106,8 @@ fn transmission_angle_of_a_crank_rocker() {
         near(angle.rate.values()[k], if whole > 0.5 * PI { -rate } else { rate }, 1e-10);
     }
     // worst where the crank lies along the ground, on either side
-    let worst = system.extremes(&motion, |m: &Motion| m.transmission_angle(coupler, rocker)).unwrap();
+    let worst =
+        system.extremes(&motion, |m: &Motion| m.transmission_angle(coupler, rocker)).unwrap();
     near(
         worst.min().value,
         [corner(b, c, d - a), corner(b, c, d + a)]
@@ -119,14 +126,16 @@ fn transmission_angle_of_a_crank_rocker() {
 #[test]
 fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way() {
     let mut m = Mechanism::new("slider-crank");
-    let (ground, (l2, l3)) = (m.ground(), (0.1, 0.3));
+    let ground = m.ground();
+    let (l2, l3) = (0.1, 0.3);
     let crank = m.link("crank", l2).unwrap();
     let rod = m.link("rod", l3).unwrap();
     let slider = m.planar("slider", pose(0.4, 0.0, 0.0)).unwrap();
     m.add("O", revolute(crank, ground, crank.start(), vec2(0.0, 0.0))).unwrap();
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).unwrap();
     m.add("B", revolute(rod, slider, rod.end(), vec2(0.0, 0.0))).unwrap();
-    m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.1, 0.0), vec2(0.0, 2.0), 0.0)).unwrap();
+    m.add("guide", prismatic(slider, ground, vec2(0.0, 0.0), vec2(0.1, 0.0), vec2(0.0, 2.0), 0.0))
+        .unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     let system = m.build().unwrap();
     let motion = system.run_both(linspace(0.0, 1.0, 73)).unwrap();
@@ -148,8 +157,9 @@ fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way()
 #[test]
 fn angles_of_joints_count_turns() {
     let FourBar { system, crank, coupler, .. } = crank_rocker();
-    let motion =
-        system.run_both_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() }).unwrap();
+    let motion = system
+        .run_both_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() })
+        .unwrap();
     let angle = system.measure(&motion, "O.angle").unwrap();
     near(angle.value.max(), 6.0 * PI, 1e-12);
     let relative = motion.relative_angle(crank, coupler).unwrap();
@@ -174,7 +184,8 @@ fn angles_of_joints_count_turns() {
 /// A screw that is turned and a nut that cannot turn; a shaft that turns and slides.
 #[test]
 fn angle_and_slide_of_spatial_joints() {
-    let (axis, zero) = (kin::Axis::along(Vec3::z()), vec3(0.0, 0.0, 0.0));
+    let axis = kin::Axis::along(Vec3::z());
+    let zero = vec3(0.0, 0.0, 0.0);
     let law = || Law::linear(0.3, 5.0) + Law::sine(0.2, 3.0, 0.0);
     let mut m = Mechanism::new("screw and shaft");
     let screw = m.spatial("screw", SpatialPose::at(zero)).unwrap();
@@ -189,7 +200,14 @@ fn angle_and_slide_of_spatial_joints() {
     m.add("spin", spatial::drive_turn(shaft, m.ground(), axis, axis, Law::ramp(-4.0))).unwrap();
     m.add(
         "push",
-        spatial::drive_slide(shaft, m.ground(), zero, vec3(1.0, 0.0, 0.0), axis, Law::sine(0.1, 1.0, 0.0)),
+        spatial::drive_slide(
+            shaft,
+            m.ground(),
+            zero,
+            vec3(1.0, 0.0, 0.0),
+            axis,
+            Law::sine(0.1, 1.0, 0.0),
+        ),
     )
     .unwrap();
     let system = m.build().unwrap();
@@ -197,7 +215,8 @@ fn angle_and_slide_of_spatial_joints() {
     let measure = |name: &str| system.measure(&motion, name).unwrap();
     let check = |found: &Quantity, exact: &dyn Fn(f64) -> [f64; 3]| {
         for (k, t) in motion.times().iter().enumerate() {
-            let found = [&found.value, &found.rate, &found.second_rate].map(|series| series.values()[k]);
+            let found =
+                [&found.value, &found.rate, &found.second_rate].map(|series| series.values()[k]);
             found.into_iter().zip(exact(*t)).for_each(|(found, exact)| near(found, exact, 1e-10));
         }
     };
@@ -213,8 +232,12 @@ fn angle_and_slide_of_spatial_joints() {
 
 #[test]
 fn shafts_of_a_hookes_joint() {
-    let (beta, omega, zero) = (deg(35.0), 2.0, vec3(0.0, 0.0, 0.0));
-    let (x, y, z) = (Vec3::x(), Vec3::y(), Vec3::z());
+    let beta = deg(35.0);
+    let omega = 2.0;
+    let zero = vec3(0.0, 0.0, 0.0);
+    let x = Vec3::x();
+    let y = Vec3::y();
+    let z = Vec3::z();
     let along = vec3(beta.cos(), 0.0, beta.sin());
     let mut m = Mechanism::new("Hooke's joint");
     let driving = m.spatial("driving", SpatialPose::at(zero)).unwrap();
@@ -228,8 +251,8 @@ fn shafts_of_a_hookes_joint() {
     let rotation = motion.rotation(driven).unwrap();
     let speed = rotation.about(along);
     for (k, t) in motion.times().iter().enumerate() {
-        // Norton: ω2 = ω1 cos β / (1 − sin² β cos² θ), θ from where the driving fork lies in the plane of the
-        // shafts; here it begins across it
+        // Norton: ω2 = ω1 cos β / (1 − sin² β cos² θ), θ from where the driving fork lies in the
+        // plane of the shafts; here it begins across it
         let (sin, cos) = (omega * t).sin_cos();
         let below = 1.0 - (beta.sin() * sin).powi(2);
         let exact = omega * beta.cos() / below;
@@ -237,14 +260,17 @@ fn shafts_of_a_hookes_joint() {
         // about its own axis, and nothing across it
         near(rotation.in_body().about(x).values()[k], exact, 1e-11);
         near(rotation.speed().values()[k], exact, 1e-11);
-        let alpha = 2.0 * omega * omega * beta.cos() * beta.sin().powi(2) * sin * cos / below.powi(2);
+        let alpha =
+            2.0 * omega * omega * beta.cos() * beta.sin().powi(2) * sin * cos / below.powi(2);
         near(rotation.alpha()[k].dot(along), alpha, 1e-10);
     }
 }
 
 #[test]
 fn omega_of_a_precessing_body() {
-    let (zero, axis, along) = (vec3(0.0, 0.0, 0.0), kin::Axis::along(Vec3::z()), kin::Axis::along(Vec3::x()));
+    let zero = vec3(0.0, 0.0, 0.0);
+    let axis = kin::Axis::along(Vec3::z());
+    let along = kin::Axis::along(Vec3::x());
     let mut m = Mechanism::new("top");
     let table = m.spatial("table", SpatialPose::at(zero)).unwrap();
     let top = m.spatial("top", SpatialPose::at(zero)).unwrap();
@@ -256,8 +282,11 @@ fn omega_of_a_precessing_body() {
         spatial::drive_turn(table, m.ground(), axis, axis, Law::polynomial(&[0.0, 0.7, 0.1])),
     )
     .unwrap();
-    m.add("spin", spatial::drive_turn(top, table, along, along, Law::ramp(9.0) + Law::sine(0.2, 2.0, 0.0)))
-        .unwrap();
+    m.add(
+        "spin",
+        spatial::drive_turn(top, table, along, along, Law::ramp(9.0) + Law::sine(0.2, 2.0, 0.0)),
+    )
+    .unwrap();
     let mut motion = m
         .build()
         .unwrap()
@@ -265,22 +294,39 @@ fn omega_of_a_precessing_body() {
         .unwrap();
     let rotation = motion.rotation(top).unwrap();
     for (k, &t) in motion.times().iter().enumerate() {
-        let (phi, w, w1) = (0.7 * t + 0.1 * t * t, 0.7 + 0.2 * t, 0.2);
-        let [s, s1, s2] = [9.0 + 0.4 * (2.0 * t).cos(), -0.8 * (2.0 * t).sin(), -1.6 * (2.0 * t).cos()];
-        // h, the axis of spin, and h across it in the plane of the table: h' = φ' across, across' = −φ' h
-        let (h, across) = (vec3(phi.cos(), phi.sin(), 0.0), vec3(-phi.sin(), phi.cos(), 0.0));
+        let phi = 0.7 * t + 0.1 * t * t;
+        let w = 0.7 + 0.2 * t;
+        let w1 = 0.2;
+        let [s, s1, s2] =
+            [9.0 + 0.4 * (2.0 * t).cos(), -0.8 * (2.0 * t).sin(), -1.6 * (2.0 * t).cos()];
+        // h, the axis of spin, and h across it in the plane of the table: h' = φ' across, across' =
+        // −φ' h
+        let h = vec3(phi.cos(), phi.sin(), 0.0);
+        let across = vec3(-phi.sin(), phi.cos(), 0.0);
         let omega = Vec3::z() * w + h * s;
         let alpha = Vec3::z() * w1 + h * s1 + across * (s * w);
         let rate = h * (s2 - s * w * w) + across * (2.0 * s1 * w + s * w1);
-        assert!((rotation.omega()[k] - omega).norm() < 1e-10, "{:?} {omega:?}", rotation.omega()[k]);
+        assert!(
+            (rotation.omega()[k] - omega).norm() < 1e-10,
+            "{:?} {omega:?}",
+            rotation.omega()[k]
+        );
         assert!((rotation.alpha()[k] - alpha).norm() < 1e-9, "{:?} {alpha:?}", rotation.alpha()[k]);
-        assert!((rotation.alpha_rate()[k] - rate).norm() < 1e-8, "{:?} {rate:?}", rotation.alpha_rate()[k]);
+        assert!(
+            (rotation.alpha_rate()[k] - rate).norm() < 1e-8,
+            "{:?} {rate:?}",
+            rotation.alpha_rate()[k]
+        );
         near(rotation.in_body().omega()[k].x, s, 1e-10);
     }
     motion.add_rotation("top", top).unwrap();
     assert_eq!(motion.outputs()[3].name(), "top.alpha_x");
     assert!(
-        motion.rotation(kin::any_spatial()).unwrap_err().to_string().contains("not of the mechanism \"top\"")
+        motion
+            .rotation(kin::any_spatial())
+            .unwrap_err()
+            .to_string()
+            .contains("not of the mechanism \"top\"")
     );
 }
 
@@ -289,10 +335,12 @@ fn instant_centre_of_a_coupler_is_where_crank_and_rocker_meet() {
     let FourBar { system, crank, coupler, rocker } = crank_rocker();
     let motion = system.run_both(linspace(0.0, 1.0, 91)).unwrap();
     let centres = motion.instant_centre(coupler, system_ground()).unwrap();
-    let pins = [motion.point(crank, crank.end()).unwrap(), motion.point(rocker, rocker.end()).unwrap()];
+    let pins =
+        [motion.point(crank, crank.end()).unwrap(), motion.point(rocker, rocker.end()).unwrap()];
     let c = vec2(LINKS[3], 0.0);
     for (k, centre) in centres.iter().enumerate() {
-        let (a, b) = (pins[0].r()[k], pins[1].r()[k]);
+        let a = pins[0].r()[k];
+        let b = pins[1].r()[k];
         let Some(p) = centre else { panic!("it turns at time {k}") };
         // on both lines
         let size = 1.0 + p.norm();
@@ -314,8 +362,11 @@ fn system_ground() -> PlanarBody {
 fn a_body_that_only_slides_has_no_instant_centre() {
     let mut m = Mechanism::new("slider");
     let slider = m.planar("slider", pose(0.1, 0.0, 0.0)).unwrap();
-    m.add("guide", prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))
-        .unwrap();
+    m.add(
+        "guide",
+        prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0),
+    )
+    .unwrap();
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
     let motion = m.build().unwrap().run_both(linspace(0.0, 1.0, 5)).unwrap();
     assert_eq!(motion.instant_centre(slider, system_ground()).unwrap(), [None; 5]);

@@ -28,14 +28,24 @@ fn a_spline_beyond_its_table_is_not_silent() {
     let motion = run(spline(), &[0.0, 3.0]);
     let [(t, text)] = warned(&motion)[..] else { panic!("{:?}", motion.events()) };
     near(t, 2.0, 1e-12);
-    assert_eq!(text, "`law` of `d` ends at 2, the run goes on to 3: beyond 2 the law is a straight line");
-    assert!(motion.summary().contains("warning: t = 2 s: `law` of `d` ends at 2"), "{}", motion.summary());
+    assert_eq!(
+        text,
+        "`law` of `d` ends at 2, the run goes on to 3: beyond 2 the law is a straight line"
+    );
+    assert!(
+        motion.summary().contains("warning: t = 2 s: `law` of `d` ends at 2"),
+        "{}",
+        motion.summary()
+    );
     let again = Motion::from_data(&motion.data()).unwrap();
     assert_eq!(again.events(), motion.events());
     let motion = run(spline(), &[1.0, -0.5, -1.0]);
     let [(t, text)] = warned(&motion)[..] else { panic!("{:?}", motion.events()) };
     near(t, 0.0, 1e-12);
-    assert_eq!(text, "`law` of `d` begins at 0, the run goes on to -1: before 0 the law is a straight line");
+    assert_eq!(
+        text,
+        "`law` of `d` begins at 0, the run goes on to -1: before 0 the law is a straight line"
+    );
     // Both ends, each once; a law that is made of it, later and faster.
     assert_eq!(warned(&run(spline(), &linspace(-1.0, 3.0, 41))).len(), 2);
     for law in [
@@ -78,8 +88,10 @@ fn a_sequence_that_holds_its_last_value_is_not_warned_of() {
 /// At the last time the law is that of its table, not what comes after it.
 #[test]
 fn the_last_acceleration_of_a_table_is_its_own() {
-    let sequence =
-        Law::sequence(0.0, [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::polynomial(&[1.0, 0.0, 0.5, -0.7]))]);
+    let sequence = Law::sequence(
+        0.0,
+        [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::polynomial(&[1.0, 0.0, 0.5, -0.7]))],
+    );
     for law in [Law::spline(&TABLE, CLAMPED), Law::quintic_spline(&TABLE, CLAMPED), sequence] {
         let before = law.jet(2.0 - 1e-9);
         let [at, beyond] = [2.0, 2.0 + 1e-9].map(|x| law.jet(x));
@@ -101,7 +113,9 @@ fn a_run_may_end_where_a_sequence_does() {
         assert!(system.run_both(times).is_ok());
     }
     for times in [vec![0.0, 1.0, 2.0, 3.0], vec![1.0, 3.0], vec![3.0, 2.0, 1.0], vec![2.0, 3.0]] {
-        assert!(system.run_both(&times).unwrap_err().to_string().contains("its slope changes there"));
+        assert!(
+            system.run_both(&times).unwrap_err().to_string().contains("its slope changes there")
+        );
     }
 }
 

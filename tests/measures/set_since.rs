@@ -1,4 +1,5 @@
-//! Motions of before something was set: what is computed anew from them would be of two mechanisms at once.
+//! Motions of before something was set: what is computed anew from them would be of two mechanisms
+//! at once.
 
 use kin::prelude::*;
 use kin::{Error, Follow, Options, Stop};
@@ -6,11 +7,12 @@ use kin::{Error, Follow, Options, Stop};
 /// A slider-crank with mass, its rail `h` above the crank's pin, in units of `scale` metres.
 fn slider_crank(scale: f64, h: f64) -> (System, Link) {
     let mut m = Mechanism::new("slider-crank");
-    let (crank, rod) =
-        (m.link("crank", 0.2 * scale).expect("a link"), m.link("rod", 0.5 * scale).expect("a link"));
+    let crank = m.link("crank", 0.2 * scale).expect("a link");
+    let rod = m.link("rod", 0.5 * scale).expect("a link");
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
-    m.add("rail", point_on_line(rod, Ground, rod.end(), vec2(0.0, h * scale), vec2(1.0, 0.0))).expect("adds");
+    m.add("rail", point_on_line(rod, Ground, rod.end(), vec2(0.0, h * scale), vec2(1.0, 0.0)))
+        .expect("adds");
     m.add("motor", drive_angle(crank, Law::linear(0.3, 2.0))).expect("adds");
     m.mass(rod, 1.0, vec2(0.0, 0.0), 0.1 * scale * scale).expect("a mass");
     (m.build().expect("builds"), rod)
@@ -31,7 +33,10 @@ fn a_motion_of_before_something_was_set_is_told() {
         assert!(is_other(system.at(&motion, 0.333)));
         assert!(is_other(system.extremes(&motion, "rod.theta")));
         let told = system.forces(&motion).err().map(|error| error.to_string()).unwrap_or_default();
-        assert!(told.contains("\"slider-crank\" as it is now") && told.contains("`rail` is"), "{told}");
+        assert!(
+            told.contains("\"slider-crank\" as it is now") && told.contains("`rail` is"),
+            "{told}"
+        );
         // Run again, all is well.
         let motion = system.run(linspace(0.0, 1.0, 51)).expect("runs");
         assert!(system.forces(&motion).is_ok() && system.at(&motion, 0.333).is_ok());
@@ -41,7 +46,8 @@ fn a_motion_of_before_something_was_set_is_told() {
     }
 }
 
-/// However loosely C = 0 is met, and wherever coordinates count from, a motion is that of its system.
+/// However loosely C = 0 is met, and wherever coordinates count from, a motion is that of its
+/// system.
 #[test]
 fn a_motion_of_the_system_itself_is_none_of_another() {
     for scale in [1.0, 1e3, 1e-3] {
@@ -52,7 +58,8 @@ fn a_motion_of_the_system_itself_is_none_of_another() {
             Stop::ResidualOnly(1e-3 * scale),
         ] {
             for predict in [true, false] {
-                let options = Options { stop, predict, follow: Follow::Unchecked, ..Options::default() };
+                let options =
+                    Options { stop, predict, follow: Follow::Unchecked, ..Options::default() };
                 let motion = system.run_with(linspace(0.0, 300.0, 30_001), &options).expect("runs");
                 assert!(system.forces(&motion).is_ok(), "{scale} {stop:?} {predict}");
                 assert!(system.at(&motion, 17.203).is_ok(), "{scale} {stop:?} {predict}");

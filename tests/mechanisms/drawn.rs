@@ -1,11 +1,12 @@
-//! A mechanism that is drawn in a pose that meets every equation is in that pose, or the error names it.
+//! A mechanism that is drawn in a pose that meets every equation is in that pose, or the error
+//! names it.
 
 use kin::Error;
 use kin::prelude::*;
 
-/// A rod with one end on a vertical line and the other one on a circle about (0.5, 0), its middle lifted to
-/// a height. Drawn in line with the circle's radius it is exact and singular; cos θ = −1/3 is its other
-/// assembly.
+/// A rod with one end on a vertical line and the other one on a circle about (0.5, 0), its middle
+/// lifted to a height. Drawn in line with the circle's radius it is exact and singular; cos θ =
+/// −1/3 is its other assembly.
 fn lift(theta: f64) -> (Mechanism, PlanarBody) {
     let mut m = Mechanism::new("lift");
     let rod = m.planar("rod", pose(theta.cos(), 0.0, theta)).unwrap();
@@ -42,7 +43,8 @@ fn an_exact_drawn_pose_that_is_singular_is_not_left_in_silence() {
 #[test]
 fn a_singular_drawn_pose_is_refused_with_or_without_another_assembly() {
     let mut m = Mechanism::new("two bars in line");
-    let (a, b) = (m.link("a", 1.0).unwrap(), m.link("b", 1.0).unwrap());
+    let a = m.link("a", 1.0).unwrap();
+    let b = m.link("b", 1.0).unwrap();
     m.add("O", revolute(a, m.ground(), a.start(), (0.0, 0.0))).unwrap();
     m.add("A", revolute(b, a, b.start(), a.end())).unwrap();
     m.add("guide", point_on_line(b, m.ground(), b.end(), (0.0, 0.0), (1.0, 0.0))).unwrap();

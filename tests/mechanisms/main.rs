@@ -1,4 +1,5 @@
-//! Known mechanisms, made of the library's joints, against closed forms and identities written here.
+//! Known mechanisms, made of the library's joints, against closed forms and identities written
+//! here.
 
 mod drawn;
 mod machines;

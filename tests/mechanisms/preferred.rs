@@ -1,5 +1,5 @@
-//! Which of several assemblies is meant: told by a coordinate, by the turn of a spatial body, by the measure
-//! of a joint; each by closed form.
+//! Which of several assemblies is meant: told by a coordinate, by the turn of a spatial body, by
+//! the measure of a joint; each by closed form.
 
 use kin::prelude::*;
 use kin::{EulerParameters, Registry};
@@ -10,8 +10,8 @@ fn near(found: f64, exact: f64) {
     assert!((found - exact).abs() < 1e-9, "{found} instead of {exact}");
 }
 
-/// A rocker of length 1 on a hinge about z, and a rod from its end to a ball above the plane: where the end
-/// is on two sides of the ball's shadow.
+/// A rocker of length 1 on a hinge about z, and a rod from its end to a ball above the plane: where
+/// the end is on two sides of the ball's shadow.
 fn rocker(prefer: impl Fn(&mut Mechanism, SpatialBody)) -> Mechanism {
     let mut m = Mechanism::new("rocker and rod");
     let body = m.spatial("rocker", SpatialPose::at((0.0, 0.0, 0.0))).unwrap();
@@ -28,10 +28,12 @@ fn rocker(prefer: impl Fn(&mut Mechanism, SpatialBody)) -> Mechanism {
 const BALL: (f64, f64, f64) = (0.5, 0.9, 0.4);
 const ROD: f64 = 1.1;
 
-/// The two angles of the rocker: cos(φ − β) = (1 + |B|² − l²)/(2 b), b the ball's distance from the hinge.
+/// The two angles of the rocker: cos(φ − β) = (1 + |B|² − l²)/(2 b), b the ball's distance from the
+/// hinge.
 fn angles() -> [f64; 2] {
     let (x, y, z) = BALL;
-    let (b, beta) = (x.hypot(y), y.atan2(x));
+    let b = x.hypot(y);
+    let beta = y.atan2(x);
     let swing = ((1.0 + x * x + y * y + z * z - ROD * ROD) / (2.0 * b)).acos();
     [beta - swing, beta + swing]
 }
@@ -50,7 +52,10 @@ fn a_spatial_body_is_preferred_by_its_turn() {
             let opposite = EulerParameters::new(-p.e0, -p.e1, -p.e2, -p.e3);
             near(angle(rocker(|m, body| m.prefer(body, p))), exact);
             near(angle(rocker(|m, body| m.prefer(body, opposite))), exact);
-            near(angle(rocker(|m, body| m.prefer(body, SpatialPose::new((0.1, 0.0, 0.0), p)))), exact);
+            near(
+                angle(rocker(|m, body| m.prefer(body, SpatialPose::new((0.1, 0.0, 0.0), p)))),
+                exact,
+            );
         }
     }
 }
@@ -71,13 +76,15 @@ fn an_assembly_is_preferred_by_the_measure_of_a_joint() {
 /// Two slides that are so near to each other that a start near the one is near the other too.
 #[test]
 fn of_two_near_assemblies_the_nearer_is_taken() {
-    let (arm, off) = (1.0_f64, 0.999_f64);
+    let arm = 1.0_f64;
+    let off = 0.999_f64;
     let half = (arm * arm - off * off).sqrt();
     for sign in [1.0, -1.0] {
         for guess in [3.0, -3.0] {
             let mut m = Mechanism::new("slider on an arm");
             let slider = m.planar("slider", pose(guess, 0.0, 0.0)).unwrap();
-            m.add("guide", prismatic(slider, m.ground(), (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0)).unwrap();
+            m.add("guide", prismatic(slider, m.ground(), (0.0, 0.0), (0.0, 0.0), (0.0, 1.0), 0.0))
+                .unwrap();
             m.add("arm", distance(slider, m.ground(), (0.0, 0.0), (2.0, off), arm)).unwrap();
             m.prefer("guide.slide", 2.0 + sign * half);
             let motion = m.build().unwrap().run_both([0.0]).unwrap();
@@ -91,7 +98,8 @@ fn of_two_near_assemblies_the_nearer_is_taken() {
 fn redundant_mechanisms_are_assembled_by_a_measure_too() {
     for (elbow, guess) in [(1.0, 2.0), (1.0, -2.0), (-1.0, 2.0), (-1.0, -2.0)] {
         let mut m = Mechanism::new("arm");
-        let (upper, fore) = (m.link("upper", 1.0).unwrap(), m.link("fore", 1.0).unwrap());
+        let upper = m.link("upper", 1.0).unwrap();
+        let fore = m.link("fore", 1.0).unwrap();
         m.add("shoulder", revolute(upper, m.ground(), upper.start(), (0.0, 0.0))).unwrap();
         m.add("elbow", revolute(fore, upper, fore.start(), upper.end())).unwrap();
         m.add("hand", revolute(fore, m.ground(), fore.end(), (1.2, 0.0))).unwrap();
@@ -144,7 +152,8 @@ fn a_preference_for_nothing_is_told() {
         assert!(m.build().is_err());
     }
     // a coordinate by its name is a coordinate
-    let (mut m, exact) = (rocker(|_, _| {}), angles()[1]);
+    let mut m = rocker(|_, _| {});
+    let exact = angles()[1];
     m.prefer("rocker.e3", (0.5 * exact).sin());
     near(angle(m), exact);
 }

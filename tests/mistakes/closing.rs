@@ -65,12 +65,19 @@ fn third_crank(wrong: bool) -> Told {
 
 fn rod(wrong: bool) -> Told {
     let mut m = Mechanism::new("slider-crank");
-    let (crank, slider) = (m.link("crank", 0.3).unwrap(), m.planar("slider", pose(0.6, 0.8, 0.0)).unwrap());
+    let crank = m.link("crank", 0.3).unwrap();
+    let slider = m.planar("slider", pose(0.6, 0.8, 0.0)).unwrap();
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
-    m.add("rod", distance(crank, slider, crank.end(), vec2(0.0, 0.0), if wrong { 0.1 } else { 1.0 }))
-        .unwrap();
-    m.add("guide", prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.8), vec2(0.0, 1.0), 0.0))
-        .unwrap();
+    m.add(
+        "rod",
+        distance(crank, slider, crank.end(), vec2(0.0, 0.0), if wrong { 0.1 } else { 1.0 }),
+    )
+    .unwrap();
+    m.add(
+        "guide",
+        prismatic(slider, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.8), vec2(0.0, 1.0), 0.0),
+    )
+    .unwrap();
     m.add("motor", drive_angle(crank, Law::linear(0.5, 1.0))).unwrap();
     run(m)
 }

@@ -71,7 +71,9 @@ fn no_length(wrong: bool) -> Told {
 
 fn foreign(wrong: bool) -> Told {
     let (_, [other, ..]) = four_bar([1.0, 3.5, 3.0], 4.0);
-    refused(wrong, |m, _| m.add("D", revolute(m.ground(), other, vec2(0.0, 0.0), other.start())).map(|_| ()))
+    refused(wrong, |m, _| {
+        m.add("D", revolute(m.ground(), other, vec2(0.0, 0.0), other.start())).map(|_| ())
+    })
 }
 
 fn itself(wrong: bool) -> Told {
@@ -88,7 +90,8 @@ fn grounded(wrong: bool) -> Told {
 
 fn not_a_number(wrong: bool) -> Told {
     refused(wrong, |m, [crank, ..]| {
-        m.add("D", distance(crank, m.ground(), crank.end(), vec2(0.0, 0.0), (-1.0_f64).sqrt())).map(|_| ())
+        m.add("D", distance(crank, m.ground(), crank.end(), vec2(0.0, 0.0), (-1.0_f64).sqrt()))
+            .map(|_| ())
     })
 }
 

@@ -1,7 +1,7 @@
-//! Mistakes that people make in mechanisms, each with what it is told: word for word in `docs/mistakes.md`
-//! and in `more.md` here (`KIN_BLESS=1 cargo test --test mistakes` writes both anew; look at the difference).
-//! The first thing named is the one that a designer would change first, and the advice of the message is
-//! followed: the mechanism then moves.
+//! Mistakes that people make in mechanisms, each with what it is told: word for word in
+//! `docs/mistakes.md` and in `more.md` here (`KIN_BLESS=1 cargo test --test mistakes` writes both
+//! anew; look at the difference). The first thing named is the one that a designer would change
+//! first, and the advice of the message is followed: the mechanism then moves.
 
 mod closing;
 #[path = "../data/engines.rs"]
@@ -23,10 +23,11 @@ struct Mistake {
     title: &'static str,
     /// The line at fault.
     line: &'static str,
-    /// The thing that a designer would change first, by the name that the message must give before all
-    /// others.
+    /// The thing that a designer would change first, by the name that the message must give before
+    /// all others.
     culprit: &'static str,
-    /// The message about the mistake (true), or the motion where the message has been followed (false).
+    /// The message about the mistake (true), or the motion where the message has been followed
+    /// (false).
     told: fn(bool) -> Told,
 }
 
@@ -42,7 +43,9 @@ fn all() -> Vec<Mistake> {
 
 /// The result of a run over the first second.
 fn run(m: Mechanism) -> Told {
-    m.build().and_then(|system| system.run_both(linspace(0.0, 1.0, 21))).map_err(|error| error.to_string())
+    m.build()
+        .and_then(|system| system.run_both(linspace(0.0, 1.0, 21)))
+        .map_err(|error| error.to_string())
 }
 
 /// The summary of a run in which a mistake passes without an error.

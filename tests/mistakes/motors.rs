@@ -4,7 +4,12 @@ use super::*;
 
 pub fn all() -> Vec<Mistake> {
     vec![
-        Mistake { title: "No motor", line: "// nothing drives the crank", culprit: "crank", told: missing },
+        Mistake {
+            title: "No motor",
+            line: "// nothing drives the crank",
+            culprit: "crank",
+            told: missing,
+        },
         Mistake {
             title: "A second motor that contradicts the first",
             line: r#"m.add("motor 2", drive_angle(rocker, Law::constant(2.0)))?; // `motor` already turns the crank"#,
@@ -81,8 +86,11 @@ fn relative(wrong: bool) -> Told {
 
 fn beyond_reach(wrong: bool) -> Told {
     let (mut m, [_, _, rocker]) = four_bar([1.0, 3.5, 3.0], 4.0);
-    m.add("motor", drive_angle(rocker, if wrong { Law::linear(0.3, 1.0) } else { Law::linear(2.2, -0.2) }))
-        .unwrap();
+    m.add(
+        "motor",
+        drive_angle(rocker, if wrong { Law::linear(0.3, 1.0) } else { Law::linear(2.2, -0.2) }),
+    )
+    .unwrap();
     run(m)
 }
 

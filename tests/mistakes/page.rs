@@ -86,7 +86,8 @@ fn what_a_designer_would_change_is_named_first() {
 fn what_is_advised_leaves_a_mechanism_that_moves() {
     for Mistake { title, told, .. } in all() {
         let motion = told(false).unwrap_or_else(|message| panic!("{title}: {message}"));
-        let (first, last) = (motion.q(0), motion.q(motion.len() - 1));
+        let first = motion.q(0);
+        let last = motion.q(motion.len() - 1);
         let moved = first.iter().zip(last).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(motion.len() > 1 && moved > 1e-3, "{title}: {moved}");
     }

@@ -80,24 +80,27 @@ fn same_end(wrong: bool) -> Told {
         .map(|(name, length)| m.link(name, length).unwrap());
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
-    m.add("B", revolute(coupler, rocker, coupler.end(), if wrong { rocker.start() } else { rocker.end() }))
-        .unwrap();
+    m.add(
+        "B",
+        revolute(coupler, rocker, coupler.end(), if wrong { rocker.start() } else { rocker.end() }),
+    )
+    .unwrap();
     m.add("C", revolute(m.ground(), rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     run(m)
 }
 
-/// Crank, plate and rocker as they are drawn; the rocker's or the plate's points may be global ones.
+/// Crank, plate and rocker as they are drawn; the rocker's or the plate's points may be global
+/// ones.
 fn global(wrong: bool, plate_wrong: bool) -> Told {
     let mut m = Mechanism::new("four-bar");
     let crank = m.link_between("crank", (0.0, 0.0), (0.0, 1.0)).unwrap();
     let plate = m.planar("plate", pose(1.5, 2.0, 0.3)).unwrap();
     let rocker = m.link_between("rocker", (4.0, 0.0), (3.5, 2.9)).unwrap();
-    let given = |body: PlanarBody, p: Vec2, wrong: bool| if wrong { p } else { m.local(body, p).unwrap() };
-    let (a, b) = (
-        given(plate, vec2(0.0, 1.0), wrong && plate_wrong),
-        given(plate, vec2(3.5, 2.9), wrong && plate_wrong),
-    );
+    let given =
+        |body: PlanarBody, p: Vec2, wrong: bool| if wrong { p } else { m.local(body, p).unwrap() };
+    let a = given(plate, vec2(0.0, 1.0), wrong && plate_wrong);
+    let b = given(plate, vec2(3.5, 2.9), wrong && plate_wrong);
     let c = given(rocker.body(), vec2(4.0, 0.0), wrong && !plate_wrong);
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, plate, crank.end(), a)).unwrap();
@@ -132,8 +135,11 @@ fn spare(wrong: bool) -> Told {
 fn guides(wrong: bool) -> Told {
     let mut m = Mechanism::new("slider");
     let slider = m.planar("slider", pose(0.2, 0.1, 0.0)).unwrap();
-    for (name, at) in [("guide 1", vec2(0.0, 0.0)), ("guide 2", vec2(1.0, if wrong { 0.02 } else { 0.0 }))] {
-        m.add(name, prismatic(slider, m.ground(), vec2(0.0, 0.0), at, vec2(0.0, 1.0), 0.0)).unwrap();
+    for (name, at) in
+        [("guide 1", vec2(0.0, 0.0)), ("guide 2", vec2(1.0, if wrong { 0.02 } else { 0.0 }))]
+    {
+        m.add(name, prismatic(slider, m.ground(), vec2(0.0, 0.0), at, vec2(0.0, 1.0), 0.0))
+            .unwrap();
     }
     m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, 0.0))).unwrap();
     run(m)
@@ -141,20 +147,23 @@ fn guides(wrong: bool) -> Told {
 
 fn degrees(wrong: bool) -> Told {
     let (mut m, [crank, ..]) = four_bar([1.0, 3.5, 3.0], 4.0);
-    m.add("motor", drive_angle(crank, Law::linear(if wrong { 98.6 } else { deg(98.6) }, 1.0))).unwrap();
+    m.add("motor", drive_angle(crank, Law::linear(if wrong { 98.6 } else { deg(98.6) }, 1.0)))
+        .unwrap();
     summary(m, wrong)
 }
 
 fn in_line(wrong: bool) -> Told {
     let mut m = Mechanism::new("two bars");
-    let (left, right) = (m.link("left", 0.2).unwrap(), m.link("right", 0.3).unwrap());
+    let left = m.link("left", 0.2).unwrap();
+    let right = m.link("right", 0.3).unwrap();
     m.add("A", revolute(m.ground(), left, vec2(0.0, 0.0), left.start())).unwrap();
     m.add("B", revolute(left, right, left.end(), right.start())).unwrap();
     if wrong {
         m.add("C", revolute(m.ground(), right, vec2(0.5, 0.0), right.end())).unwrap();
         return run(m);
     }
-    m.add("C", point_on_line(right, m.ground(), right.end(), vec2(0.4, 0.0), vec2(1.0, 0.0))).unwrap();
+    m.add("C", point_on_line(right, m.ground(), right.end(), vec2(0.4, 0.0), vec2(1.0, 0.0)))
+        .unwrap();
     m.add("motor", drive_angle(left, Law::linear(0.5, 1.0))).unwrap();
     run(m)
 }

@@ -30,7 +30,12 @@ pub fn all() -> Vec<Mistake> {
             culprit: "law",
             told: corner,
         },
-        Mistake { title: "No times", line: r#"system.run([])?;"#, culprit: "there are none", told: no_times },
+        Mistake {
+            title: "No times",
+            line: r#"system.run([])?;"#,
+            culprit: "there are none",
+            told: no_times,
+        },
         Mistake {
             title: "Times that go back",
             line: r#"system.run([0.0, 0.2, 0.1])?;"#,
@@ -56,7 +61,9 @@ fn change_point(wrong: bool) -> Told {
     m.add("C", revolute(m.ground(), rocker, vec2(2.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(0.0, 1.0))).unwrap();
     let from = if wrong { 0.0 } else { 0.01 };
-    m.build().and_then(|system| system.run_both(linspace(from, 1.0, 21))).map_err(|error| error.to_string())
+    m.build()
+        .and_then(|system| system.run_both(linspace(from, 1.0, 21)))
+        .map_err(|error| error.to_string())
 }
 
 fn motor(law: Law) -> Told {
@@ -67,8 +74,10 @@ fn motor(law: Law) -> Told {
 
 fn jump(wrong: bool) -> Told {
     motor(
-        Law::sequence(0.0, [(0.5, Law::ramp(1.0)), (0.5, Law::constant(if wrong { 0.9 } else { 0.5 }))])
-            + Law::constant(1.0),
+        Law::sequence(
+            0.0,
+            [(0.5, Law::ramp(1.0)), (0.5, Law::constant(if wrong { 0.9 } else { 0.5 }))],
+        ) + Law::constant(1.0),
     )
     .or_else(|message| if wrong { Err(message) } else { motor(Law::ramp(1.0)) })
 }
@@ -80,10 +89,14 @@ fn corner(wrong: bool) -> Told {
 
 fn no_times(wrong: bool) -> Told {
     let system = driven([1.0, 3.5, 3.0], 4.0, 1.0).build().unwrap();
-    system.run_both(if wrong { vec![] } else { linspace(0.0, 1.0, 101) }).map_err(|error| error.to_string())
+    system
+        .run_both(if wrong { vec![] } else { linspace(0.0, 1.0, 101) })
+        .map_err(|error| error.to_string())
 }
 
 fn times_back(wrong: bool) -> Told {
     let system = driven([1.0, 3.5, 3.0], 4.0, 1.0).build().unwrap();
-    system.run_both(if wrong { [0.0, 0.2, 0.1] } else { [0.0, 0.1, 0.2] }).map_err(|error| error.to_string())
+    system
+        .run_both(if wrong { [0.0, 0.2, 0.1] } else { [0.0, 0.1, 0.2] })
+        .map_err(|error| error.to_string())
 }

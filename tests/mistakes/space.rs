@@ -114,8 +114,9 @@ fn imported(wrong: bool) -> Told {
     let mut m = Mechanism::new("parallelogram");
     let pivots = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(0.8, -0.5)];
     let coupler = m.planar("coupler", pose(0.5, 0.8, 0.0)).unwrap();
-    let cranks = [0, 1, 2]
-        .map(|k| m.link(&format!("crank {}", k + 1), if k == 2 { 1.0 + 5e-9 } else { 1.0 }).unwrap());
+    let cranks = [0, 1, 2].map(|k| {
+        m.link(&format!("crank {}", k + 1), if k == 2 { 1.0 + 5e-9 } else { 1.0 }).unwrap()
+    });
     for (k, (crank, pivot)) in cranks.iter().zip(pivots).enumerate() {
         m.add(&format!("O{}", k + 1), revolute(m.ground(), *crank, pivot, crank.start())).unwrap();
         m.add(&format!("A{}", k + 1), revolute(*crank, coupler, crank.end(), pivot)).unwrap();

@@ -1,5 +1,5 @@
-//! The bodies of the corpus, and small changes of them: a word for another of the same body, an operator for
-//! another, a literal for another, a token left out or doubled, two exchanged.
+//! The bodies of the corpus, and small changes of them: a word for another of the same body, an
+//! operator for another, a literal for another, a token left out or doubled, two exchanged.
 
 use std::path::Path;
 
@@ -23,16 +23,23 @@ pub fn bodies() -> Vec<Body> {
     let entries = std::fs::read_dir(folder).expect("the corpus can be read");
     let mut paths: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
     paths.sort();
-    paths.iter().flat_map(|path| of_file(&std::fs::read_to_string(path).expect("readable"))).collect()
+    paths
+        .iter()
+        .flat_map(|path| of_file(&std::fs::read_to_string(path).expect("readable")))
+        .collect()
 }
 
 fn of_file(source: &str) -> Vec<Body> {
     let file = syn::parse_file(source).expect("the corpus is Rust");
-    let (mut found, mut around) = (Vec::new(), TokenStream::new());
+    let mut found = Vec::new();
+    let mut around = TokenStream::new();
     for item in file.items {
         match &item {
-            syn::Item::Macro(call) if call.mac.path.is_ident("twice") => found.extend(body(&call.mac.tokens)),
-            // Constraints made by a macro of the corpus, and imports from the tests around it, stay out.
+            syn::Item::Macro(call) if call.mac.path.is_ident("twice") => {
+                found.extend(body(&call.mac.tokens))
+            }
+            // Constraints made by a macro of the corpus, and imports from the tests around it, stay
+            // out.
             syn::Item::Macro(_) => {}
             syn::Item::Use(import) if text(&import.tree).starts_with("crate") => {}
             other => around.extend(other.to_token_stream()),
@@ -49,8 +56,12 @@ fn text(tokens: &impl ToTokens) -> String {
 /// `Symbolic name(given): fn f…`
 fn body(tokens: &TokenStream) -> Option<Body> {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
-    let colon = tokens.iter().position(|token| matches!(token, TokenTree::Punct(p) if p.as_char() == ':'))?;
-    let (TokenTree::Ident(name), TokenTree::Group(given)) = (&tokens[colon - 2], &tokens[colon - 1]) else {
+    let colon = tokens
+        .iter()
+        .position(|token| matches!(token, TokenTree::Punct(p) if p.as_char() == ':'))?;
+    let (TokenTree::Ident(name), TokenTree::Group(given)) =
+        (&tokens[colon - 2], &tokens[colon - 1])
+    else {
         return None;
     };
     Some(Body {
@@ -153,7 +164,9 @@ fn changed(tokens: TokenStream, counter: &mut usize, change: &[TokenTree]) -> To
                 out.extend(change.iter().cloned());
             }
             TokenTree::Group(group) if *counter < usize::MAX / 2 => {
-                out.push(Group::new(group.delimiter(), changed(group.stream(), counter, change)).into());
+                out.push(
+                    Group::new(group.delimiter(), changed(group.stream(), counter, change)).into(),
+                );
             }
             other => out.push(other),
         }

@@ -1,6 +1,6 @@
-//! The corpus of constraints with one or two small changes in each, through rustc. A change that is refused
-//! is told at a token of the user's, in words of the user's; one that compiles has the numbers and the
-//! derivatives that rustc's reading has.
+//! The corpus of constraints with one or two small changes in each, through rustc. A change that is
+//! refused is told at a token of the user's, in words of the user's; one that compiles has the
+//! numbers and the derivatives that rustc's reading has.
 //!
 //! `cargo test --test mutated -- --ignored`; `KIN_MUTANTS=1000` tries as many of them.
 
@@ -19,10 +19,19 @@ use scratch::Scratch;
 use serde_json::Value;
 
 /// Words that nobody writes: names of emitted code, and of the machinery.
-const HIDDEN: [&str; 8] =
-    ["__", "emitted", "Foreign", "panicked", "proc-macro", "proc macro", "compiler error", "Returned"];
+const HIDDEN: [&str; 8] = [
+    "__",
+    "emitted",
+    "Foreign",
+    "panicked",
+    "proc-macro",
+    "proc macro",
+    "compiler error",
+    "Returned",
+];
 
-/// How rustc calls a type that a body declares: it is declared in each of several copies of the body.
+/// How rustc calls a type that a body declares: it is declared in each of several copies of the
+/// body.
 const COPY: &str = "__WRITTEN::{closure#0}::";
 
 /// A function in an endless loop, or one that calls itself without an end, is stopped.
@@ -33,8 +42,10 @@ const LONGEST: Duration = Duration::from_secs(20);
 fn mutants_are_refused_in_the_users_words_or_are_read_as_rustc_reads_them() {
     let wanted = std::env::var("KIN_MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(300);
     let mutants = mutants(wanted);
-    let programs: BTreeMap<String, PathBuf> =
-        mutants.iter().map(|(name, mutant)| (name.clone(), written(name, &program(mutant)))).collect();
+    let programs: BTreeMap<String, PathBuf> = mutants
+        .iter()
+        .map(|(name, mutant)| (name.clone(), written(name, &program(mutant))))
+        .collect();
     let errors = Scratch::new("mutated", &programs).check("error");
     let faults: Vec<String> = errors
         .iter()
@@ -44,16 +55,25 @@ fn mutants_are_refused_in_the_users_words_or_are_read_as_rustc_reads_them() {
 
     let compiling: BTreeMap<&String, &Body> =
         mutants.iter().filter(|(name, _)| !errors.contains_key(*name)).collect();
-    assert!(compiling.len() > wanted / 5 && errors.len() > wanted / 5, "{} compile", compiling.len());
+    assert!(
+        compiling.len() > wanted / 5 && errors.len() > wanted / 5,
+        "{} compile",
+        compiling.len()
+    );
     let (wrong, endless) = run(&compiling);
     assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), compiling.len(), wrong.join("\n"));
     assert!(10 * endless < compiling.len(), "{endless} of {} do not end", compiling.len());
-    println!("{} are refused, {} are right, {endless} do not end", errors.len(), compiling.len() - endless);
+    println!(
+        "{} are refused, {} are right, {endless} do not end",
+        errors.len(),
+        compiling.len() - endless
+    );
 }
 
 /// So many different mutants, by name.
 fn mutants(wanted: usize) -> BTreeMap<String, Body> {
-    let (all, mut random) = (bodies(), SplitMix(0x005E_ED0F_0CA7_C0DE));
+    let all = bodies();
+    let mut random = SplitMix(0x005E_ED0F_0CA7_C0DE);
     assert!(all.len() > 200, "only {} bodies", all.len());
     let mut found: BTreeMap<String, Body> = BTreeMap::new();
     while found.len() < wanted {
@@ -65,7 +85,8 @@ fn mutants(wanted: usize) -> BTreeMap<String, Body> {
         let known = |other: &Body| other.function.to_string() == function.to_string();
         if function.to_string() != body.function.to_string() && !found.values().any(known) {
             let name = format!("m{:03}_{}", found.len(), body.name);
-            let (given, around) = (body.given.clone(), body.around.clone());
+            let given = body.given.clone();
+            let around = body.around.clone();
             found.insert(name.clone(), Body { name, given, function, around });
         }
     }
@@ -103,8 +124,9 @@ fn written(name: &str, text: &str) -> PathBuf {
 fn fault(name: &str, error: &Value) -> Option<String> {
     let message = error["message"].as_str().unwrap_or_default();
     let spans = error["spans"].as_array()?;
-    let misplaced =
-        |span: &&Value| span["is_primary"] == true && span["line_start"].as_u64() != Some(FUNCTION_LINE);
+    let misplaced = |span: &&Value| {
+        span["is_primary"] == true && span["line_start"].as_u64() != Some(FUNCTION_LINE)
+    };
     let place = spans.iter().find(misplaced);
     let labels = spans.iter().filter_map(|span| span["label"].as_str());
     let mut texts = std::iter::once(message).chain(labels).map(|text| text.replace(COPY, ""));
@@ -117,7 +139,8 @@ fn fault(name: &str, error: &Value) -> Option<String> {
     Some(format!("{name}: {what}\n{}", error["rendered"].as_str().unwrap_or_default()))
 }
 
-/// Those that compile, compared with rustc's reading of them: what is wrong, and how many do not end.
+/// Those that compile, compared with rustc's reading of them: what is wrong, and how many do not
+/// end.
 fn run(compiling: &BTreeMap<&String, &Body>) -> (Vec<String>, usize) {
     let root = env!("CARGO_MANIFEST_DIR");
     let mut text = String::from("#![allow(warnings)]\n");
@@ -140,19 +163,22 @@ fn run(compiling: &BTreeMap<&String, &Body>) -> (Vec<String>, usize) {
         .filter_map(|line| serde_json::from_str::<Value>(line).ok())
         .find_map(|report| report["executable"].as_str().map(str::to_owned))
         .expect("the tests are built");
-    let (mut wrong, mut endless) = (Vec::new(), 0);
+    let mut wrong = Vec::new();
+    let mut endless = 0;
     for name in compiling.keys() {
         match run_one(&executable, name) {
             Some(said) if said.contains("test result: ok. 1 passed") => {}
-            Some(said) if said.contains("test result: FAILED") => wrong.push(format!("{name}: {said}")),
+            Some(said) if said.contains("test result: FAILED") => {
+                wrong.push(format!("{name}: {said}"))
+            }
             _ => endless += 1,
         }
     }
     (wrong, endless)
 }
 
-/// The report of the test of one mutant; `None` if it does not end, or ends by a signal as where a stack is
-/// full.
+/// The report of the test of one mutant; `None` if it does not end, or ends by a signal as where a
+/// stack is full.
 fn run_one(executable: &str, name: &str) -> Option<String> {
     let test = format!("in_{name}::{name}::is_read_as_rustc_reads_it");
     let mut child = Command::new(executable)

@@ -1,5 +1,5 @@
-//! All that is asked of the gallery's motions, and of runs that fail, by plain steps, by a program, and by
-//! what chooses itself: the same texts, and numbers that rounding alone tells apart.
+//! All that is asked of the gallery's motions, and of runs that fail, by plain steps, by a program,
+//! and by what chooses itself: the same texts, and numbers that rounding alone tells apart.
 
 use kin::prelude::*;
 use kin::{Engine, Error, LawFunction, Options};
@@ -18,14 +18,17 @@ fn by(engine: Engine) -> Options {
 /// The same run by each engine; what chooses itself has a program at hand, where there can be one.
 fn all(system: &System, times: &[f64]) -> [kin::Result<Motion>; 3] {
     let _ = system.compile();
-    [Engine::Plain, Engine::Compiled, Engine::Auto].map(|engine| system.run_with(times, &by(engine)))
+    [Engine::Plain, Engine::Compiled, Engine::Auto]
+        .map(|engine| system.run_with(times, &by(engine)))
 }
 
 /// A text as its words and its numbers.
 fn taken_apart(text: &str) -> (Vec<&str>, Vec<f64>) {
-    let (mut words, mut numbers) = (Vec::new(), Vec::new());
-    for word in
-        text.split(|c: char| c.is_whitespace() || "(),;:[]|".contains(c)).filter(|word| !word.is_empty())
+    let mut words = Vec::new();
+    let mut numbers = Vec::new();
+    for word in text
+        .split(|c: char| c.is_whitespace() || "(),;:[]|".contains(c))
+        .filter(|word| !word.is_empty())
     {
         match word.trim_end_matches('.').parse() {
             Ok(number) => numbers.push(number),
@@ -39,7 +42,8 @@ fn taken_apart(text: &str) -> (Vec<&str>, Vec<f64>) {
 #[track_caller]
 fn alike(name: &str, one: &str, other: &str) {
     let ([words, others], [numbers, further]) = {
-        let (a, b) = (taken_apart(one), taken_apart(other));
+        let a = taken_apart(one);
+        let b = taken_apart(other);
         ([a.0, b.0], [a.1, b.1])
     };
     assert_eq!(words, others, "{name}");
@@ -57,13 +61,17 @@ fn told(system: &System, motion: &Motion) -> Vec<String> {
         Ok(proof) => proof.to_string().lines().take(2).collect::<Vec<&str>>().join("\n"),
         Err(error) => error.to_string(),
     }];
-    told.extend(motion.events().iter().map(|event| format!("{} {} {}", event.t, event.name, event.text)));
+    told.extend(
+        motion.events().iter().map(|event| format!("{} {} {}", event.t, event.name, event.text)),
+    );
     told.extend(motion.singular_positions().iter().map(|found| format!("{found:?}")));
     told.extend(motion.breaks().iter().map(|found| format!("{found:?}")));
     let condition =
         system.condition(motion).map(|series| series.values().iter().copied().fold(0.0, f64::max));
     // Rounding changes a condition in proportion to it.
-    told.push(condition.map_or_else(|error| error.to_string(), |most| format!("{:.6}", most.log10())));
+    told.push(
+        condition.map_or_else(|error| error.to_string(), |most| format!("{:.6}", most.log10())),
+    );
     for name in motion.names().iter().take(6) {
         told.push(match system.extremes(motion, name.as_str()) {
             Ok(extremes) => format!("{name} {} {}", extremes.min().value, extremes.max().value),
@@ -76,7 +84,8 @@ fn told(system: &System, motion: &Motion) -> Vec<String> {
 #[test]
 fn all_that_is_told_of_the_gallery_is_the_same() {
     for (name, system) in mechanisms() {
-        let [plain, program, chosen] = all(&system, &linspace(0.0, 0.25, 51)).map(|run| run.expect("runs"));
+        let [plain, program, chosen] =
+            all(&system, &linspace(0.0, 0.25, 51)).map(|run| run.expect("runs"));
         assert_eq!(plain.engine().compiled, 0, "{name}");
         assert!(
             program.engine().compiled > 25 && chosen.engine() == program.engine(),
@@ -91,7 +100,8 @@ fn all_that_is_told_of_the_gallery_is_the_same() {
     }
 }
 
-/// The engine that is chosen by itself, beside plain steps, where a program pays and where it does not.
+/// The engine that is chosen by itself, beside plain steps, where a program pays and where it does
+/// not.
 #[test]
 fn the_engine_that_is_chosen_gives_the_verdicts_and_numbers_of_plain_steps() {
     for (name, system) in mechanisms() {
@@ -150,11 +160,13 @@ fn runs_that_fail_do_so_in_the_same_words() {
         ("no number", wedge(), 500),
     ];
     for (name, system, least) in failing {
-        let [plain, others @ ..] = all(&system, &linspace(0.0, 1.0, 1001)).map(|run| run.expect_err(name));
+        let [plain, others @ ..] =
+            all(&system, &linspace(0.0, 1.0, 1001)).map(|run| run.expect_err(name));
         for other in others {
             assert_eq!(std::mem::discriminant(&plain), std::mem::discriminant(&other), "{name}");
             alike(name, &plain.to_string(), &other.to_string());
-            let [one, another] = [&plain, &other].map(|error| error.diagnosis().map(ToString::to_string));
+            let [one, another] =
+                [&plain, &other].map(|error| error.diagnosis().map(ToString::to_string));
             assert_eq!(one.is_some(), another.is_some(), "{name}");
             alike(name, &one.unwrap_or_default(), &another.unwrap_or_default());
             let lengths = [&plain, &other].map(|error| error.motion().map(Motion::len));
@@ -172,13 +184,19 @@ fn change_points_are_told_in_the_same_words() {
     for follow in [kin::Follow::Smooth, kin::Follow::Turning(vec![0])] {
         let times = linspace(0.0, 2.0, 2001);
         let [plain, others @ ..] = [Engine::Plain, Engine::Compiled, Engine::Auto].map(|engine| {
-            system.run_with(&times, &Options { follow: follow.clone(), ..by(engine) }).expect("runs")
+            system
+                .run_with(&times, &Options { follow: follow.clone(), ..by(engine) })
+                .expect("runs")
         });
         assert_eq!(plain.singular_positions().len(), 2);
         for other in others {
             assert!(other.engine().compiled > 1000, "{:?}", other.engine());
             let words = |motion: &Motion| {
-                motion.singular_positions().iter().map(|found| format!("{found:?}")).collect::<Vec<String>>()
+                motion
+                    .singular_positions()
+                    .iter()
+                    .map(|found| format!("{found:?}"))
+                    .collect::<Vec<String>>()
             };
             for (one, other) in words(&plain).iter().zip(words(&other)) {
                 alike("change point", one, &other);

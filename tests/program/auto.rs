@@ -27,7 +27,8 @@ fn by_auto(system: &System, times: usize) -> Motion {
 #[test]
 fn a_program_is_made_where_there_are_times_enough_for_it() {
     let system = driven();
-    let (few, many) = (by_auto(&system, 500), by_auto(&system, 2001));
+    let few = by_auto(&system, 500);
+    let many = by_auto(&system, 2001);
     assert_eq!((few.engine().compiled, few.why_plain()), (0, None));
     assert!(many.engine().compiled > 1900 && many.why_plain().is_none(), "{:?}", many.engine());
     assert!(many.summary().contains(" of 2001 times by a program"), "{}", many.summary());
@@ -41,14 +42,17 @@ fn a_program_is_made_where_there_are_times_enough_for_it() {
 /// A long run keeps its program, but what a short one gives does not depend on what was run before.
 #[test]
 fn numbers_do_not_depend_on_what_was_run_before() {
-    let (fresh, used) = (driven(), driven());
+    let fresh = driven();
+    let used = driven();
     by_auto(&used, 3001);
     for times in [200, 2001] {
-        let (fresh, used) = (by_auto(&fresh, times), by_auto(&used, times));
+        let fresh = by_auto(&fresh, times);
+        let used = by_auto(&used, times);
         assert_eq!(fresh.engine(), used.engine());
         assert_eq!(differences(&fresh, &used), [0.0; 3]);
     }
-    let begun_later = |system: &System| system.run_with(linspace(0.3, 1.0, 1501), &auto()).expect("runs");
+    let begun_later =
+        |system: &System| system.run_with(linspace(0.3, 1.0, 1501), &auto()).expect("runs");
     assert_eq!(differences(&begun_later(&driven()), &begun_later(&used)), [0.0; 3]);
 }
 
@@ -70,7 +74,8 @@ fn what_was_compiled_is_used_for_short_runs_until_something_is_set() {
 /// Every parameter of every constraint is folded into the program, and none of them is ever stale.
 #[test]
 fn no_folded_parameter_is_ever_stale() {
-    let (mut system, mut set) = (driven(), 0);
+    let mut system = driven();
+    let mut set = 0;
     let plain = Options { engine: Engine::Plain, ..Options::default() };
     let times = linspace(0.0, 0.5, 1201);
     for (name, value) in system.parameters() {
@@ -93,7 +98,10 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
     let system = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
     let motion = by_auto(&system, 2001);
     let reason = motion.why_plain().expect("a reason");
-    assert!(reason.contains("`motor` cannot be compiled") && reason.contains("dual route"), "{reason}");
+    assert!(
+        reason.contains("`motor` cannot be compiled") && reason.contains("dual route"),
+        "{reason}"
+    );
     assert!(motion.summary().contains(&format!("plain steps: {reason}")), "{}", motion.summary());
     let plain = Options { engine: Engine::Plain, ..Options::default() };
     let plain = system.run_with(linspace(0.0, 1.0, 2001), &plain).expect("runs");
@@ -113,33 +121,52 @@ fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
     ];
     for (options, reason) in all {
         let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
-        assert_eq!((motion.engine().compiled, motion.why_plain()), (0, Some(reason)), "{options:?}");
+        assert_eq!(
+            (motion.engine().compiled, motion.why_plain()),
+            (0, Some(reason)),
+            "{options:?}"
+        );
         // Of so few times no program was looked for.
         let motion = system.run_with(linspace(0.0, 1.0, 201), &options).expect("runs");
         assert_eq!((motion.engine().compiled, motion.why_plain()), (0, None), "{options:?}");
     }
     // Following and the jerk are asked of programs too.
-    for options in [Options { follow: Follow::Unchecked, ..auto() }, Options { jerk: true, ..auto() }] {
+    for options in
+        [Options { follow: Follow::Unchecked, ..auto() }, Options { jerk: true, ..auto() }]
+    {
         let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
-        assert!(motion.engine().compiled > 1900 && motion.has_jerk() == options.jerk, "{options:?}");
+        assert!(
+            motion.engine().compiled > 1900 && motion.has_jerk() == options.jerk,
+            "{options:?}"
+        );
     }
 }
 
-/// Parts are plain to the last digit, unless a program is asked for: then each of them is computed by the one
-/// that was made at the beginning.
+/// Parts are plain to the last digit, unless a program is asked for: then each of them is computed
+/// by the one that was made at the beginning.
 #[test]
 fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
-    let (system, times) = (driven(), linspace(0.0, 2.0, 4000));
-    let whole =
-        system.run_with(&times, &Options { engine: Engine::Plain, ..Options::default() }).expect("runs");
+    let system = driven();
+    let times = linspace(0.0, 2.0, 4000);
+    let whole = system
+        .run_with(&times, &Options { engine: Engine::Plain, ..Options::default() })
+        .expect("runs");
     for (options, least) in [(auto(), 0), (compiled(), 900)] {
-        let (mut k, mut off) = (0, [0.0_f64; 3]);
+        let mut k = 0;
+        let mut off = [0.0_f64; 3];
         let keep = |part: &Motion| {
-            assert!(part.engine().compiled >= least && part.why_plain().is_none(), "{:?}", part.engine());
+            assert!(
+                part.engine().compiled >= least && part.why_plain().is_none(),
+                "{:?}",
+                part.engine()
+            );
             assert!(least > 0 || part.engine().compiled == 0);
             for own in 0..part.len() {
-                let pairs =
-                    [(part.q(own), whole.q(k)), (part.qd(own), whole.qd(k)), (part.qdd(own), whole.qdd(k))];
+                let pairs = [
+                    (part.q(own), whole.q(k)),
+                    (part.qd(own), whole.qd(k)),
+                    (part.qdd(own), whole.qdd(k)),
+                ];
                 for (off, (a, b)) in off.iter_mut().zip(pairs) {
                     let most = a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + b.abs()));
                     *off = most.fold(*off, f64::max);
@@ -160,7 +187,8 @@ fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
 /// Cases of a sweep are computed by the engine that is asked for.
 #[test]
 fn sweeps_heed_the_engine() {
-    let (system, times) = (driven(), linspace(0.0, 1.0, 1501));
+    let system = driven();
+    let times = linspace(0.0, 1.0, 1501);
     let by = |options: Options| {
         let sweep = system.sweep(["coupler.theta"]).expect("a sweep").options(options);
         let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs"));
@@ -168,7 +196,11 @@ fn sweeps_heed_the_engine() {
     };
     let plain = by(Options { engine: Engine::Plain, ..Options::default() });
     for found in [by(compiled()), by(Options::default())] {
-        assert!(plain.engine().compiled == 0 && found.engine().compiled > 1400, "{:?}", found.engine());
+        assert!(
+            plain.engine().compiled == 0 && found.engine().compiled > 1400,
+            "{:?}",
+            found.engine()
+        );
         assert!(differences(&plain, &found).iter().all(|off| *off < 1e-10));
     }
     let refused = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));

@@ -1,5 +1,5 @@
-//! The motions of the examples, as the last commit before the rooms of the core wrote them, beside those of
-//! today's by either engine.
+//! The motions of the examples, as the last commit before the rooms of the core wrote them, beside
+//! those of today's by either engine.
 
 use std::collections::BTreeMap;
 
@@ -9,8 +9,8 @@ use serde::Deserialize;
 
 use crate::gallery::mechanisms;
 
-/// The motion of one example: first and last time and their number, names of its coordinates, and q, q̇ and
-/// q̈ at some of the times, by their numbers.
+/// The motion of one example: first and last time and their number, names of its coordinates, and
+/// q, q̇ and q̈ at some of the times, by their numbers.
 #[derive(Deserialize)]
 struct Before {
     times: (f64, f64, usize),
@@ -31,9 +31,12 @@ const ALLOWED: [f64; 3] = [1e-11, 1e-10, 1e-9];
 
 #[test]
 fn examples_move_as_before_the_rooms() {
-    let (before, mut seen) = (before(), 0);
+    let before = before();
+    let mut seen = 0;
     for (name, system) in mechanisms().into_iter().filter(|(name, _)| name != TURNS) {
-        let Some(Before { times: (first, last, count), names, rows }) = before.get(&name) else { continue };
+        let Some(Before { times: (first, last, count), names, rows }) = before.get(&name) else {
+            continue;
+        };
         assert_eq!(&system.coordinate_names(), names, "{name}");
         seen += 1;
         for engine in [Engine::Plain, Engine::Compiled] {

@@ -1,5 +1,5 @@
-//! Random mechanisms with steps and kinks: whichever engine runs them, their verdicts, positions and events
-//! are the same.
+//! Random mechanisms with steps and kinks: whichever engine runs them, their verdicts, positions
+//! and events are the same.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -22,17 +22,20 @@ fn first() -> u64 {
 
 #[test]
 fn engines_agree_about_random_mechanisms_with_steps() {
-    let (mut wrong, mut ran, mut failed) = (Vec::new(), 0, 0);
+    let mut wrong = Vec::new();
+    let mut ran = 0;
+    let mut failed = 0;
     for seed in (0..count()).map(|k| first() + k) {
         let Case { words, system, times, loose, .. } = random(seed);
         let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
         let plain = by(Engine::Plain);
         ran += usize::from(plain.is_ok());
         failed += usize::from(plain.is_err());
-        let mut differ =
-            difference(&plain, &by(Engine::Compiled), loose).map(|what| format!("compiled: {what}"));
+        let mut differ = difference(&plain, &by(Engine::Compiled), loose)
+            .map(|what| format!("compiled: {what}"));
         if differ.is_none() && system.compile().is_ok() {
-            differ = difference(&plain, &by(Engine::Auto), loose).map(|what| format!("auto: {what}"));
+            differ =
+                difference(&plain, &by(Engine::Auto), loose).map(|what| format!("auto: {what}"));
         }
         wrong.extend(differ.map(|what| format!("{words}\n    {what}")));
     }
@@ -47,8 +50,9 @@ fn engines_agree_about_random_mechanisms_with_steps() {
     assert!(2 * ran > failed, "{ran} run and {failed} do not");
 }
 
-/// A coordinate that other steps give rests on a step, which is small beside how far the origin is: the
-/// position has to meet its equations all the same, on the side that is the same for all engines.
+/// A coordinate that other steps give rests on a step, which is small beside how far the origin is:
+/// the position has to meet its equations all the same, on the side that is the same for all
+/// engines.
 #[test]
 fn a_coordinate_at_rest_on_a_step_is_on_one_side_by_every_engine() {
     for seed in [682, 1024] {
@@ -87,9 +91,12 @@ fn times(random: &mut crate::families::Random, Frame { begin, span, .. }: Frame)
 
 #[test]
 fn engines_agree_about_ten_families_wherever_and_whenever_they_move() {
-    let (mut wrong, mut ran, mut failed) = (Vec::new(), 0, 0);
+    let mut wrong = Vec::new();
+    let mut ran = 0;
+    let mut failed = 0;
     for number in (0..count()).map(|k| (first() + k) as usize) {
-        let (family, mut random) = (number % FAMILIES.len(), crate::families::Random::of(number));
+        let family = number % FAMILIES.len();
+        let mut random = crate::families::Random::of(number);
         let frame = frame(&mut random, family);
         let times = times(&mut random, frame);
         let words = format!("{number}: {}, {frame:?}, {} times", FAMILIES[family], times.len());

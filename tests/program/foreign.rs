@@ -1,5 +1,5 @@
-//! Values of time that only rustc can read, and laws that are written by hand: a program asks the user's own
-//! code for them.
+//! Values of time that only rustc can read, and laws that are written by hand: a program asks the
+//! user's own code for them.
 
 use kin::prelude::*;
 use kin::{LawFunction, Options};
@@ -39,7 +39,8 @@ fn a_value_of_time_is_the_user_s_own() {
     let crank = m.link("crank", 1.0).expect("a link");
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("motor", by_a_root(crank, 1.0)).expect("adds");
-    let (mut system, times) = (m.build().expect("builds"), linspace(0.0, 2.0, 301));
+    let mut system = m.build().expect("builds");
+    let times = linspace(0.0, 2.0, 301);
     for k in [1.0, 2.0] {
         system.set("motor.k", k).expect("is set");
         system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
@@ -50,7 +51,10 @@ fn a_value_of_time_is_the_user_s_own() {
             let root = (k + t * t).sqrt();
             let exact = [root, t / root, k / root.powi(3)];
             let found = [program.q(n)[2], program.qd(n)[2], program.qdd(n)[2]];
-            assert!(found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-13), "{t}: {found:?} {exact:?}");
+            assert!(
+                found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-13),
+                "{t}: {found:?} {exact:?}"
+            );
         }
     }
 }
@@ -62,13 +66,19 @@ fn most_times_of_a_loop_are_computed_by_the_program() {
         m.add("motor", by_a_swing(crank, 0.4, 0.2, 0.3, 0.5)).expect("adds");
     });
     let times = linspace(0.0, 1.0, 1001);
-    let plain = system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
+    let plain =
+        system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
     let program = system.run_with(&times, &compiled()).expect("runs");
-    assert!(program.engine().compiled > 900 && program.engine().handed_back < 5, "{:?}", program.engine());
+    assert!(
+        program.engine().compiled > 900 && program.engine().handed_back < 5,
+        "{:?}",
+        program.engine()
+    );
     assert!(differences(&plain, &program).iter().all(|off| *off < 1e-9));
 }
 
-/// A pulse between two times that neither of them tells: it leads the rocker past its toggle and back.
+/// A pulse between two times that neither of them tells: it leads the rocker past its toggle and
+/// back.
 #[test]
 fn a_pulse_between_two_times_is_seen_by_both() {
     let law = [-1.5, 1e-4, 0.5005];
@@ -80,7 +90,12 @@ fn a_pulse_between_two_times_is_seen_by_both() {
     assert!(matches!(error, kin::Error::Toggle { .. }), "{error}");
     let program = system.run_with(&times, &compiled()).expect_err("a toggle");
     let motion = program.motion().expect("a motion");
-    assert!(motion.len() == 501 && motion.engine().compiled > 400, "{} {:?}", motion.len(), motion.engine());
+    assert!(
+        motion.len() == 501 && motion.engine().compiled > 400,
+        "{} {:?}",
+        motion.len(),
+        motion.engine()
+    );
 }
 
 /// A law by hand, of which no bounds are known.
@@ -101,7 +116,11 @@ fn laws_by_hand_are_asked() {
     let times = linspace(0.0, 1.0, 1001);
     system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
     let program = system.run_with(&times, &compiled()).expect("runs");
-    assert!(program.engine().compiled > 900 && program.engine().handed_back < 5, "{:?}", program.engine());
+    assert!(
+        program.engine().compiled > 900 && program.engine().handed_back < 5,
+        "{:?}",
+        program.engine()
+    );
 }
 
 #[constraint]
@@ -139,7 +158,8 @@ fn conditions_of_time_are_the_user_s_own_too() {
     let mut m = Mechanism::new("there and back");
     let x = m.length("x", 0.0).expect("a length");
     m.add("motor", by_halves(x, 1e-3)).expect("adds");
-    let (system, times) = (m.build().expect("builds"), linspace(0.0, 1.0, 1001));
+    let system = m.build().expect("builds");
+    let times = linspace(0.0, 1.0, 1001);
     system.run_both(&times).expect("runs");
     let program = system.run_with(&times, &compiled()).expect("runs");
     assert!(program.engine().compiled > 800, "{:?}", program.engine());

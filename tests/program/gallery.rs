@@ -9,13 +9,19 @@ use crate::{compiled, differences};
 mod own;
 
 pub fn mechanisms() -> Vec<(String, System)> {
-    let registry =
-        Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    let registry = Registry::new()
+        .with::<own::slider_crank>()
+        .with::<own::parabolic_slot>()
+        .with::<own::geneva>();
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
-    let mut paths: Vec<_> =
-        std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
+    let mut paths: Vec<_> = std::fs::read_dir(folder)
+        .expect("the gallery")
+        .map(|file| file.expect("a file").path())
+        .collect();
     paths.sort();
-    let name = |path: &std::path::Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let name = |path: &std::path::Path| {
+        path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    };
     let read = |path: &std::path::PathBuf| {
         Mechanism::read_json(path, &registry).expect("reads").build().expect("builds")
     };
@@ -33,8 +39,9 @@ fn both_engines_give_the_same_motion_or_the_same_error() {
         for times in [linspace(0.0, 2.0, 101), linspace(0.0, 2.0, 1501), linspace(1.0, -0.5, 401)] {
             match (system.run(&times), system.run_with(&times, &compiled())) {
                 (Ok(plain), Ok(program)) => {
-                    let (off, bounds, counts) =
-                        (differences(&plain, &program), allowed(&name), program.engine());
+                    let off = differences(&plain, &program);
+                    let bounds = allowed(&name);
+                    let counts = program.engine();
                     assert!(
                         off.iter().zip(bounds).all(|(off, bound)| *off < bound),
                         "{name}: {off:?} {counts:?}"
@@ -42,24 +49,35 @@ fn both_engines_give_the_same_motion_or_the_same_error() {
                     assert_eq!(plain.events().len(), program.events().len(), "{name}");
                     same_breaks(&plain, &program, &name);
                     let singular = |motion: &Motion| {
-                        motion.singular_positions().iter().map(|found| found.t).collect::<Vec<f64>>()
+                        motion
+                            .singular_positions()
+                            .iter()
+                            .map(|found| found.t)
+                            .collect::<Vec<f64>>()
                     };
                     let pairs = singular(&plain).into_iter().zip(singular(&program));
                     assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-9), "{name}");
                     assert_eq!(singular(&plain).len(), singular(&program).len(), "{name}");
                     // On a coarse grid a step now and then is too long for either engine.
                     let share = if times.len() > 200 { 0.05 } else { 0.15 };
-                    assert!(counts.handed_back as f64 <= share * times.len() as f64, "{name}: {counts:?}");
+                    assert!(
+                        counts.handed_back as f64 <= share * times.len() as f64,
+                        "{name}: {counts:?}"
+                    );
                 }
-                (Err(plain), Err(program)) => assert_eq!(plain.to_string(), program.to_string(), "{name}"),
-                (plain, program) => panic!("{name}: {:?} {:?}", plain.map(|_| ()), program.map(|_| ())),
+                (Err(plain), Err(program)) => {
+                    assert_eq!(plain.to_string(), program.to_string(), "{name}")
+                }
+                (plain, program) => {
+                    panic!("{name}: {:?} {:?}", plain.map(|_| ()), program.map(|_| ()))
+                }
             }
         }
     }
 }
 
-/// The planetary train: its laws have a bound over all time that is too wide for a step to be told by it, and
-/// a narrow one where it runs.
+/// The planetary train: its laws have a bound over all time that is too wide for a step to be told
+/// by it, and a narrow one where it runs.
 #[test]
 fn most_times_of_fine_grids_are_computed_by_the_program() {
     for (name, system) in mechanisms() {
@@ -70,14 +88,17 @@ fn most_times_of_fine_grids_are_computed_by_the_program() {
     }
 }
 
-/// The same breaks in the same order; one that is at a time of the grid may be told on either side of it.
+/// The same breaks in the same order; one that is at a time of the grid may be told on either side
+/// of it.
 fn same_breaks(plain: &Motion, program: &Motion, name: &str) {
     assert_eq!(plain.breaks().len(), program.breaks().len(), "{name}");
     let step = (plain.times()[1] - plain.times()[0]).abs();
     for (a, b) in plain.breaks().iter().zip(program.breaks()) {
-        let near = (a.between.0 - b.between.0).abs() <= 1.001 * step && (a.found.x - b.found.x).abs() < 1e-12;
+        let near = (a.between.0 - b.between.0).abs() <= 1.001 * step
+            && (a.found.x - b.found.x).abs() < 1e-12;
         assert!(
-            near && (&a.constraint, &a.law, a.found.order) == (&b.constraint, &b.law, b.found.order),
+            near && (&a.constraint, &a.law, a.found.order)
+                == (&b.constraint, &b.law, b.found.order),
             "{name}: {a:?} {b:?}"
         );
     }

@@ -18,12 +18,17 @@ fn mechanisms_of_the_gallery_have_it_by_both_engines() {
         let motion = system.run_both_with(&times, &with_jerk()).expect("runs");
         assert!(motion.has_jerk(), "{name}");
         let program = system.run_with(&times, &Options { jerk: true, ..compiled() }).expect("runs");
-        assert!(10 * program.engine().compiled >= 9 * times.len(), "{name}: {:?}", program.engine());
+        assert!(
+            10 * program.engine().compiled >= 9 * times.len(),
+            "{name}: {:?}",
+            program.engine()
+        );
         assert!((0..times.len()).all(|k| program.qddd(k).len() == program.q(k).len()), "{name}");
     }
 }
 
-/// x = f(t) alone has the third derivative of f; at the knots of a spline that of the part on the right.
+/// x = f(t) alone has the third derivative of f; at the knots of a spline that of the part on the
+/// right.
 #[test]
 fn a_slider_has_the_third_derivative_of_its_law() {
     let table = [(0.0, 0.0), (1.0, 0.3), (2.0, -0.1), (3.0, 0.4), (4.0, 0.0)];
@@ -43,8 +48,12 @@ fn a_slider_has_the_third_derivative_of_its_law() {
         let motion = system.run_with(&times, &options).expect("runs");
         assert!(motion.engine().compiled > 300, "{:?}", motion.engine());
         for (k, t) in times.iter().enumerate() {
-            let (found, exact) = (motion.qddd(k)[0], law.jet(*t)[3]);
-            assert!((found - exact).abs() < 1e-9 * (1.0 + exact.abs()), "{law:?} at {t}: {found} {exact}");
+            let found = motion.qddd(k)[0];
+            let exact = law.jet(*t)[3];
+            assert!(
+                (found - exact).abs() < 1e-9 * (1.0 + exact.abs()),
+                "{law:?} at {t}: {found} {exact}"
+            );
         }
     }
 }
@@ -60,19 +69,26 @@ fn behind_a_change_point_it_goes_on() {
     assert!((0..motion.len()).all(|k| motion.qddd(k).iter().all(|x| x.is_finite())));
 }
 
-/// Runs in parts have it too, and an end that is an error leaves as many rows of it as of the others.
+/// Runs in parts have it too, and an end that is an error leaves as many rows of it as of the
+/// others.
 #[test]
 fn parts_and_ends_have_as_many_rows_of_it_as_of_the_others() {
     let mut m = Mechanism::new("slider");
     let x = m.length("x", 0.0).expect("a length");
-    m.add("motor", drive(x, Law::sequence(0.0, [(0.7, Law::ramp(1.0)), (2.0, Law::linear(0.7, -0.5))])))
-        .expect("adds");
+    m.add(
+        "motor",
+        drive(x, Law::sequence(0.0, [(0.7, Law::ramp(1.0)), (2.0, Law::linear(0.7, -0.5))])),
+    )
+    .expect("adds");
     let system = m.build().expect("builds");
     for engine in [Engine::Plain, Engine::Compiled] {
         let options = Options { engine, ..with_jerk() };
         let error = system.run_with(linspace(0.0, 2.0, 801), &options).expect_err("a corner");
         let motion = error.motion().expect("a motion");
-        assert!(motion.len() > 250 && motion.qddd_rows().len() == motion.qdd_rows().len(), "{error}");
+        assert!(
+            motion.len() > 250 && motion.qddd_rows().len() == motion.qdd_rows().len(),
+            "{error}"
+        );
         let mut parts = 0;
         let keep = |part: &Motion| {
             parts += 1;

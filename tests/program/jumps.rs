@@ -1,5 +1,5 @@
-//! Equations that choose between sides where coordinates move: a block ends where one chooses another side,
-//! and plain steps go on from the last time before.
+//! Equations that choose between sides where coordinates move: a block ends where one chooses
+//! another side, and plain steps go on from the last time before.
 
 use kin::prelude::*;
 use kin::{EventKind, Options};
@@ -50,7 +50,8 @@ fn a_block_ends_where_another_side_is_chosen() {
         let times = linspace(0.0, 2.0, 2001);
         let plain = system.run_both(&times).expect("runs");
         let program = system.run_with(&times, &compiled()).expect("runs");
-        let crossings = (1..plain.len()).filter(|k| plain.q(*k)[1] * plain.q(k - 1)[1] < 0.0).count();
+        let crossings =
+            (1..plain.len()).filter(|k| plain.q(*k)[1] * plain.q(k - 1)[1] < 0.0).count();
         assert_eq!((crossings, program.engine().handed_back), (4, 4));
         assert!(program.engine().compiled > 1950, "{:?}", program.engine());
         assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
@@ -88,8 +89,8 @@ fn remainders_are_those_of_plain_steps() {
     let times = linspace(0.0, 5.0, 2001);
     let plain = system.run_both(&times).expect("runs");
     let program = system.run_with(&times, &compiled()).expect("runs");
-    // 1 and 2 of whole numbers, 0.7 and 1.4, 0.9 and 1.8. Each of them is met at a time of the grid, where
-    // rounding alone chooses: neither does a block reach it nor begin there.
+    // 1 and 2 of whole numbers, 0.7 and 1.4, 0.9 and 1.8. Each of them is met at a time of the
+    // grid, where rounding alone chooses: neither does a block reach it nor begin there.
     assert_eq!(program.engine().handed_back, 12, "{:?}", program.engine());
     assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
 }
@@ -111,13 +112,15 @@ fn what_plain_steps_cannot_follow_no_program_can() {
     }
 }
 
-/// The Geneva drive of the gallery: its pin enters and leaves a slot eight times in four turns of the driver.
+/// The Geneva drive of the gallery: its pin enters and leaves a slot eight times in four turns of
+/// the driver.
 #[test]
 fn the_geneva_drive_is_handed_back_where_its_pin_enters_and_leaves() {
     let mut all = crate::gallery::mechanisms().into_iter();
     let (_, system) = all.find(|(name, _)| name.starts_with("20_")).expect("the Geneva drive");
     let times = linspace(0.0, 4.0, 4001);
-    let plain = system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
+    let plain =
+        system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
     let program = system.run_with(&times, &compiled()).expect("runs");
     let counts = program.engine();
     assert!(counts.handed_back > 1 && 100 * counts.handed_back < times.len(), "{counts:?}");
@@ -125,7 +128,8 @@ fn the_geneva_drive_is_handed_back_where_its_pin_enters_and_leaves() {
     assert!(plain.has_jerk());
 }
 
-/// Times that a program computes after a jump are led there by times after it: single steps come first.
+/// Times that a program computes after a jump are led there by times after it: single steps come
+/// first.
 #[test]
 fn times_after_a_jump_are_led_by_times_after_it() {
     let by = |s: f64| {
@@ -149,8 +153,8 @@ fn below(x: Coord, y: Coord, edge: f64) -> f64 {
     y - x
 }
 
-/// A program looks at each of its times whether the position is the one that is meant: the run ends at the
-/// same time.
+/// A program looks at each of its times whether the position is the one that is meant: the run ends
+/// at the same time.
 #[test]
 fn a_position_that_is_not_meant_ends_a_block() {
     let system = driven(Law::ramp(1.0), |m, x, y| {
@@ -161,8 +165,8 @@ fn a_position_that_is_not_meant_ends_a_block() {
     assert_eq!(error.motion().map(|motion| motion.len()), Some(501), "{error}");
 }
 
-/// Near a position at which all links are in line the pivot of the loop falls to a small share of what it was
-/// where a block began: steps that would be short enough there are left to plain steps.
+/// Near a position at which all links are in line the pivot of the loop falls to a small share of
+/// what it was where a block began: steps that would be short enough there are left to plain steps.
 #[test]
 fn steps_are_judged_by_the_pivot_at_their_own_times() {
     let system = crate::four_bar([1.0, 3.0, 2.0003, 4.0], |m, crank, _| {
@@ -178,8 +182,8 @@ fn stair(x: Coord, z: Coord, k: f64, r: f64) -> f64 {
     k * z - x - (x * r).floor() * 0.1
 }
 
-/// x comes to 1, where r x is a whole number, and rests there: every engine, and every case of a sweep, is
-/// on the branch that the whole number belongs to.
+/// x comes to 1, where r x is a whole number, and rests there: every engine, and every case of a
+/// sweep, is on the branch that the whole number belongs to.
 #[test]
 fn a_coordinate_may_rest_on_a_step() {
     for (r, n) in [(3.0, 24), (3.0, 121), (2.0, 60), (1.0, 300)] {
@@ -187,14 +191,17 @@ fn a_coordinate_may_rest_on_a_step() {
             m.add("z", stair(x, z, 2.0, r)).expect("adds");
         });
         let times = linspace(0.0, 1.0, n);
-        let plain = system.run_with(&times, &Options { engine: kin::Engine::Plain, ..Options::default() });
+        let plain =
+            system.run_with(&times, &Options { engine: kin::Engine::Plain, ..Options::default() });
         let program = system.run_with(&times, &compiled()).expect("runs");
         let plain = plain.expect("runs");
         assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
         assert!((plain.q(n - 1)[0] - (0.5 + 0.05 * r)).abs() < 1e-12, "{}", plain.q(n - 1)[0]);
         let cases: Vec<[f64; 1]> = (0..60).map(|k| [1.5 + f64::from(k) / 59.0]).collect();
-        let ends =
-            system.sweep(["z.k"]).expect("sweeps").run(&cases, &times, |_, motion| Ok(motion?.q(n - 1)[0]));
+        let ends = system
+            .sweep(["z.k"])
+            .expect("sweeps")
+            .run(&cases, &times, |_, motion| Ok(motion?.q(n - 1)[0]));
         for (case, z) in cases.iter().zip(ends.expect("runs")) {
             let z: kin::Result<f64> = z;
             assert!((z.expect("runs") - (1.0 + 0.1 * r) / case[0]).abs() < 1e-12, "{case:?}");
@@ -217,9 +224,16 @@ fn a_motion_at_rest_on_a_kink_does_not_pass_it() {
         });
         let times = linspace(0.0, 1.0, n);
         for engine in [kin::Engine::Plain, kin::Engine::Compiled] {
-            let motion = system.run_with(&times, &Options { engine, ..Options::default() }).expect("runs");
-            let kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink).count();
-            assert_eq!(kinks, usize::from(height > 1.0), "{height} {n} {engine:?}: {:?}", motion.events());
+            let motion =
+                system.run_with(&times, &Options { engine, ..Options::default() }).expect("runs");
+            let kinks =
+                motion.events().iter().filter(|event| event.kind == EventKind::Kink).count();
+            assert_eq!(
+                kinks,
+                usize::from(height > 1.0),
+                "{height} {n} {engine:?}: {:?}",
+                motion.events()
+            );
         }
     }
 }

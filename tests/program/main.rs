@@ -1,5 +1,5 @@
-//! Runs by a program beside plain ones, as a user sees them: the same numbers, the same verdicts, and
-//! refusals by name.
+//! Runs by a program beside plain ones, as a user sees them: the same numbers, the same verdicts,
+//! and refusals by name.
 
 mod alike;
 mod auto;
@@ -35,8 +35,8 @@ pub const USUAL: [f64; 4] = [1.0, 3.5, 3.0, 4.0];
 /// A four-bar of these lengths, its rocker near 100°; `motor` is given its crank and its rocker.
 pub fn four_bar([a, b, c, d]: [f64; 4], motor: impl FnOnce(&mut Mechanism, Link, Link)) -> System {
     let mut m = Mechanism::new("four-bar");
-    let [crank, coupler, rocker] =
-        [("crank", a), ("coupler", b), ("rocker", c)].map(|(name, l)| m.link(name, l).expect("a link"));
+    let [crank, coupler, rocker] = [("crank", a), ("coupler", b), ("rocker", c)]
+        .map(|(name, l)| m.link(name, l).expect("a link"));
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).expect("adds");

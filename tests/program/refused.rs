@@ -16,10 +16,8 @@ fn crank() -> (Mechanism, kin::Link) {
 fn refused(m: Mechanism) -> String {
     let system = m.build().expect("builds");
     assert!(system.run(linspace(0.0, 1.0, 11)).is_ok());
-    let (alone, run) = (
-        system.compile().expect_err("refused"),
-        system.run_with(linspace(0.0, 1.0, 11), &compiled()).expect_err("refused"),
-    );
+    let alone = system.compile().expect_err("refused");
+    let run = system.run_with(linspace(0.0, 1.0, 11), &compiled()).expect_err("refused");
     assert_eq!(alone.to_string(), run.to_string());
     alone.to_string()
 }

@@ -1,4 +1,5 @@
-//! Single positions by the program of `compile`: those of plain steps, from wherever they are looked for.
+//! Single positions by the program of `compile`: those of plain steps, from wherever they are
+//! looked for.
 
 use kin::prelude::*;
 use kin::{Engine, Options, Solution, Stop};
@@ -12,8 +13,9 @@ fn plain() -> Options {
 
 /// The largest differences of q, q̇ and q̈, by 1 and the size of the number.
 fn apart(a: &Solution, b: &Solution) -> [f64; 3] {
-    [(&a.q, &b.q), (&a.qd, &b.qd), (&a.qdd, &b.qdd)]
-        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + a.abs())).fold(0.0, f64::max))
+    [(&a.q, &b.q), (&a.qd, &b.qd), (&a.qdd, &b.qdd)].map(|(a, b)| {
+        a.iter().zip(b).map(|(a, b)| (a - b).abs() / (1.0 + a.abs())).fold(0.0, f64::max)
+    })
 }
 
 /// How far a position is from where it was looked for.
@@ -21,11 +23,12 @@ fn moved(at: &Solution, start: &[f64]) -> f64 {
     at.q.iter().zip(start).map(|(q, start)| (q - start).abs()).fold(0.0, f64::max)
 }
 
-/// Along each motion of the gallery, from the position before, and from positions that are off by some.
-/// From far off the steps of all coordinates may lead further away than those of a program.
+/// Along each motion of the gallery, from the position before, and from positions that are off by
+/// some. From far off the steps of all coordinates may lead further away than those of a program.
 #[test]
 fn positions_of_the_gallery_are_those_of_plain_steps() {
-    let (mut asked, mut by_program) = (0, [0; 4]);
+    let mut asked = 0;
+    let mut by_program = [0; 4];
     for (name, system) in mechanisms().into_iter().filter(|(_, system)| system.compile().is_ok()) {
         let motion = system.run(linspace(0.0, 1.0, 101)).expect("runs");
         let mut random = fastrand::Rng::with_seed(7);
@@ -37,8 +40,10 @@ fn positions_of_the_gallery_are_those_of_plain_steps() {
                 let start: Vec<f64> = motion.q(k - 1).iter().map(beside).collect();
                 match (system.solve_at(t, &start), system.solve_at_with(t, &start, &plain())) {
                     (Ok(found), Ok(plain)) => {
-                        let (own, case) = (apart(&plain, &found), format!("{name} at {t}, {off} off"));
-                        let is_same = own.iter().zip([1e-10, 1e-9, 1e-8]).all(|(own, bound)| *own < bound);
+                        let own = apart(&plain, &found);
+                        let case = format!("{name} at {t}, {off} off");
+                        let is_same =
+                            own.iter().zip([1e-10, 1e-9, 1e-8]).all(|(own, bound)| *own < bound);
                         let is_nearer = off > 0.05 && moved(&found, &start) < moved(&plain, &start);
                         assert!(is_same || is_nearer, "{case}: {own:?}");
                         assert!(!plain.report.compiled && found.report.residual < 1e-9, "{case}");
@@ -51,7 +56,8 @@ fn positions_of_the_gallery_are_those_of_plain_steps() {
         }
     }
     // Percent; of positions that rows give wherever they are looked for from there are three in 27.
-    let enough = by_program.iter().zip([95, 70, 20, 10]).all(|(own, least)| 100 * own >= least * asked);
+    let enough =
+        by_program.iter().zip([95, 70, 20, 10]).all(|(own, least)| 100 * own >= least * asked);
     assert!(enough, "{by_program:?} of {asked} by the program");
 }
 

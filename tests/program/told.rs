@@ -37,11 +37,9 @@ fn proofs_are_the_same() {
     // The last line is how far the computed positions themselves are off, which is rounding.
     let verdict = |text: &str| text.lines().take(2).map(str::to_string).collect::<Vec<String>>();
     assert_eq!(verdict(&texts[0]), verdict(&texts[1]));
-    assert!(
-        texts
-            .iter()
-            .all(|text| text.contains("positions are off by no more than") && text.contains("e-15 rad"))
-    );
+    assert!(texts.iter().all(
+        |text| text.contains("positions are off by no more than") && text.contains("e-15 rad")
+    ));
 }
 
 #[test]
@@ -61,7 +59,8 @@ fn extremes_and_conditions_are_the_same() {
 #[test]
 fn toggles_are_told_in_the_same_words() {
     let (system, _) = four_bar(Law::linear(2.2, -1.0), true);
-    let [plain, program] = both(&system, &linspace(0.0, 1.0, 1001)).map(|run| run.expect_err("a toggle"));
+    let [plain, program] =
+        both(&system, &linspace(0.0, 1.0, 1001)).map(|run| run.expect_err("a toggle"));
     assert_eq!(plain.to_string(), program.to_string());
     let (Error::Toggle { t, .. }, Error::Toggle { t: other, .. }) = (&plain, &program) else {
         panic!("{plain} {program}")
@@ -84,7 +83,8 @@ fn what_is_no_number_is_blamed_in_the_same_words() {
     let x = m.length("wedge", 1.6).expect("a length");
     m.add("slot", shrinking(x, 0.64)).expect("adds");
     let system = m.build().expect("builds");
-    let [plain, program] = both(&system, &linspace(0.0, 1.0, 1001)).map(|run| run.expect_err("no number"));
+    let [plain, program] =
+        both(&system, &linspace(0.0, 1.0, 1001)).map(|run| run.expect_err("no number"));
     assert_eq!(plain.to_string(), program.to_string());
     assert!(program.to_string().contains("(depth - t).sqrt()"), "{program}");
     let lengths = [&plain, &program].map(|error| error.motion().map(Motion::len));

@@ -1,4 +1,5 @@
-//! Proofs by interval bounds: what holds is proved, what does not is not, and no verdict depends on units.
+//! Proofs by interval bounds: what holds is proved, what does not is not, and no verdict depends on
+//! units.
 
 // Tables of cases hold functions, and arguments next to a pole as they are written.
 #![allow(clippy::type_complexity, clippy::approx_constant)]

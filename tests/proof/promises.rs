@@ -1,5 +1,5 @@
-//! A word that may not be wrong once: constructions in which a proof would be one, each as small as it can be
-//! made.
+//! A word that may not be wrong once: constructions in which a proof would be one, each as small as
+//! it can be made.
 
 use kin::prelude::*;
 use kin::{Doubt, Proof};
@@ -83,11 +83,13 @@ pub fn doubt(proof: &Proof, what: &str) -> Doubt {
 /// Where C_q is a constant, `if` jumps all the same: at f = 0.85 both 0.85 and 1.15 are solutions.
 #[test]
 fn a_jump_beside_the_curve_within_the_tube() {
-    let system = lengths([0.01], |m, [x]| m.add("c", gated(x, Law::linear(0.01, 0.94))).map(|_| ()));
+    let system =
+        lengths([0.01], |m, [x]| m.add("c", gated(x, Law::linear(0.01, 0.94))).map(|_| ()));
     let proof = system.prove(&system.run_both([0.0, 1.0]).unwrap()).unwrap();
     for step in proof.steps() {
         assert!(
-            step.tube.as_ref().is_err() || step.tube.as_ref().is_ok_and(|tube| tube.alone[0] < 0.05),
+            step.tube.as_ref().is_err()
+                || step.tube.as_ref().is_ok_and(|tube| tube.alone[0] < 0.05),
             "{proof}"
         );
     }
@@ -116,8 +118,8 @@ fn turned(y: Law, law: Law, of: Adds) -> Proof {
     system.prove(&system.run_both([-0.2, 0.2]).unwrap()).unwrap()
 }
 
-/// y dips below zero within the step: the angle jumps by a whole turn, up or down, and the law does not
-/// repeat.
+/// y dips below zero within the step: the angle jumps by a whole turn, up or down, and the law does
+/// not repeat.
 #[test]
 fn an_angle_over_its_cut_in_a_law_that_does_not_repeat() {
     let dips = Law::polynomial(&[-0.01, 0.0, 1.0]);
@@ -187,16 +189,19 @@ fn the_slope_of_a_law_over_its_kink() {
     doubt(&system.prove(&motion).unwrap(), "slope");
 }
 
-/// Over a large argument a sine may be anything between −1 and 1 as far as its bounds know: that hides no
-/// jump.
+/// Over a large argument a sine may be anything between −1 and 1 as far as its bounds know: that
+/// hides no jump.
 #[test]
 fn a_jump_of_a_law_behind_the_bounds_of_a_sine() {
     for omega in [1e5, 1e8, 1e10, 1e13] {
-        // parts that meet as far as f64 can tell, and may be off by as much as the argument is rounded
+        // parts that meet as far as f64 can tell, and may be off by as much as the argument is
+        // rounded
         let end = (omega * 1.0_f64).sin();
         for jump in [0.0, 0.3] {
-            let law =
-                Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(end + jump))]);
+            let law = Law::sequence(
+                0.0,
+                [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(end + jump))],
+            );
             let law = Law::ramp(0.0) + law.compose(&Law::linear(0.0, 1.0));
             if jump > 0.0 && law.refusal().is_some() {
                 continue; // told where it is added
@@ -221,7 +226,9 @@ fn a_motion_without_times() {
     (data.times, data.q, data.qd, data.qdd, data.iterations, data.residuals) = Default::default();
     let proof = system.prove(&Motion::from_data(&data).unwrap()).unwrap();
     assert!(
-        proof.is_complete() && proof.error(0).is_none() && proof.to_string().contains("0 of 0 positions"),
+        proof.is_complete()
+            && proof.error(0).is_none()
+            && proof.to_string().contains("0 of 0 positions"),
         "{proof}"
     );
 }

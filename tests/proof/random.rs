@@ -12,8 +12,8 @@ fn count() -> usize {
     std::env::var("KIN_CAMPAIGN").ok().and_then(|count| count.parse().ok()).unwrap_or(200)
 }
 
-/// A four-bar that can be driven from `start`, an assembly of it, and the time of its toggle at one turn a
-/// second.
+/// A four-bar that can be driven from `start`, an assembly of it, and the time of its toggle at one
+/// turn a second.
 struct Case {
     bar: FourBar,
     start: f64,
@@ -25,10 +25,13 @@ struct Case {
 impl Case {
     fn random(random: &mut fastrand::Rng) -> Case {
         loop {
-            let within = |random: &mut fastrand::Rng, low: f64, high: f64| low + (high - low) * random.f64();
+            let within =
+                |random: &mut fastrand::Rng, low: f64, high: f64| low + (high - low) * random.f64();
             let [driven, next, last, ground] = std::array::from_fn(|_| within(random, 0.3, 3.0));
             let bar = FourBar { driven, next, last, ground, by_coupler: random.bool() };
-            let (start, side, sense) = (within(random, 0.0, TAU), sign(random), sign(random));
+            let start = within(random, 0.0, TAU);
+            let side = sign(random);
+            let sense = sign(random);
             let end = bar.toggle(start, sense).map(|angle| sense * (angle - start) / TAU);
             if bar.angles(start, side).is_some() && end.is_none_or(|end| end > 0.05) {
                 return Case { bar, start, side, sense, end };
@@ -37,7 +40,10 @@ impl Case {
     }
 
     fn system(&self) -> System {
-        self.bar.system(Law::linear(self.start, self.sense * TAU), self.start, self.side).expect("builds").0
+        self.bar
+            .system(Law::linear(self.start, self.sense * TAU), self.start, self.side)
+            .expect("builds")
+            .0
     }
 
     /// Some turns, or as far as its toggle.
@@ -55,15 +61,20 @@ fn sign(random: &mut fastrand::Rng) -> f64 {
     if random.bool() { 1.0 } else { -1.0 }
 }
 
-/// Tests that the closed form is in the tube at 9 times of a step, and that the other assembly is not where
-/// nothing else is said to be.
+/// Tests that the closed form is in the tube at 9 times of a step, and that the other assembly is
+/// not where nothing else is said to be.
 fn judge(case: &Case, motion: &Motion, step: &StepProof, tube: &Tube) {
     for j in 0..=8 {
         let u = f64::from(j) / 8.0;
-        let (t, p) = (step.from + u * (step.to - step.from), interpolated(motion, step.step, u));
+        let t = step.from + u * (step.to - step.from);
+        let p = interpolated(motion, step.step, u);
         let angle = case.start + case.sense * TAU * t;
-        let name =
-            || format!("{:?} from {} to {} on side {}, t = {t}", case.bar, case.start, case.sense, case.side);
+        let name = || {
+            format!(
+                "{:?} from {} to {} on side {}, t = {t}",
+                case.bar, case.start, case.sense, case.side
+            )
+        };
         let pose = case
             .bar
             .pose(angle, case.side)
@@ -94,7 +105,10 @@ fn judge(case: &Case, motion: &Motion, step: &StepProof, tube: &Tube) {
 #[test]
 fn what_is_proved_is_the_closed_form() {
     let mut random = fastrand::Rng::with_seed(7);
-    let (mut all, mut proved, mut regular, mut regular_proved) = (0, 0, 0, 0);
+    let mut all = 0;
+    let mut proved = 0;
+    let mut regular = 0;
+    let mut regular_proved = 0;
     for _ in 0..count() {
         let case = Case::random(&mut random);
         let motion = case.run(&mut random);
@@ -113,15 +127,19 @@ fn what_is_proved_is_the_closed_form() {
         }
     }
     println!("{proved} of {all} steps, {regular_proved} of {regular} regular ones");
-    assert!(regular > all / 2 && regular_proved * 100 >= regular * 99, "{regular_proved} of {regular}");
+    assert!(
+        regular > all / 2 && regular_proved * 100 >= regular * 99,
+        "{regular_proved} of {regular}"
+    );
 }
 
-/// A motion that is in the other assembly from some time on: the step into it is not proved; all others are,
-/// but for a few that turn too fast for their grid.
+/// A motion that is in the other assembly from some time on: the step into it is not proved; all
+/// others are, but for a few that turn too fast for their grid.
 #[test]
 fn a_change_of_assembly_is_found() {
     let mut random = fastrand::Rng::with_seed(8);
-    let (mut found, mut others) = (0, 0);
+    let mut found = 0;
+    let mut others = 0;
     for _ in 0..count() / 4 {
         let case = Case::random(&mut random);
         if case.end.is_some() || case.bar.clearance() < 0.05 {
@@ -129,12 +147,19 @@ fn a_change_of_assembly_is_found() {
         }
         let other = Case { side: -case.side, ..case };
         let times = linspace(0.0, 1.0, 31);
-        let [one, two] = [&case, &other].map(|case| case.system().run_both(&times).expect("runs").data());
-        let (mut forged, at) = (one, random.usize(1..30));
-        for (to, from) in [(&mut forged.q, two.q), (&mut forged.qd, two.qd), (&mut forged.qdd, two.qdd)] {
+        let [one, two] =
+            [&case, &other].map(|case| case.system().run_both(&times).expect("runs").data());
+        let mut forged = one;
+        let at = random.usize(1..30);
+        for (to, from) in
+            [(&mut forged.q, two.q), (&mut forged.qd, two.qd), (&mut forged.qdd, two.qdd)]
+        {
             to.splice(at.., from[at..].iter().cloned());
         }
-        let proof = case.system().prove(&Motion::from_data(&forged).expect("reads")).expect("can be proved");
+        let proof = case
+            .system()
+            .prove(&Motion::from_data(&forged).expect("reads"))
+            .expect("can be proved");
         let unproved: Vec<usize> =
             proof.steps().iter().filter(|step| step.tube.is_err()).map(|step| step.step).collect();
         assert!(unproved.contains(&(at - 1)), "{:?}: {proof}", case.bar);
@@ -149,21 +174,25 @@ fn a_change_of_assembly_is_found() {
     assert!(found * 40 > count() && others <= found / 20, "{others} others in {found}");
 }
 
-/// Coarse grids with nothing checked and nothing predicted, on which Newton's method comes to whatever
-/// assembly: steps that change it are never proved.
+/// Coarse grids with nothing checked and nothing predicted, on which Newton's method comes to
+/// whatever assembly: steps that change it are never proved.
 #[test]
 fn careless_runs_are_not_proved_where_they_jump() {
-    let careless = Options { follow: Follow::Unchecked, predict: false, rescue: false, ..Options::default() };
+    let careless =
+        Options { follow: Follow::Unchecked, predict: false, rescue: false, ..Options::default() };
     let mut random = fastrand::Rng::with_seed(9);
-    let (mut jumps, mut stays) = (0, 0);
+    let mut jumps = 0;
+    let mut stays = 0;
     for _ in 0..count() / 2 {
         let case = Case::random(&mut random);
         let points = random.usize(4..8);
-        let (system, times) = (case.system(), linspace(0.0, 2.0, 2 * points + 1));
+        let system = case.system();
+        let times = linspace(0.0, 2.0, 2 * points + 1);
         // The position that such a run comes to hangs on the last digits: one engine is enough.
         let Ok(motion) = system.run_with(times, &careless) else { continue };
-        let side =
-            |k: usize| if case.bar.error(motion.q(k), case.side) < 1e-6 { case.side } else { -case.side };
+        let side = |k: usize| {
+            if case.bar.error(motion.q(k), case.side) < 1e-6 { case.side } else { -case.side }
+        };
         let proof = system.prove(&motion).expect("can be proved");
         for step in proof.steps() {
             let jump = side(step.step) != side(step.step + 1);

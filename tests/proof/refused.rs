@@ -72,9 +72,13 @@ fn constraints_and_laws_without_bounds() {
         Law::sine(1.0, 1.0, 0.0).compose(&Law::new(Opaque)),
     ] {
         let text = refusal(&with_law(law));
-        assert!(text.starts_with("a motion with `motor` (drive) cannot be proved: of its law `"), "{text}");
+        assert!(
+            text.starts_with("a motion with `motor` (drive) cannot be proved: of its law `"),
+            "{text}"
+        );
     }
-    let text = refusal(&slider(|m, x| m.add("motor", by_dual(drive(x, Law::ramp(1.0)))).map(|_| ())));
+    let text =
+        refusal(&slider(|m, x| m.add("motor", by_dual(drive(x, Law::ramp(1.0)))).map(|_| ())));
     assert!(text.contains("`motor`") && text.contains("dual route"), "{text}");
     let text = refusal(&slider(|m, x| m.add("motor", by_helper(x)).map(|_| ())));
     assert!(text.contains("`motor` (by_helper)") && text.contains("function of yours"), "{text}");
@@ -113,11 +117,13 @@ fn by_formula(x: &Series) -> Series {
     *x + x.powi(3) / Series::number(10.0)
 }
 
-/// Its derivatives rise or fall between the ends of any interval that is not wide; rounding is allowed for.
+/// Its derivatives rise or fall between the ends of any interval that is not wide; rounding is
+/// allowed for.
 fn by_derivatives(x: &Series) -> Series {
     let [lo, hi] = x.values();
     let around = |f: fn(f64) -> f64| {
-        let (a, b) = (f(lo), f(hi));
+        let a = f(lo);
+        let b = f(hi);
         let rounding = 1e-14 * (a.abs() + b.abs());
         [a.min(b) - rounding, a.max(b) + rounding]
     };
@@ -142,9 +148,11 @@ fn a_law_that_tells_its_own_bounds() {
     {
         let own = Law::new(Own { kind, over });
         kin::check::law(&own, -1.0, 2.0);
-        for (law, trusted) in
-            [(own.clone(), 1), (2.0 * own.clone() + bump(0.4, 0.7), 1), (bump(0.4, 0.7) * Law::ramp(1.0), 0)]
-        {
+        for (law, trusted) in [
+            (own.clone(), 1),
+            (2.0 * own.clone() + bump(0.4, 0.7), 1),
+            (bump(0.4, 0.7) * Law::ramp(1.0), 0),
+        ] {
             let system = slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
             let proof = system.prove(&system.run_both(linspace(-1.0, 2.0, 31)).unwrap()).unwrap();
             assert!(proof.is_complete() && proof.trusted().len() == trusted, "{proof}");
@@ -154,8 +162,8 @@ fn a_law_that_tells_its_own_bounds() {
     }
 }
 
-/// Bounds that do not hold are found at random intervals: values that are off, slopes that are, bounds of
-/// points alone, and jumps that are not told.
+/// Bounds that do not hold are found at random intervals: values that are off, slopes that are,
+/// bounds of points alone, and jumps that are not told.
 #[test]
 fn wrong_bounds_of_a_law_are_found() {
     let wrong: [(&'static str, fn(&Series) -> Series); 4] = [
@@ -171,7 +179,10 @@ fn wrong_bounds_of_a_law_are_found() {
         ("nothing", |_| Series::number(0.0)),
     ];
     for (kind, over) in wrong {
-        assert!(kin::check::compare_law(&Law::new(Own { kind, over }), -1.0, 2.0).is_err(), "{kind}");
+        assert!(
+            kin::check::compare_law(&Law::new(Own { kind, over }), -1.0, 2.0).is_err(),
+            "{kind}"
+        );
     }
     let kinked = Law::new(Kinked);
     let found = kin::check::compare_law(&kinked, -1.0, 1.0).unwrap_err().to_string();
@@ -201,7 +212,10 @@ fn superfluous_equations_and_motions_of_others() {
     m.add("one", drive(x, Law::ramp(1.0))).unwrap();
     m.add("two", drive(x, Law::ramp(1.0))).unwrap();
     let text = refusal(&m.build().unwrap());
-    assert!(text.contains("\"twice\" cannot be proved: it has 2 equations for 1 coordinates"), "{text}");
+    assert!(
+        text.contains("\"twice\" cannot be proved: it has 2 equations for 1 coordinates"),
+        "{text}"
+    );
     let one = slider(|m, x| m.add("motor", drive(x, Law::ramp(1.0))).map(|_| ()));
     let mut m = Mechanism::new("other");
     let y = m.length("y", 0.0).unwrap();
@@ -210,8 +224,8 @@ fn superfluous_equations_and_motions_of_others() {
     assert!(other.prove(&one.run_both([0.0, 1.0]).unwrap()).is_err());
 }
 
-/// A corner is continuous, so a step over it is proved; where two branches of an `if` meet is not known, so
-/// one over that is not; nor is one over a root at 0.
+/// A corner is continuous, so a step over it is proved; where two branches of an `if` meet is not
+/// known, so one over that is not; nor is one over a root at 0.
 #[test]
 fn corners_and_branches() {
     let over = |system: &System| {
@@ -225,7 +239,9 @@ fn corners_and_branches() {
     let proof = over(&slider(|m, x| m.add("motor", stairs(x)).map(|_| ())));
     assert_eq!(proof.steps().len() - proof.proved(), 1, "{proof}");
     let doubt = proof.first_unproved().unwrap().tube.as_ref().unwrap_err();
-    let DoubtReason::Unbounded { equation, expression, source } = &doubt.reason else { panic!("{proof}") };
+    let DoubtReason::Unbounded { equation, expression, source } = &doubt.reason else {
+        panic!("{proof}")
+    };
     assert!(equation == "motor" && (doubt.t - 1.0).abs() < 1e-3, "{proof}");
     assert!(expression.as_deref().is_some_and(|text| text.contains("if t < 1.0")), "{proof}");
     assert!(source.is_some_and(|source| source.file.ends_with("refused.rs")), "{proof}");
@@ -234,7 +250,13 @@ fn corners_and_branches() {
 /// Parameters changed after the run: the positions are no longer those of the mechanism.
 #[test]
 fn another_mechanism_than_that_of_the_run() {
-    let bar = crate::models::FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
+    let bar = crate::models::FourBar {
+        driven: 1.0,
+        next: 3.5,
+        last: 3.0,
+        ground: 4.0,
+        by_coupler: false,
+    };
     let (mut system, _) = bar.system(Law::linear(0.3, TAU), 0.3, 1.0).unwrap();
     let motion = system.run_both(linspace(0.0, 1.0, 37)).unwrap();
     system.set("C.u_j.x", 4.6).unwrap();

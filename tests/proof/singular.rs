@@ -18,8 +18,8 @@ fn around(motion: &Motion, at: f64) -> Vec<usize> {
     (0..times.len() - 1).filter(|k| times[*k] <= at + 1e-12 && at <= times[k + 1] + 1e-12).collect()
 }
 
-/// A parallelogram through its flat positions, staying what it is or turning into the antiparallelogram, with
-/// the flat position at a time of the grid or between two.
+/// A parallelogram through its flat positions, staying what it is or turning into the
+/// antiparallelogram, with the flat position at a time of the grid or between two.
 #[test]
 fn change_points() {
     let bar = FourBar { driven: 1.0, next: 2.0, last: 1.0, ground: 2.0, by_coupler: false };
@@ -30,9 +30,11 @@ fn change_points() {
         (Follow::Turning(vec![0]), linspace(0.0, 0.6, 61)),
         (Follow::Smooth, linspace(0.0, 2.0 * flat, 41)),
     ] {
-        let motion = system.run_both_with(&grid, &Options { follow, ..Options::default() }).unwrap();
+        let motion =
+            system.run_both_with(&grid, &Options { follow, ..Options::default() }).unwrap();
         let proof = system.prove(&motion).unwrap();
-        let (expected, found) = (around(&motion, flat), unproved(&proof));
+        let expected = around(&motion, flat);
+        let found = unproved(&proof);
         assert!(
             !expected.is_empty() && expected.iter().all(|step| found.contains(step)),
             "{expected:?} {found:?}"
@@ -54,16 +56,21 @@ fn slider_crank_with_equal_links() {
     let motion = system.run_both(linspace(0.0, 3.0, 101)).unwrap();
     let found = unproved(&system.prove(&motion).unwrap());
     let expected = around(&motion, 0.5 * PI);
-    assert!(expected.iter().all(|step| found.contains(step)) && found.len() < 8, "{expected:?} {found:?}");
+    assert!(
+        expected.iter().all(|step| found.contains(step)) && found.len() < 8,
+        "{expected:?} {found:?}"
+    );
 }
 
-/// Up to a toggle everything is proved but the last steps; the toggle itself is not within a proved step.
+/// Up to a toggle everything is proved but the last steps; the toggle itself is not within a proved
+/// step.
 #[test]
 fn up_to_a_toggle() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };
     let end = bar.toggle(0.5, 1.0).unwrap() - 0.5;
     let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
-    let Err(kin::Error::Toggle { motion: Some(motion), .. }) = system.run_both(linspace(0.0, 1.1 * end, 111))
+    let Err(kin::Error::Toggle { motion: Some(motion), .. }) =
+        system.run_both(linspace(0.0, 1.1 * end, 111))
     else {
         panic!("a toggle")
     };
@@ -75,8 +82,8 @@ fn up_to_a_toggle() {
     assert!(unproved(&system.prove(&motion).unwrap()).contains(&99));
 }
 
-/// There and back through a toggle: a law that turns round just beyond it, and the motion on the other side,
-/// which no mechanism makes.
+/// There and back through a toggle: a law that turns round just beyond it, and the motion on the
+/// other side, which no mechanism makes.
 #[test]
 fn a_gap_without_positions_is_not_proved() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };

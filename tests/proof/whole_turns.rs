@@ -33,8 +33,8 @@ fn example(name: &str) -> System {
     Mechanism::read_json(path, &registry).expect("reads").build().expect("builds")
 }
 
-/// Whole turns of every example, bare coordinates, planar and spatial bodies, cams and gears among them:
-/// proved, and computed to rounding.
+/// Whole turns of every example, bare coordinates, planar and spatial bodies, cams and gears among
+/// them: proved, and computed to rounding.
 #[test]
 fn every_example() {
     for (name, seconds, steps) in EXAMPLES {
@@ -46,15 +46,16 @@ fn every_example() {
             proof.is_complete() && proof.proved() == steps && proof.first_unproved().is_none(),
             "{name}: {proof}"
         );
-        let worst =
-            (0..motion.len()).flat_map(|k| proof.error(k).expect("bounded")).fold(0.0_f64, |m, x| m.max(*x));
+        let worst = (0..motion.len())
+            .flat_map(|k| proof.error(k).expect("bounded"))
+            .fold(0.0_f64, |m, x| m.max(*x));
         assert!(worst < 1e-11, "{name}: off by {worst:e}");
         assert!(proof.error(motion.len()).is_none());
     }
 }
 
-/// The tube shrinks like the error of the interpolation, with the sixth power of the step, and not like the
-/// step.
+/// The tube shrinks like the error of the interpolation, with the sixth power of the step, and not
+/// like the step.
 #[test]
 fn tube_is_as_narrow_as_the_interpolation_is_good() {
     let system = example("04_four_bar");
@@ -63,7 +64,8 @@ fn tube_is_as_narrow_as_the_interpolation_is_good() {
         assert!(proof.is_complete(), "{proof}");
         proof.steps().iter().flat_map(|step| step.tube.clone().unwrap().radius).fold(0.0, f64::max)
     };
-    let (coarse, fine) = (radius(40), radius(80));
+    let coarse = radius(40);
+    let fine = radius(80);
     println!("{coarse:e} {fine:e}");
     assert!(coarse / fine > 40.0 && fine < 1e-5, "{coarse:e} {fine:e}");
 }
@@ -82,7 +84,10 @@ fn coarse_grids_and_poor_positions() {
     data.q[40].iter_mut().for_each(|q| *q += 1e-5);
     let proof = system.prove(&Motion::from_data(&data).unwrap()).unwrap();
     let error = |k: usize| proof.error(k).unwrap().iter().fold(0.0_f64, |m, x| m.max(*x));
-    assert!(proof.is_complete() && error(39) < 1e-13 && error(40) >= 1e-5 && error(40) < 1e-4, "{proof}");
+    assert!(
+        proof.is_complete() && error(39) < 1e-13 && error(40) >= 1e-5 && error(40) < 1e-4,
+        "{proof}"
+    );
 }
 
 /// A motion of one time is a position; one of none is nothing.
@@ -94,8 +99,8 @@ fn positions_alone() {
     assert!(proof.to_string().contains("1 of 1 position proved"), "{proof}");
 }
 
-/// With all lengths in another unit the same steps are proved, those of a motion that cannot be proved all
-/// along too.
+/// With all lengths in another unit the same steps are proved, those of a motion that cannot be
+/// proved all along too.
 #[test]
 fn units_do_not_matter() {
     let verdicts = |unit: f64, bar: FourBar, to: f64, steps: usize| {
@@ -109,12 +114,17 @@ fn units_do_not_matter() {
         };
         let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
         let proof = system.prove(&system.run_both(linspace(0.0, to, steps + 1)).unwrap()).unwrap();
-        let tubes: Vec<Option<f64>> =
-            proof.steps().iter().map(|step| step.tube.as_ref().ok().map(|tube| tube.alone[2])).collect();
+        let tubes: Vec<Option<f64>> = proof
+            .steps()
+            .iter()
+            .map(|step| step.tube.as_ref().ok().map(|tube| tube.alone[2]))
+            .collect();
         tubes
     };
-    let parallelogram = FourBar { driven: 1.0, next: 2.0, last: 1.0, ground: 2.0, by_coupler: false };
-    let crank_rocker = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
+    let parallelogram =
+        FourBar { driven: 1.0, next: 2.0, last: 1.0, ground: 2.0, by_coupler: false };
+    let crank_rocker =
+        FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
     for (bar, to, steps) in [(parallelogram, 6.0, 61), (crank_rocker, 7.0, 24)] {
         let metres = verdicts(1.0, bar, to, steps);
         for unit in [1e-3, 0.0254, 1e3] {

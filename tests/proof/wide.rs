@@ -25,7 +25,8 @@ pub fn w(x: f64) -> Wide {
 
 /// A decimal as it is written.
 pub fn dec(text: &str) -> Wide {
-    CONSTANTS.with_borrow_mut(|constants| Wide(BigFloat::parse(text, Radix::Dec, P, NEAREST, constants)))
+    CONSTANTS
+        .with_borrow_mut(|constants| Wide(BigFloat::parse(text, Radix::Dec, P, NEAREST, constants)))
 }
 
 macro_rules! operators {

@@ -1,5 +1,5 @@
-//! Sweeps by one program: what differs from case to case is left free in it, whatever it is, and each case is
-//! what its own system does.
+//! Sweeps by one program: what differs from case to case is left free in it, whatever it is, and
+//! each case is what its own system does.
 
 use kin::joints::spatial;
 use kin::prelude::*;
@@ -44,7 +44,16 @@ fn guided() -> kin::Result<System> {
     let block = m.planar("block", pose(0.4, 0.0, 0.0))?;
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start()))?;
     m.add("guide", prismatic(block, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.2), 0.0))?;
-    let rod = creeping(crank, block, crank.end(), vec2(0.0, 0.0), 0.3, 0.02, 1.0, Law::sine(0.01, 3.0, 0.2));
+    let rod = creeping(
+        crank,
+        block,
+        crank.end(),
+        vec2(0.0, 0.0),
+        0.3,
+        0.02,
+        1.0,
+        Law::sine(0.01, 3.0, 0.2),
+    );
     m.add("rod", rod)?;
     m.add("motor", drive_angle(crank, Law::sine(0.8, 2.0, 0.3)))?;
     m.build()
@@ -56,13 +65,19 @@ fn hinged() -> kin::Result<System> {
     let arm = m.spatial("arm", SpatialPose::at(Vec3::zeros()))?;
     let axis = vec3(0.3, 0.2, 1.0);
     m.add("hinge", spatial::revolute(m.ground(), arm, Vec3::zeros(), Vec3::zeros(), axis, axis))?;
-    let motor = kin::joints::drivers::spatial::drive_turn(m.ground(), arm, axis, axis, Law::ramp(1.3));
+    let motor =
+        kin::joints::drivers::spatial::drive_turn(m.ground(), arm, axis, axis, Law::ramp(1.3));
     m.add("motor", motor)?;
     m.build()
 }
 
 /// The motions of the cases by a sweep with that engine, and by a system of its own each.
-fn motions(system: &System, names: &[&str], cases: &[Vec<f64>], options: &Options) -> [Vec<Motion>; 2] {
+fn motions(
+    system: &System,
+    names: &[&str],
+    cases: &[Vec<f64>],
+    options: &Options,
+) -> [Vec<Motion>; 2] {
     let times = linspace(0.0, 2.0, 301);
     let swept = system.sweep(names).unwrap().options(options.clone());
     let swept = swept.run(cases, &times, |_, motion| motion.unwrap()).unwrap();
@@ -86,8 +101,9 @@ fn assert_same(system: &System, names: &[&str], cases: &[Vec<f64>]) {
             let off = far(&numbers(swept), &numbers(own));
             assert!(off < 1e-9, "{names:?}, case {k}: {off:e}");
             if jerk {
-                let jerk =
-                    |motion: &Motion| (0..301).flat_map(|k| motion.qddd(k).to_vec()).collect::<Vec<f64>>();
+                let jerk = |motion: &Motion| {
+                    (0..301).flat_map(|k| motion.qddd(k).to_vec()).collect::<Vec<f64>>()
+                };
                 let off = far(&jerk(swept), &jerk(own));
                 assert!(off < 1e-7, "{names:?}, jerk of case {k}: {off:e}");
             }
@@ -134,14 +150,16 @@ fn directions_along_axes_are_free() -> kin::Result<()> {
 #[test]
 fn cases_do_not_hang_on_one_another() -> kin::Result<()> {
     let system = guided()?;
-    let cases: Vec<[f64; 2]> = (0..40).map(|k| 1e-3 * f64::from(k)).map(|x| [0.3 + x, 0.4 + x]).collect();
+    let cases: Vec<[f64; 2]> =
+        (0..40).map(|k| 1e-3 * f64::from(k)).map(|x| [0.3 + x, 0.4 + x]).collect();
     let run = |cases: &[[f64; 2]], threads| {
         let sweep = system.sweep(["rod.l", "motor.law.amplitude"])?.threads(threads);
         sweep.run(cases, linspace(0.0, 2.0, 301), |_, motion| {
             motion.map(|motion| (numbers(&motion), motion.engine()))
         })
     };
-    let (all, some) = (run(&cases, 2)?, run(&cases[20..35], 1)?);
+    let all = run(&cases, 2)?;
+    let some = run(&cases[20..35], 1)?;
     for (one, other) in all[20..35].iter().zip(&some) {
         let (Ok((one, engine)), Ok((other, _))) = (one, other) else { panic!("{one:?} {other:?}") };
         assert!(one == other && engine.compiled > 270, "{engine:?}");
@@ -159,7 +177,11 @@ fn cases_that_cannot_be_assembled_do_not_keep_others_from_a_program() -> kin::Re
     for (l, found) in lengths.iter().zip(found) {
         match found {
             Ok(motion) => {
-                assert!(l.abs() > 0.2 && motion.engine().compiled > 270, "{l}: {:?}", motion.engine())
+                assert!(
+                    l.abs() > 0.2 && motion.engine().compiled > 270,
+                    "{l}: {:?}",
+                    motion.engine()
+                )
             }
             Err(error) => assert!(*l < 0.2 && *l > 0.0, "{l}: {error}"),
         }
@@ -170,11 +192,13 @@ fn cases_that_cannot_be_assembled_do_not_keep_others_from_a_program() -> kin::Re
 /// Few times of a case do not pay, nor do lanes that are turned off.
 #[test]
 fn short_cases_and_cases_without_lanes_are_plain() -> kin::Result<()> {
-    let (system, cases) = (guided()?, (0..200).map(|k| [0.3 + 1e-4 * f64::from(k)]).collect::<Vec<_>>());
+    let system = guided()?;
+    let cases = (0..200).map(|k| [0.3 + 1e-4 * f64::from(k)]).collect::<Vec<_>>();
     for (lanes, count) in [(Lanes::Best, 5), (Lanes::Off, 301)] {
         let sweep = system.sweep(["rod.l"])?.lanes(lanes);
-        let found =
-            sweep.run(&cases, linspace(0.0, 2.0, count), |_, motion| motion.map(|m| m.engine().compiled));
+        let found = sweep.run(&cases, linspace(0.0, 2.0, count), |_, motion| {
+            motion.map(|m| m.engine().compiled)
+        });
         assert!(found?.into_iter().all(|compiled| compiled.is_ok_and(|compiled| compiled == 0)));
     }
     Ok(())

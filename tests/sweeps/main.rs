@@ -1,5 +1,5 @@
-//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by name,
-//! progress; several cases in lanes. User code needs no `unsafe`.
+//! Sweeps over many cases: a status each, the same results on any number of threads, mistakes by
+//! name, progress; several cases in lanes. User code needs no `unsafe`.
 #![forbid(unsafe_code)]
 
 mod campaign;
@@ -20,8 +20,9 @@ use crate::engines::Engines;
 /// A four-bar with links of lengths a, b, c and ground pins d apart, the crank at θ = t.
 fn four_bar([a, b, c, d]: [f64; 4]) -> System {
     let mut m = Mechanism::new("four-bar");
-    let (crank, coupler, rocker) =
-        (m.link("crank", a).unwrap(), m.link("coupler", b).unwrap(), m.link("rocker", c).unwrap());
+    let crank = m.link("crank", a).unwrap();
+    let coupler = m.link("coupler", b).unwrap();
+    let rocker = m.link("rocker", c).unwrap();
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
@@ -36,7 +37,9 @@ const NAMES: [&str; 8] =
 
 /// The numbers of one four-bar under those names.
 fn case([a, b, c, d]: [f64; 4]) -> [f64; 8] {
-    let (a, b, c) = (0.5 * a, 0.5 * b, 0.5 * c);
+    let a = 0.5 * a;
+    let b = 0.5 * b;
+    let c = 0.5 * c;
     [-a, a, -b, b, c, -c, d, deg(100.0)]
 }
 
@@ -45,7 +48,12 @@ fn links(count: usize) -> Vec<[f64; 4]> {
     let part = |k: usize, step: f64| (k as f64 * step).fract();
     (0..count)
         .map(|k| {
-            [0.5 + 0.4 * part(k, 0.618), 3.0 + part(k, 0.414), 2.7 + part(k, 0.732), 3.5 + part(k, 0.236)]
+            [
+                0.5 + 0.4 * part(k, 0.618),
+                3.0 + part(k, 0.414),
+                2.7 + part(k, 0.732),
+                3.5 + part(k, 0.236),
+            ]
         })
         .collect()
 }
@@ -71,7 +79,11 @@ fn each_case_is_what_its_own_mechanism_does() {
     for (swept, links) in swept.iter().zip(links) {
         let own = four_bar(links).run_both(times()).unwrap();
         assert_eq!(swept.len(), own.len());
-        let far = numbers(swept).iter().zip(numbers(&own)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let far = numbers(swept)
+            .iter()
+            .zip(numbers(&own))
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
         assert!(far < 1e-9, "{links:?}: {far}");
     }
 }
@@ -80,7 +92,8 @@ fn each_case_is_what_its_own_mechanism_does() {
 fn a_case_that_fails_has_its_error_and_what_was_computed_before() {
     let system = four_bar([1.0, 3.5, 3.0, 4.0]);
     // The third one's crank is too long to turn round: it locks when crank and coupler are in line.
-    let (mut links, locked) = (links(12), 2);
+    let mut links = links(12);
+    let locked = 2;
     links[locked] = [2.0, 2.5, 2.2, 4.0];
     let cases: Vec<[f64; 8]> = links.iter().copied().map(case).collect();
     let status = system
@@ -111,7 +124,8 @@ fn results_do_not_depend_on_the_number_of_threads() {
         let sweep = system.sweep(NAMES).unwrap().threads(threads);
         sweep.run(&cases, times(), |_, motion| numbers(&motion.unwrap())).unwrap()
     };
-    let (one, two) = (run(1), run(2));
+    let one = run(1);
+    let two = run(2);
     for (k, (one, two)) in one.iter().zip(&two).enumerate() {
         let far = one.iter().zip(two).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(one == two, "case {k}: off by {far:e}");
@@ -167,7 +181,10 @@ fn a_sweep_can_be_stopped() {
         .stop_when(&stop)
         .progress(|done, _| stop.store(done >= 16, Ordering::Relaxed));
     let stopped = sweep.run(&cases, [0.0, 0.1], |_, _| ());
-    assert!(matches!(stopped, Err(Error::Stopped { done: 16, all: 400, motion: None })), "{stopped:?}");
+    assert!(
+        matches!(stopped, Err(Error::Stopped { done: 16, all: 400, motion: None })),
+        "{stopped:?}"
+    );
 }
 
 #[test]
@@ -233,18 +250,24 @@ fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
     // Two that lock, one of them in the last, incomplete group.
     (links[3], links[11]) = ([2.0, 2.5, 2.2, 4.0], [2.2, 2.5, 2.2, 4.0]);
     let cases: Vec<[f64; 8]> = links.into_iter().map(case).collect();
-    let protocol = Options { stop: kin::Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
+    let protocol =
+        Options { stop: kin::Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
     for (options, tolerance) in [(Options::default(), 1e-10), (protocol, 1e-8)] {
         let alone = with_lanes(&system, &cases, &options, Lanes::Off).unwrap();
         assert!(alone.iter().enumerate().all(|(k, found)| found.is_err() == [3, 11].contains(&k)));
-        let (mut tried, kinds) = (0, kinds_of_machine());
+        let mut tried = 0;
+        let kinds = kinds_of_machine();
         for lanes in [Lanes::Best, Lanes::Only(2), Lanes::Only(4), Lanes::Only(8)] {
             let Some(found) = with_lanes(&system, &cases, &options, lanes) else { continue };
             tried += 1;
             for (k, (found, alone)) in found.iter().zip(&alone).enumerate() {
                 match (found, alone) {
                     (Ok(found), Ok(alone)) => {
-                        assert!(far(found, alone) < tolerance, "{lanes:?}, case {k}: {:e}", far(found, alone))
+                        assert!(
+                            far(found, alone) < tolerance,
+                            "{lanes:?}, case {k}: {:e}",
+                            far(found, alone)
+                        )
                     }
                     (found, alone) => assert_eq!(found, alone, "{lanes:?}, case {k}"),
                 }
@@ -261,10 +284,11 @@ fn company_does_not_matter() {
     let cases: Vec<[f64; 8]> = links(24).into_iter().map(case).collect();
     let shuffled: Vec<usize> = (0..24).map(|k| (7 * k + 5) % 24).collect();
     let other: Vec<[f64; 8]> = shuffled.iter().map(|k| cases[*k]).collect();
-    let [one, two] =
-        [&cases, &other].map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
+    let [one, two] = [&cases, &other]
+        .map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
     for (place, k) in shuffled.into_iter().enumerate() {
-        let (a, b) = (one[k].as_ref().unwrap(), two[place].as_ref().unwrap());
+        let a = one[k].as_ref().unwrap();
+        let b = two[place].as_ref().unwrap();
         assert!(far(a, b) < 1e-10, "case {k}: {:e}", far(a, b));
     }
 }
@@ -277,7 +301,9 @@ fn newton_steps_and_residuals_are_those_of_each_case_alone() {
         let sweep = system.sweep(NAMES).unwrap().lanes(lanes);
         sweep
             .run(&cases, times(), |_, motion| {
-                motion.map(|m| (m.iterations().to_vec(), m.residuals().to_vec(), m.times().to_vec())).unwrap()
+                motion
+                    .map(|m| (m.iterations().to_vec(), m.residuals().to_vec(), m.times().to_vec()))
+                    .unwrap()
             })
             .unwrap()
     };
@@ -319,8 +345,8 @@ fn guided(law: Law) -> kin::Result<System> {
     m.build()
 }
 
-/// Numbers that `set` refuses are refused in the cases of a sweep too, by the same words, and the others are
-/// none the worse for it.
+/// Numbers that `set` refuses are refused in the cases of a sweep too, by the same words, and the
+/// others are none the worse for it.
 #[test]
 fn cases_that_cannot_be_set_are_refused_as_set_refuses_them() -> kin::Result<()> {
     let system = guided(Law::s_curve(0.3, 0.4, 0.8, 3.0))?;
@@ -334,10 +360,10 @@ fn cases_that_cannot_be_set_are_refused_as_set_refuses_them() -> kin::Result<()>
         let told = system.clone().set(name, bad).expect_err("refused").to_string();
         for lanes in [Lanes::Off, Lanes::Best] {
             let cases = [[good], [bad], [good]];
-            let found = system
-                .sweep([name])?
-                .lanes(lanes)
-                .run(&cases, [0.0, 0.5], |_, motion| motion.map(|motion| motion.q(1).to_vec()))?;
+            let found =
+                system.sweep([name])?.lanes(lanes).run(&cases, [0.0, 0.5], |_, motion| {
+                    motion.map(|motion| motion.q(1).to_vec())
+                })?;
             let [Ok(first), Err(error), Ok(last)] = &found[..] else {
                 panic!("{name} {lanes:?}: {found:?}");
             };

@@ -16,7 +16,8 @@ fn slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
 #[test]
 fn constraints_of_ones_own_go_over_lanes_without_asking() {
     let mut m = Mechanism::new("quick return");
-    let (disc, arm) = (m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap(), m.link("arm", 0.12).unwrap());
+    let disc = m.planar("disc", pose(0.0, 0.0, 0.0)).unwrap();
+    let arm = m.link("arm", 0.12).unwrap();
     m.add("O", revolute(m.ground(), disc, vec2(0.0, 0.0), vec2(0.0, 0.0))).unwrap();
     m.add("C", revolute(m.ground(), arm, vec2(0.05, 0.0), arm.start())).unwrap();
     m.add("slot", slot(arm, disc, arm.end(), 4.0)).unwrap();
@@ -30,8 +31,13 @@ fn constraints_of_ones_own_go_over_lanes_without_asking() {
         sweep.run(&cases, linspace(0.0, 3.0, 201), |_, motion| motion.unwrap()).unwrap()
     };
     for (lanes, alone) in run(Lanes::Best).iter().zip(run(Lanes::Off)) {
-        assert!(lanes.engine().compiled > 180 && alone.engine().compiled == 0, "{:?}", lanes.engine());
-        let (lanes, alone) = (numbers(lanes), numbers(&alone));
+        assert!(
+            lanes.engine().compiled > 180 && alone.engine().compiled == 0,
+            "{:?}",
+            lanes.engine()
+        );
+        let lanes = numbers(lanes);
+        let alone = numbers(&alone);
         assert!(far(&lanes, &alone) < 1e-10, "{:e}", far(&lanes, &alone));
     }
 }
@@ -41,14 +47,19 @@ fn spatial_bodies_go_over_lanes_too() {
     use kin::joints::drivers::spatial::{drive_orientation, drive_point, drive_turn};
     use kin::joints::spatial::revolute;
     let mut m = Mechanism::new("spatial arm");
-    let (arm, hand) = (
-        m.spatial("arm", SpatialPose::at(Vec3::zeros())).unwrap(),
-        m.spatial("hand", SpatialPose::at(vec3(1.5, 0.0, 0.0))).unwrap(),
-    );
-    let (x, z) = (vec3(1.0, 0.0, 0.0), Axis::along(vec3(0.0, 0.0, 1.0)));
+    let arm = m.spatial("arm", SpatialPose::at(Vec3::zeros())).unwrap();
+    let hand = m.spatial("hand", SpatialPose::at(vec3(1.5, 0.0, 0.0))).unwrap();
+    let x = vec3(1.0, 0.0, 0.0);
+    let z = Axis::along(vec3(0.0, 0.0, 1.0));
     m.add(
         "at",
-        drive_point(arm, Vec3::zeros(), Law::sine(0.3, 1.0, 0.0), Law::ramp(0.1), Law::constant(0.0)),
+        drive_point(
+            arm,
+            Vec3::zeros(),
+            Law::sine(0.3, 1.0, 0.0),
+            Law::ramp(0.1),
+            Law::constant(0.0),
+        ),
     )
     .unwrap();
     m.add(
@@ -58,14 +69,16 @@ fn spatial_bodies_go_over_lanes_too() {
     .unwrap();
     m.add("wrist", revolute(arm, hand, x, -0.5 * x, z, z.h)).unwrap();
     m.add("motor", drive_turn(arm, hand, z, z, Law::sine(0.5, 2.0, 0.0))).unwrap();
-    let (system, times) = (m.build().unwrap(), linspace(0.0, 1.0, 21));
+    let system = m.build().unwrap();
+    let times = linspace(0.0, 1.0, 21);
     let cases: Vec<[f64; 1]> = (0..20).map(|k| [0.5 + 0.05 * f64::from(k)]).collect();
     let run = |lanes| {
         let sweep = system.sweep(["wrist.u_i.x"]).unwrap().lanes(lanes);
         sweep.run(&cases, &times, |_, motion| numbers(&motion.unwrap()))
     };
     let alone = run(Lanes::Off).unwrap();
-    let tried: Vec<_> = [2, 4, 8].into_iter().filter_map(|lanes| run(Lanes::Only(lanes)).ok()).collect();
+    let tried: Vec<_> =
+        [2, 4, 8].into_iter().filter_map(|lanes| run(Lanes::Only(lanes)).ok()).collect();
     assert_eq!(tried.len(), kinds_of_machine());
     for (found, alone) in tried.iter().flat_map(|found| found.iter().zip(&alone)) {
         assert!(far(found, alone) < 1e-10);
@@ -77,11 +90,14 @@ fn spatial_bodies_go_over_lanes_too() {
 fn a_failing_case_is_diagnosed_on_request_only() {
     let system = four_bar([1.0, 3.5, 3.0, 4.0]);
     // None of these closes.
-    let cases: Vec<[f64; 8]> = (0..48).map(|k| case([1.0, 0.5 + 0.001 * f64::from(k), 0.5, 4.0])).collect();
+    let cases: Vec<[f64; 8]> =
+        (0..48).map(|k| case([1.0, 0.5 + 0.001 * f64::from(k), 0.5, 4.0])).collect();
     let swept = |lanes: Lanes, diagnose: bool, cases: &[[f64; 8]]| {
         let sweep = system.sweep(NAMES).unwrap().lanes(lanes).diagnose(diagnose);
         sweep
-            .run(cases, times(), |_, motion| motion.expect_err("does not close").diagnosis().is_some())
+            .run(cases, times(), |_, motion| {
+                motion.expect_err("does not close").diagnosis().is_some()
+            })
             .unwrap()
     };
     for lanes in [Lanes::Off, Lanes::Best] {
@@ -104,7 +120,8 @@ fn reach(x: Coord) -> f64 {
 #[test]
 fn a_failing_case_with_redundant_equations_is_diagnosed_on_request_only() {
     let mut m = Mechanism::new("twice");
-    let (x, y) = (m.length("x", 0.0).unwrap(), m.length("y", 0.0).unwrap());
+    let x = m.length("x", 0.0).unwrap();
+    let y = m.length("y", 0.0).unwrap();
     m.add("x", drive(x, Law::ramp(1.0))).unwrap();
     m.add("y", drive(y, Law::constant(0.0))).unwrap();
     m.add("y again", drive(y, Law::constant(0.0))).unwrap();
@@ -138,7 +155,9 @@ fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
         sweep.run(&cases, times(), |_, motion| motion.is_ok())
     };
     assert!(run(Lanes::Off, 1, one).is_ok_and(|all| all.iter().all(|ok| *ok)));
-    for refused in [run(Lanes::Off, 1, one - 1), run(Lanes::Off, 2, one), run(Lanes::Best, 2, 2 * one - 1)] {
+    for refused in
+        [run(Lanes::Off, 1, one - 1), run(Lanes::Off, 2, one), run(Lanes::Best, 2, 2 * one - 1)]
+    {
         let error = refused.expect_err("too much");
         assert!(matches!(error, Error::NeedsMemory { times: 61, coordinates: 9, .. }), "{error}");
     }

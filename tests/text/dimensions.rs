@@ -17,8 +17,10 @@ fn slot() -> kin::Result<Mechanism> {
     let mut m = Mechanism::new("slot");
     let k = m.dimension("k", 2.0)?;
     let slider = m.planar("slider", pose(0.2, k / 20.0, 0.0))?;
-    let equation = Equation::read(RAISED).map_err(|mistakes| mistakes.to_string()).expect("it reads");
-    let making = equation.on(slider).on(m.ground()).with("u_i", (0.0, k / 10.0)).with("c", [k, k * k]);
+    let equation =
+        Equation::read(RAISED).map_err(|mistakes| mistakes.to_string()).expect("it reads");
+    let making =
+        equation.on(slider).on(m.ground()).with("u_i", (0.0, k / 10.0)).with("c", [k, k * k]);
     let lift = Law::ramp(k) + Law::constant(0.5);
     m.add("slot", making.with("lift", lift).with("h", (k, 1.0, 0.0)).constraint()?)?;
     m.add("upright", drive_angle(slider, Law::constant(0.0)))?;
@@ -56,7 +58,11 @@ fn parameters_of_an_equation_follow_dimensions_in_programs_and_in_files() -> kin
             Ok(moved.run_both(linspace(0.0, 6.0, 31))?.q(20)[1])
         };
         let expected = (at(3.0 + 1e-5)? - at(3.0 - 1e-5)?) / 2e-5;
-        assert!((slopes[0].value[20] - expected).abs() < 1e-7, "{} {expected}", slopes[0].value[20]);
+        assert!(
+            (slopes[0].value[20] - expected).abs() < 1e-7,
+            "{} {expected}",
+            slopes[0].value[20]
+        );
     }
     Ok(())
 }
@@ -64,13 +70,17 @@ fn parameters_of_an_equation_follow_dimensions_in_programs_and_in_files() -> kin
 #[test]
 fn what_cannot_follow_a_dimension_is_told() -> kin::Result<()> {
     let mut m = slot()?;
-    let (k, slider) = (m.dimension_named("k").expect("it is there"), m.planar("other", pose(0.0, 0.0, 0.0))?);
+    let k = m.dimension_named("k").expect("it is there");
+    let slider = m.planar("other", pose(0.0, 0.0, 0.0))?;
     let equation = Equation::read(RAISED).expect("it reads");
     let making = equation.on(slider).on(m.ground()).with("u_i", (0.0, 0.0)).with("c", [0.0, 0.0]);
     let making = making.with("lift", k);
     let foreign = Mechanism::new("other").dimension("d", 1.0)?;
     let foreign = making.with("h", (1.0, 0.0, 0.0)).with("c", [foreign, foreign]).constraint()?;
-    assert!(m.add("foreign", foreign).is_err_and(|error| error.to_string().contains("of another mechanism")));
+    assert!(
+        m.add("foreign", foreign)
+            .is_err_and(|error| error.to_string().contains("of another mechanism"))
+    );
     Ok(())
 }
 
@@ -79,16 +89,19 @@ fn expressions_and_laws_are_read_as_files_have_them() -> kin::Result<()> {
     let m = slot()?;
     assert_eq!(m.expression("k / 4 + hypot(3, 4)")?.value(), 5.5);
     assert!(
-        m.expression("j / 4").is_err_and(|error| error.to_string().contains("there is no dimension `j`"))
+        m.expression("j / 4")
+            .is_err_and(|error| error.to_string().contains("there is no dimension `j`"))
     );
     let data = json!({ "kind": "sum", "parts": {
         "first": { "kind": "ramp", "numbers": { "rate": "2 * k" } },
         "second": { "kind": "constant", "numbers": { "c": 1.0 } },
     } });
     assert_eq!(m.law(&data, &registry())?.at(0.5), 3.0);
-    for data in
-        [json!({ "kind": "ramp", "numbers": { "rate": "2 * j" } }), json!(3), json!({ "kind": "rump" })]
-    {
+    for data in [
+        json!({ "kind": "ramp", "numbers": { "rate": "2 * j" } }),
+        json!(3),
+        json!({ "kind": "rump" }),
+    ] {
         assert!(m.law(&data, &registry()).is_err(), "{data}");
     }
     Ok(())

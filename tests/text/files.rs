@@ -50,12 +50,15 @@ fn with_slot(slot: impl Fn(PlanarBody, Ground) -> Box<dyn Constraint>) -> kin::R
 #[test]
 fn a_constraint_from_text_moves_as_the_compiled_one() {
     let read = mechanism(2.0).build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap();
-    let compiled = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let compiled =
+        with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
     let compiled = compiled.unwrap().build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap();
     for k in 0..61 {
-        for (a, b) in
-            [(read.q(k), compiled.q(k)), (read.qd(k), compiled.qd(k)), (read.qdd(k), compiled.qdd(k))]
-        {
+        for (a, b) in [
+            (read.q(k), compiled.q(k)),
+            (read.qd(k), compiled.qd(k)),
+            (read.qdd(k), compiled.qdd(k)),
+        ] {
             assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13), "time {k}: {a:?} {b:?}");
         }
     }
@@ -80,11 +83,13 @@ fn a_file_carries_its_equation_and_gives_the_same_motion() {
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(text.contains("\"equations\":[") && text.contains("fn parabolic_slot"), "{text}");
     let again = Mechanism::read_json(&path, &registry()).unwrap();
-    let runs = [mechanism(2.0), again].map(|m| m.build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap());
+    let runs = [mechanism(2.0), again]
+        .map(|m| m.build().unwrap().run_both(linspace(0.0, 6.0, 61)).unwrap());
     assert_eq!(runs[0].data(), runs[1].data());
 }
 
-/// Of the next constraint: with constants of its own and of the prelude, and functions that call one another.
+/// Of the next constraint: with constants of its own and of the prelude, and functions that call
+/// one another.
 const LIFT: f64 = 0.3;
 
 #[kin::helper]
@@ -161,10 +166,14 @@ fn move_alike([a, b]: [Mechanism; 2]) {
 
 #[test]
 fn a_compiled_constraint_keeps_its_text() {
-    let plain = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let plain =
+        with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
     let both = compiled_and_read("compiled_slot", plain.unwrap());
     let equations = both[0].data().unwrap().equations;
-    assert!(equations.len() == 1 && equations[0].contains("    s.y - k * s.x * s.x\n}"), "{equations:?}");
+    assert!(
+        equations.len() == 1 && equations[0].contains("    s.y - k * s.x * s.x\n}"),
+        "{equations:?}"
+    );
     move_alike(both);
 }
 
@@ -173,9 +182,13 @@ fn constants_and_helpers_go_with_the_text() {
     let bent = with_slot(|slider, ground| Box::new(bent_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
     let both = compiled_and_read("bent_slot", bent.unwrap());
     let text = both[0].data().unwrap().equations.concat();
-    for part in
-        ["const HALF: f64 = 0.5;", "fn bent<", "fn doubly_bent", "const LIFT: f64 = 0.3;", "const LEAST"]
-    {
+    for part in [
+        "const HALF: f64 = 0.5;",
+        "fn bent<",
+        "fn doubly_bent",
+        "const LIFT: f64 = 0.3;",
+        "const LEAST",
+    ] {
         assert_eq!(text.matches(part).count(), 1, "{part} in\n{text}");
     }
     move_alike(both);
@@ -183,7 +196,8 @@ fn constants_and_helpers_go_with_the_text() {
 
 #[test]
 fn tables_vectors_and_integers_go_with_the_text() {
-    let tabled = with_slot(|slider, ground| Box::new(tabled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let tabled =
+        with_slot(|slider, ground| Box::new(tabled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
     let both = compiled_and_read("tabled_slot", tabled.unwrap());
     let text = both[0].data().unwrap().equations.concat();
     for part in [
@@ -198,7 +212,8 @@ fn tables_vectors_and_integers_go_with_the_text() {
 
 #[test]
 fn a_method_that_no_text_has_is_told_where_a_file_is_written() {
-    let m = with_slot(|slider, ground| Box::new(bitten_slot(slider, ground, vec2(0.1, 0.0), 2.0))).unwrap();
+    let m = with_slot(|slider, ground| Box::new(bitten_slot(slider, ground, vec2(0.1, 0.0), 2.0)))
+        .unwrap();
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("bitten.json");
     let error = m.write_json(path).err().map(|error| error.to_string()).unwrap_or_default();
     assert!(
@@ -209,18 +224,24 @@ fn a_method_that_no_text_has_is_told_where_a_file_is_written() {
 
 #[test]
 fn a_text_that_lacks_something_is_told_when_it_is_wanted() {
-    let m = with_slot(|slider, ground| Box::new(lost_slot(slider, ground, vec2(0.1, 0.0), 2.0))).unwrap();
+    let m = with_slot(|slider, ground| Box::new(lost_slot(slider, ground, vec2(0.1, 0.0), 2.0)))
+        .unwrap();
     let data = m.data().unwrap();
     assert!(data.equations.is_empty());
     let error = Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string());
     let error = error.unwrap_or_default();
-    assert!(error.contains("`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)"), "{error}");
+    assert!(
+        error.contains("`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)"),
+        "{error}"
+    );
     assert!(Mechanism::from_data(&data, &Registry::new().with::<lost_slot>()).is_ok());
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("lost_slot.json");
     let error = m.write_json(&path).err().map(|error| error.to_string()).unwrap_or_default();
-    for part in
-        ["`slot`", "`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)", "`write_json_for("]
-    {
+    for part in [
+        "`slot`",
+        "`lost` (`#[helper]` before it and `#[constraint(with = lost)]`)",
+        "`write_json_for(",
+    ] {
         assert!(error.contains(part), "{error}");
     }
     assert!(!path.exists());
@@ -228,7 +249,8 @@ fn a_text_that_lacks_something_is_told_when_it_is_wanted() {
 
 #[test]
 fn a_body_that_only_rustc_can_read_is_for_programs_that_have_it() {
-    let m = with_slot(|slider, ground| Box::new(dual_slot(slider, ground, vec2(0.1, 0.0), 2.0))).unwrap();
+    let m = with_slot(|slider, ground| Box::new(dual_slot(slider, ground, vec2(0.1, 0.0), 2.0)))
+        .unwrap();
     let data = m.data().unwrap();
     assert!(Mechanism::from_data(&data, &Registry::new().with::<dual_slot>()).is_ok());
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("dual_slot.json");
@@ -240,7 +262,8 @@ fn a_body_that_only_rustc_can_read_is_for_programs_that_have_it() {
 
 #[test]
 fn the_program_that_has_the_constraint_needs_no_reader() {
-    let plain = with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
+    let plain =
+        with_slot(|slider, ground| Box::new(compiled_slot(slider, ground, vec2(0.1, 0.0), 2.0)));
     let data = plain.unwrap().data().unwrap();
     assert!(Mechanism::from_data(&data, &Registry::new().with::<compiled_slot>()).is_ok());
     let error = Mechanism::from_data(&data, &Registry::new()).err().map(|error| error.to_string());
@@ -269,8 +292,10 @@ fn a_file_with_equations_asks_for_their_reader() {
 fn a_mistake_in_a_file_is_told_with_its_place() {
     let mut data: MechanismData = mechanism(2.0).data().unwrap();
     data.equations[0] = data.equations[0].replace("s.y - parabola", "s.w - parabola");
-    let error =
-        Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string()).unwrap_or_default();
+    let error = Mechanism::from_data(&data, &registry())
+        .err()
+        .map(|error| error.to_string())
+        .unwrap_or_default();
     assert!(error.contains("text:7:7") && error.contains("a Vec2 has no field `w`"), "{error}");
 }
 
@@ -287,13 +312,16 @@ fn two_equations_of_one_name_do_not_go_into_one_file() {
     );
 }
 
-/// Everybody knows `revolute`: a file in which it means something else would be misread without a word.
+/// Everybody knows `revolute`: a file in which it means something else would be misread without a
+/// word.
 #[test]
 fn an_equation_does_not_take_the_place_of_the_librarys() {
-    let text =
-        "fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 { (i.point(u_i) - j.point(u_j)).x }";
+    let text = "fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 { (i.point(u_i) - j.point(u_j)).x }";
     let error_of = |data: &MechanismData, registry: &Registry| {
-        Mechanism::from_data(data, registry).err().map(|error| error.to_string()).unwrap_or_default()
+        Mechanism::from_data(data, registry)
+            .err()
+            .map(|error| error.to_string())
+            .unwrap_or_default()
     };
     let told = "the library has a `revolute` of the same arguments";
     let mut data = mechanism(2.0).data().unwrap();
@@ -313,7 +341,8 @@ fn an_equation_does_not_take_the_place_of_the_librarys() {
     m.add("O", shadow::distance(arm, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), 1.0)).unwrap();
     let error = m.data().err().map(|error| error.to_string()).unwrap_or_default();
     assert!(error.contains("`O`: the library has a `distance` of the same arguments"), "{error}");
-    // With other arguments it is another constraint, as `revolute` of planar and of spatial bodies are.
+    // With other arguments it is another constraint, as `revolute` of planar and of spatial bodies
+    // are.
     data.equations[1] = text.replace("i: Planar, j: Planar", "a: Planar, i: Planar, j: Planar");
     assert_eq!(error_of(&data, &registry()), "");
 }
@@ -335,7 +364,10 @@ fn of_two_equations_of_one_name_in_a_file_neither_is_taken() {
     data.equations[1] = data.equations[1].replace("parabola(s.x, k)", "k * s.x");
     let error = Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string());
     let error = error.unwrap_or_default();
-    assert!(error.contains("there are two equations `parabolic_slot` of the same arguments"), "{error}");
+    assert!(
+        error.contains("there are two equations `parabolic_slot` of the same arguments"),
+        "{error}"
+    );
 }
 
 /// The file says what it means: a program's own constraint of that name does not change it.
@@ -360,8 +392,11 @@ fn demands_and_measures_of_a_text_hold() {
     let mut m = Mechanism::new("flat");
     let slider = m.planar("slider", pose(0.2, 0.1, 0.0)).unwrap();
     let flat = marked().on(slider).on(m.ground()).with("u_i", [0.1, 0.0]).with("k", 0.0);
-    let error =
-        m.add("slot", flat.constraint().unwrap()).err().map(|error| error.to_string()).unwrap_or_default();
+    let error = m
+        .add("slot", flat.constraint().unwrap())
+        .err()
+        .map(|error| error.to_string())
+        .unwrap_or_default();
     assert!(error.contains("a slot that is bent (k = 0)"), "{error}");
     let system = mechanism(2.0).build().unwrap();
     let motion = system.run_both(linspace(0.0, 6.0, 61)).unwrap();

@@ -1,4 +1,5 @@
-//! Laws from text: the same numbers as a compiled law, files that carry them, and mistakes at their place.
+//! Laws from text: the same numbers as a compiled law, files that carry them, and mistakes at their
+//! place.
 
 use kin::data::{LawData, MechanismData};
 use kin::prelude::*;
@@ -57,7 +58,8 @@ fn compiled() -> Law {
 
 #[test]
 fn a_law_from_text_is_the_compiled_one() {
-    let (read, compiled) = (read(), compiled());
+    let read = read();
+    let compiled = compiled();
     for k in -40..=80 {
         let x = f64::from(k) * 0.037 + 1e-13 * f64::from(k % 3);
         for (a, b) in read.jet(x).into_iter().zip(compiled.jet(x)) {
@@ -73,7 +75,8 @@ fn a_law_from_text_is_the_compiled_one() {
 #[test]
 fn its_derivatives_by_parameters_are_those_of_differences() {
     let smooth = "fn wave(x: f64, h: f64, beta: f64, c: [f64; 2]) -> f64 { h * (PI * x / beta).sin() * (-c[1] * x * x).exp() + c[0] * x }";
-    for law in [LawText::read(smooth).unwrap().law(&NUMBERS).unwrap(), wave(0.04, 1.5, [0.2, 0.7])] {
+    for law in [LawText::read(smooth).unwrap().law(&NUMBERS).unwrap(), wave(0.04, 1.5, [0.2, 0.7])]
+    {
         for (name, value) in NUMBERS {
             let slope = law.by_parameter(name).unwrap_or_else(|| panic!("by {name}"));
             for x in [-0.7, 0.0, 0.4, 1.3, 2.2] {
@@ -83,7 +86,8 @@ fn its_derivatives_by_parameters_are_those_of_differences() {
                     moved.jet(x)
                 };
                 let d = 1e-4;
-                let (near, far) = ((at(d), at(-d)), (at(2.0 * d), at(-2.0 * d)));
+                let near = (at(d), at(-d));
+                let far = (at(2.0 * d), at(-2.0 * d));
                 for order in 0..3 {
                     let one = |pair: &([f64; 4], [f64; 4])| pair.0[order] - pair.1[order];
                     let expected = (8.0 * one(&near) - one(&far)) / (12.0 * d);
@@ -107,7 +111,14 @@ fn slider(law: Law) -> Mechanism {
     let slider = m.planar("slider", pose(0.0, 0.0, 0.0)).unwrap();
     m.add(
         "rail",
-        kin::joints::planar::prismatic(kin::Ground, slider, [0.0, 0.0], [0.0, 0.0], [0.0, 1.0], 0.0),
+        kin::joints::planar::prismatic(
+            kin::Ground,
+            slider,
+            [0.0, 0.0],
+            [0.0, 0.0],
+            [0.0, 1.0],
+            0.0,
+        ),
     )
     .unwrap();
     m.add("motor", kin::joints::drivers::drive(slider.x(), law)).unwrap();
@@ -117,9 +128,11 @@ fn slider(law: Law) -> Mechanism {
 #[test]
 fn files_carry_laws_and_give_the_same_motion_by_either_engine() {
     for (name, law) in [("read", read()), ("compiled", compiled())] {
-        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("law {name}.json"));
+        let path =
+            std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("law {name}.json"));
         slider(law.clone()).write_json(&path).unwrap();
-        let again = Mechanism::read_json(&path, &registry()).unwrap_or_else(|error| panic!("{error}"));
+        let again =
+            Mechanism::read_json(&path, &registry()).unwrap_or_else(|error| panic!("{error}"));
         let run = |m: &Mechanism, engine| {
             let options = kin::Options { engine, ..kin::Options::default() };
             m.clone().build().unwrap().run_with(linspace(0.0, 1.4, 141), &options).unwrap()
@@ -135,10 +148,14 @@ fn files_carry_laws_and_give_the_same_motion_by_either_engine() {
                 [|m, k| m.q(k)[0], |m, k| m.qd(k)[0], |m, k| m.qdd(k)[0]];
             for of in of_all {
                 let [a, b, c] = motions.each_ref().map(|m| of(m, k));
-                assert!((a - b).abs() < 1e-13 && (a - c).abs() < 1e-12, "{name}, time {k}: {a}, {b}, {c}");
+                assert!(
+                    (a - b).abs() < 1e-13 && (a - c).abs() < 1e-12,
+                    "{name}, time {k}: {a}, {b}, {c}"
+                );
             }
         }
-        // A program that knows the law by its name needs no reader of texts, and the numbers can be set.
+        // A program that knows the law by its name needs no reader of texts, and the numbers can be
+        // set.
         let known = Registry::new().with_law("bent_rise", |law| {
             let c: [f64; 2] = law.list("c", 0).try_into().map_err(|_| "two numbers c")?;
             Ok(bent_rise(law.number("h")?, law.number("beta")?, c))
@@ -148,7 +165,8 @@ fn files_carry_laws_and_give_the_same_motion_by_either_engine() {
         let other = slider(bent_rise(0.08, 1.5, [0.2, 0.7])).build().unwrap();
         let at = linspace(0.0, 1.4, 15);
         assert_eq!(system.run_both(at.clone()).unwrap().data(), other.run_both(at).unwrap().data());
-        let error = Mechanism::read_json(&path, &Registry::new()).err().map(|error| error.to_string());
+        let error =
+            Mechanism::read_json(&path, &Registry::new()).err().map(|error| error.to_string());
         let error = error.unwrap_or_default();
         assert!(error.contains("`motor`") && error.contains("unknown law `bent_rise`"), "{error}");
         assert!(error.contains("kin::text::registry()"), "{error}");
@@ -196,7 +214,8 @@ fn laws_are_made_of_laws() {
 
 #[test]
 fn slips_are_told_at_their_place() {
-    let mistake = |text: &str| LawText::read(text).err().map(|all| all.to_string()).unwrap_or_default();
+    let mistake =
+        |text: &str| LawText::read(text).err().map(|all| all.to_string()).unwrap_or_default();
     for (text, told) in [
         ("fn f(x: f64) -> f64 { x.sine() }", "text:1:25"),
         ("fn f(x: f64) -> f64 { y }", "text:1:23"),
@@ -209,8 +228,9 @@ fn slips_are_told_at_their_place() {
     ] {
         assert!(mistake(text).contains(told), "{text}: {}", mistake(text));
     }
-    let made =
-        |numbers: &[(&str, f64)]| LawText::read(&text()).unwrap().law(numbers).map(|law| law.refusal());
+    let made = |numbers: &[(&str, f64)]| {
+        LawText::read(&text()).unwrap().law(numbers).map(|law| law.refusal())
+    };
     assert!(made(&NUMBERS[1..]).is_err_and(|why| why.contains("lacks its number `h`")));
     let more = [&NUMBERS[..], &[("width", 1.0)]].concat();
     assert!(made(&more).is_err_and(|why| why.contains("no number `width`")));

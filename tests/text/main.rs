@@ -1,5 +1,5 @@
-//! Equations from text: constraints in mechanisms, files that carry their equations, and mistakes told at the
-//! place of the text.
+//! Equations from text: constraints in mechanisms, files that carry their equations, and mistakes
+//! told at the place of the text.
 
 #[path = "../data/as_text.rs"]
 mod as_text;

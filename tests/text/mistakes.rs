@@ -36,7 +36,8 @@ const PROGRAMS: [&str; 5] = [
 #[test]
 fn mistakes_are_told_as_the_macro_tells_them() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
-    let (mut compared, mut others) = (0, Vec::new());
+    let mut compared = 0;
+    let mut others = Vec::new();
     for entry in std::fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("a file").path();
         if path.extension().is_none_or(|extension| extension != "rs") {
@@ -44,18 +45,24 @@ fn mistakes_are_told_as_the_macro_tells_them() {
         }
         let text = std::fs::read_to_string(&path).expect("readable");
         let wanted = stored(&path);
-        if wanted.is_empty() || text.contains("macro_rules!") || text.matches("#[constraint").count() != 1 {
+        if wanted.is_empty()
+            || text.contains("macro_rules!")
+            || text.matches("#[constraint").count() != 1
+        {
             continue;
         }
         compared += 1;
         let found = told(&text);
         // A text has one route: what only dual numbers could take is a mistake at the same place.
-        let is_told = |wanted: &String| match wanted.split_once(" cannot be read by the compiler, so ") {
-            Some((told, _)) => found.contains(&format!("{told} cannot be read from a text")),
-            None => found.contains(wanted),
-        };
-        let of_type = found.iter().any(|found| found.contains("other types are known to programs only"));
-        let is_of_program = PROGRAMS.iter().any(|name| path.file_stem().is_some_and(|stem| stem == *name));
+        let is_told =
+            |wanted: &String| match wanted.split_once(" cannot be read by the compiler, so ") {
+                Some((told, _)) => found.contains(&format!("{told} cannot be read from a text")),
+                None => found.contains(wanted),
+            };
+        let of_type =
+            found.iter().any(|found| found.contains("other types are known to programs only"));
+        let is_of_program =
+            PROGRAMS.iter().any(|name| path.file_stem().is_some_and(|stem| stem == *name));
         if is_of_program != of_type || !is_of_program && !wanted.iter().all(is_told) {
             others.push(format!("{}:\n  wanted {wanted:?}\n  found  {found:?}", path.display()));
         }
@@ -68,7 +75,8 @@ fn mistakes_are_told_as_the_macro_tells_them() {
 fn texts() -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folders = ["tests/ui", "kin-core/src/joints/planar", "kin-core/src/joints/spatial"];
-    let files = folders.iter().flat_map(|folder| std::fs::read_dir(root.join(folder)).expect("a folder"));
+    let files =
+        folders.iter().flat_map(|folder| std::fs::read_dir(root.join(folder)).expect("a folder"));
     let mut paths: Vec<_> = files.map(|entry| entry.expect("a file").path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "rs"));
     paths.sort();
@@ -89,11 +97,23 @@ fn texts() -> Vec<String> {
     all
 }
 
-/// A text with one or two small changes: a piece left out, put in twice, moved, or replaced by a piece of
-/// another text or by something hostile.
+/// A text with one or two small changes: a piece left out, put in twice, moved, or replaced by a
+/// piece of another text or by something hostile.
 fn mutated(texts: &[String], random: &mut fastrand::Rng) -> String {
-    const HOSTILE: [&str; 12] =
-        ["(", "}", "\"", "'", "/*", "1e999", "0x", "\u{1b}[2J", "𝛼", "((((((((((", "4294967296", "\0"];
+    const HOSTILE: [&str; 12] = [
+        "(",
+        "}",
+        "\"",
+        "'",
+        "/*",
+        "1e999",
+        "0x",
+        "\u{1b}[2J",
+        "𝛼",
+        "((((((((((",
+        "4294967296",
+        "\0",
+    ];
     let mut text = texts[random.usize(..texts.len())].clone();
     for _ in 0..random.usize(1..3) {
         let place = |text: &str, random: &mut fastrand::Rng| {
@@ -103,12 +123,14 @@ fn mutated(texts: &[String], random: &mut fastrand::Rng) -> String {
             }
             k
         };
-        let (a, b) = (place(&text, random), place(&text, random));
+        let a = place(&text, random);
+        let b = place(&text, random);
         let (a, b) = (a.min(b), a.max(b).min(a.min(b) + random.usize(..20)));
         let b = (b..=text.len()).find(|&k| text.is_char_boundary(k)).unwrap_or(text.len());
         let piece = text[a..b].to_owned();
         let other = &texts[random.usize(..texts.len())];
-        let (c, d) = (place(other, random), place(other, random));
+        let c = place(other, random);
+        let d = place(other, random);
         match random.usize(..5) {
             0 => text.replace_range(a..b, ""),
             1 => text.insert_str(a, &piece),
@@ -135,7 +157,10 @@ fn mutated_texts_are_read_or_refused_at_a_place() {
                 assert!(one.message != "this text cannot be read", "a panic:\n{text}");
                 let shown = one.to_string();
                 assert!(!shown.chars().any(|c| c.is_control() && c != '\n'), "{shown:?}");
-                assert!(one.line >= 1 && one.line <= text.lines().count().max(1), "{shown}\n{text}");
+                assert!(
+                    one.line >= 1 && one.line <= text.lines().count().max(1),
+                    "{shown}\n{text}"
+                );
             }
         }
         campaign::One { read: read.is_ok(), time, text }
@@ -147,14 +172,17 @@ fn mutated_texts_are_read_or_refused_at_a_place() {
 
 #[test]
 fn texts_that_are_too_much_are_refused() {
-    let nested = format!("fn f(x: Coord) -> f64 {{ {}x{} }}", "(".repeat(20_000), ")".repeat(20_000));
+    let nested =
+        format!("fn f(x: Coord) -> f64 {{ {}x{} }}", "(".repeat(20_000), ")".repeat(20_000));
     let long = format!("fn f(x: Coord) -> f64 {{ x{} }}", " + x".repeat(20_000));
     let sums = format!("fn f(x: Coord) -> f64 {{ x{} }}", " + x".repeat(9_000));
     let loops = "fn f(x: Coord) -> f64 { let mut s = x; for _ in 0..4000 { for _ in 0..4000 { for _ in 0..4000 { s += x; } } } s }";
     let itself = "fn f(x: Coord) -> f64 { fn g(x: f64) -> f64 { g(x) + g(x) } g(x) }";
     let wide = "fn f(q: [Coord; 4000000000]) -> f64 { q[0] }";
     let empty = "fn f(x: Coord, c: [[f64; 0]; 10000000000]) -> f64 { x - c[0][0] }";
-    for text in [&nested, &long, &sums, loops, itself, wide, empty, "", "fn", "42", "fn main() {}", "\u{0}"] {
+    for text in
+        [&nested, &long, &sums, loops, itself, wide, empty, "", "fn", "42", "fn main() {}", "\u{0}"]
+    {
         let start = std::time::Instant::now();
         let told = told(text);
         assert!(!told.is_empty() && !told[0].contains("this text cannot be read"), "{told:?}");
@@ -181,5 +209,8 @@ fn a_mistake_is_shown_with_a_caret() {
 fn a_let_within_an_expression_is_told_at_its_word() {
     let text = "fn f(x: Coord) -> f64 { let a = 2.0 * x * let b = x + 1.0; a - 1.0 }";
     let [one] = &told(text)[..] else { panic!("{:?}", told(text)) };
-    assert!(one.starts_with("1:43 `let` begins a statement") && one.contains("a `;` is missing"), "{one}");
+    assert!(
+        one.starts_with("1:43 `let` begins a statement") && one.contains("a `;` is missing"),
+        "{one}"
+    );
 }

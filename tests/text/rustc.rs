@@ -1,6 +1,6 @@
-//! The mistakes of `tests/ui` of which rustc speaks in a program: in a text the reader has a sentence of its
-//! own with a cure, at the place at which rustc points. `NAME.text` is the picture, which `KIN_BLESS=1 cargo
-//! test --test text` writes anew, for review.
+//! The mistakes of `tests/ui` of which rustc speaks in a program: in a text the reader has a
+//! sentence of its own with a cure, at the place at which rustc points. `NAME.text` is the picture,
+//! which `KIN_BLESS=1 cargo test --test text` writes anew, for review.
 
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,10 @@ const OF_PROGRAMS: [(&str, &str); 14] = [
         "f64_only_helper",
         "a text has one kind of number, whose derivatives every function of the text carries",
     ),
-    ("plain_array_in_a_struct", "the same of fields; and `macro_rules!` is refused where it stands"),
+    (
+        "plain_array_in_a_struct",
+        "the same of fields; and `macro_rules!` is refused where it stands",
+    ),
     ("bits_of_a_coordinate_beside_a_while", WHILE),
     ("helper_called_with_too_many_arguments_beside_a_while", WHILE),
     ("text_constant_beside_a_while", WHILE),
@@ -30,8 +33,8 @@ const OF_PROGRAMS: [(&str, &str); 14] = [
 const IN_MAIN: &str = "a program hands it over in `main`; a file is told by kinds of arguments";
 const WHILE: &str = "a `while` without known bounds is refused before, where it stands";
 
-/// Programs with a parameter of a type that no text knows, which is told first: the same mistake in a text
-/// that has the value from elsewhere, its place, and the sentence.
+/// Programs with a parameter of a type that no text knows, which is told first: the same mistake in
+/// a text that has the value from elsewhere, its place, and the sentence.
 const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
     (
         "let_else_that_goes_on",
@@ -97,14 +100,16 @@ fn places(mistakes: &Mistakes) -> Vec<String> {
 /// Each program of whose mistakes rustc speaks, and the places at which it does.
 fn programs() -> Vec<(String, PathBuf, Vec<String>)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
-    let files = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path());
+    let files =
+        std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path());
     let mut all: Vec<_> = files
         .filter(|path| path.extension().is_some_and(|end| end == "message"))
         .filter_map(|path| {
             let told = std::fs::read_to_string(&path).expect("messages");
             let of_rustc = told.lines().filter(|line| line.contains("`: [E"));
-            let places: Vec<String> =
-                of_rustc.map(|line| line.split(' ').next().unwrap_or_default().to_string()).collect();
+            let places: Vec<String> = of_rustc
+                .map(|line| line.split(' ').next().unwrap_or_default().to_string())
+                .collect();
             let name = path.file_stem()?.to_string_lossy().into_owned();
             (!places.is_empty()).then_some((name, path, places))
         })
@@ -115,7 +120,8 @@ fn programs() -> Vec<(String, PathBuf, Vec<String>)> {
 
 #[test]
 fn where_rustc_speaks_the_reader_has_its_own_sentence_at_the_place() {
-    let (all, mut wrong) = (programs(), Vec::new());
+    let all = programs();
+    let mut wrong = Vec::new();
     assert!(all.len() > 44, "only {}", all.len());
     for (name, path, places_of_rustc) in all {
         let text = std::fs::read_to_string(path.with_extension("rs")).expect("readable");
@@ -132,7 +138,9 @@ fn where_rustc_speaks_the_reader_has_its_own_sentence_at_the_place() {
         let is_listed = without_parameter || OF_PROGRAMS.iter().any(|(known, _)| *known == name);
         // A list says the truth: a program that is told at its place is no longer in it.
         if is_told == is_listed || other_side.is_some() && places_of_rustc == found {
-            wrong.push(format!("{name}: {places_of_rustc:?} of rustc, listed: {is_listed}\n{picture}"));
+            wrong.push(format!(
+                "{name}: {places_of_rustc:?} of rustc, listed: {is_listed}\n{picture}"
+            ));
         }
         if is_told {
             wrong.extend(compared(&path.with_extension("text"), &picture));
@@ -145,7 +153,10 @@ fn where_rustc_speaks_the_reader_has_its_own_sentence_at_the_place() {
 fn mistakes_behind_parameters_that_no_text_knows_are_told_where_the_value_is_known() {
     let names: Vec<String> = programs().into_iter().map(|(name, ..)| name).collect();
     for (name, text, _, _) in WITHOUT_THE_PARAMETER {
-        println!("{name}: {}", Equation::read(text).err().map(|e| e.to_string()).unwrap_or_default());
+        println!(
+            "{name}: {}",
+            Equation::read(text).err().map(|e| e.to_string()).unwrap_or_default()
+        );
     }
     for (name, text, place, sentence) in WITHOUT_THE_PARAMETER {
         assert!(names.iter().any(|known| known == name), "{name} is no program any more");
@@ -153,8 +164,10 @@ fn mistakes_behind_parameters_that_no_text_knows_are_told_where_the_value_is_kno
         assert_eq!(places(&mistakes), [place], "{name}:\n{mistakes}");
         assert_eq!(mistakes.0[0].message, sentence, "{name}");
     }
-    let listed =
-        OF_PROGRAMS.iter().map(|(name, _)| name).chain(FROM_ANOTHER_SIDE.iter().map(|(name, ..)| name));
+    let listed = OF_PROGRAMS
+        .iter()
+        .map(|(name, _)| name)
+        .chain(FROM_ANOTHER_SIDE.iter().map(|(name, ..)| name));
     for name in listed {
         assert!(names.iter().any(|known| known == name), "{name} is no program any more");
     }
@@ -190,7 +203,11 @@ fn variables_that_change_as_they_may_are_no_mistakes() {
 #[test]
 fn other_mistakes_of_which_rustc_speaks_are_told_too() {
     for (body, column, told) in [
-        ("match x { 0.0 => x, 1.0 => k }", 39, "this `match` may find no arm: end it with `_ => …`"),
+        (
+            "match x { 0.0 => x, 1.0 => k }",
+            39,
+            "this `match` may find no arm: end it with `_ => …`",
+        ),
         ("let v = vec2(x, k); v.x += 1.0; v.x - v.y", 53, "declare it `mut v`"),
         ("let all = [x, k]; all[0] = 1.0; all[0] - all[1]", 51, "declare it `mut all`"),
         ("let v = vec2(x, k); let w = &mut v; w.x += 1.0; v.x - v.y", 66, "declare it `mut v`"),

@@ -6,8 +6,8 @@ use crate::sweep::Table;
 /// Half the length of a link.
 const HALF: f64 = 0.5;
 
-/// One link's half as a vector, its two rows for the pin and one for the driver, and the driver's law with
-/// two derivatives.
+/// One link's half as a vector, its two rows for the pin and one for the driver, and the driver's
+/// law with two derivatives.
 #[derive(Clone, Copy, Default)]
 struct Link {
     e: [f64; 2],
@@ -25,12 +25,18 @@ pub fn law(i: usize, t: f64) -> [f64; 3] {
 /// The exact state (x, y, θ and their derivatives) of every link at time t.
 pub fn exact(links: usize, t: f64) -> [Vec<f64>; 3] {
     let mut all = [(); 3].map(|()| Vec::with_capacity(3 * links));
-    let (mut theta, mut end) = ([0.0; 3], [[0.0; 2]; 3]);
+    let mut theta = [0.0; 3];
+    let mut end = [[0.0; 2]; 3];
     for i in 0..links {
         theta.iter_mut().zip(law(i, t)).for_each(|(sum, x)| *sum += x);
-        let (s, c) = (HALF * theta[0].sin(), HALF * theta[0].cos());
+        let s = HALF * theta[0].sin();
+        let c = HALF * theta[0].cos();
         let w2 = theta[1] * theta[1];
-        let half = [[c, s], [-s * theta[1], c * theta[1]], [-s * theta[2] - c * w2, c * theta[2] - s * w2]];
+        let half = [
+            [c, s],
+            [-s * theta[1], c * theta[1]],
+            [-s * theta[2] - c * w2, c * theta[2] - s * w2],
+        ];
         for k in 0..3 {
             all[k].extend([end[k][0] + half[k][0], end[k][1] + half[k][1], theta[k]]);
             end[k] = [end[k][0] + 2.0 * half[k][0], end[k][1] + 2.0 * half[k][1]];
@@ -41,7 +47,9 @@ pub fn exact(links: usize, t: f64) -> [Vec<f64>; 3] {
 
 /// From the state at t = 0, which is made once and not timed, as the library's is.
 pub fn run([q, qd, qdd]: &[Vec<f64>; 3], steps: usize, dt: f64) -> Table {
-    let (mut q, mut qd, mut qdd) = (q.clone(), qd.clone(), qdd.clone());
+    let mut q = q.clone();
+    let mut qd = qd.clone();
+    let mut qdd = qdd.clone();
     let links = q.len() / 3;
     let mut chain = vec![Link::default(); links];
     let mut table = Table::new(3 * links, steps);
@@ -68,7 +76,9 @@ fn set_time(chain: &mut [Link], t: f64) {
 /// C; gives max |C_i|.
 fn residual(chain: &mut [Link], q: &[f64]) -> f64 {
     // Three maxima, so that the comparisons of one link do not wait for one another.
-    let (mut worst, mut end, mut before) = ([0.0; 3], [0.0; 2], 0.0);
+    let mut worst = [0.0; 3];
+    let mut end = [0.0; 2];
+    let mut before = 0.0;
     for (link, [x, y, theta]) in chain.iter_mut().zip(q.as_chunks().0) {
         let (s, c) = theta.sin_cos();
         let e = [HALF * c, HALF * s];
@@ -76,14 +86,18 @@ fn residual(chain: &mut [Link], q: &[f64]) -> f64 {
         link.c = [end[0] - x + e[0], end[1] - y + e[1], theta - before - link.law[0]];
         end = [x + e[0], y + e[1]];
         before = *theta;
-        worst.iter_mut().zip(link.c).for_each(|(m, c)| *m = if c.abs() > *m { c.abs() } else { *m });
+        worst
+            .iter_mut()
+            .zip(link.c)
+            .for_each(|(m, c)| *m = if c.abs() > *m { c.abs() } else { *m });
     }
     largest(&worst)
 }
 
 /// q += Δq with C_q Δq = −C. Here and below one addition a link waits for the link before.
 fn correct(chain: &[Link], q: &mut [f64]) {
-    let (mut end, mut turn) = ([0.0; 2], 0.0);
+    let mut end = [0.0; 2];
+    let mut turn = 0.0;
     for (link, [x, y, theta]) in chain.iter().zip(q.as_chunks_mut().0) {
         turn -= link.c[2];
         let v = [-link.e[1] * turn, link.e[0] * turn];
@@ -95,7 +109,8 @@ fn correct(chain: &[Link], q: &mut [f64]) {
 
 /// q̇ from C_q q̇ = −C_t.
 fn velocity(chain: &[Link], qd: &mut [f64]) {
-    let (mut end, mut turn) = ([0.0; 2], 0.0);
+    let mut end = [0.0; 2];
+    let mut turn = 0.0;
     for (link, rates) in chain.iter().zip(qd.as_chunks_mut::<3>().0) {
         turn += link.law[1];
         let v = [-link.e[1] * turn, link.e[0] * turn];
@@ -106,8 +121,11 @@ fn velocity(chain: &[Link], qd: &mut [f64]) {
 
 /// q̈ from C_q q̈ = Q_d.
 fn acceleration(chain: &[Link], qd: &[f64], qdd: &mut [f64]) {
-    let (mut end, mut turn) = ([0.0; 2], 0.0);
-    for ((link, [_, _, w]), rates) in chain.iter().zip(qd.as_chunks().0).zip(qdd.as_chunks_mut::<3>().0) {
+    let mut end = [0.0; 2];
+    let mut turn = 0.0;
+    for ((link, [_, _, w]), rates) in
+        chain.iter().zip(qd.as_chunks().0).zip(qdd.as_chunks_mut::<3>().0)
+    {
         turn += link.law[2];
         let w2 = w * w;
         let v = [-link.e[1] * turn - w2 * link.e[0], link.e[0] * turn - w2 * link.e[1]];

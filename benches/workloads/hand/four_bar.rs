@@ -1,5 +1,5 @@
-//! W3 and W7: the four-bar in absolute coordinates. What is left after elimination are two equations for the
-//! coupler and the rocker.
+//! W3 and W7: the four-bar in absolute coordinates. What is left after elimination are two
+//! equations for the coupler and the rocker.
 
 use super::{Equations, largest, sweep};
 use crate::sweep::Table;
@@ -18,13 +18,26 @@ impl FourBar {
     /// The open branch at the crank's angle θ2, angles of coupler and rocker in (−π, π].
     pub fn position(&self, theta2: f64) -> [f64; 9] {
         let FourBar { a, b, c, d, .. } = *self;
-        let (ax, ay) = (a * theta2.cos(), a * theta2.sin());
+        let ax = a * theta2.cos();
+        let ay = a * theta2.sin();
         let distance = (d - ax).hypot(ay);
         let e = (b * b - c * c + distance * distance) / (2.0 * distance);
         let h = (b * b - e * e).sqrt();
-        let (x, y) = (ax + (e * (d - ax) + h * ay) / distance, ay + (h * (d - ax) - e * ay) / distance);
-        let (theta3, theta4) = ((y - ay).atan2(x - ax), y.atan2(x - d));
-        [0.5 * ax, 0.5 * ay, theta2, 0.5 * (ax + x), 0.5 * (ay + y), theta3, 0.5 * (x + d), 0.5 * y, theta4]
+        let x = ax + (e * (d - ax) + h * ay) / distance;
+        let y = ay + (h * (d - ax) - e * ay) / distance;
+        let theta3 = (y - ay).atan2(x - ax);
+        let theta4 = y.atan2(x - d);
+        [
+            0.5 * ax,
+            0.5 * ay,
+            theta2,
+            0.5 * (ax + x),
+            0.5 * (ay + y),
+            theta3,
+            0.5 * (x + d),
+            0.5 * y,
+            theta4,
+        ]
     }
 }
 
@@ -71,10 +84,23 @@ impl Solver {
     /// All nine unknowns from the turns, for rows 1, 2 and 4 with right sides −r.
     fn all(&self, r: [[f64; 2]; 3], turn: [f64; 3]) -> [f64; 9] {
         let [a, b, c] = &self.e;
-        let (ax, ay) = (-a[1] * turn[0], a[0] * turn[0]);
-        let (x2, y2) = (ax - r[0][0], ay - r[0][1]);
-        let (x3, y3) = (x2 + ax - b[1] * turn[1] + r[1][0], y2 + ay + b[0] * turn[1] + r[1][1]);
-        [x2, y2, turn[0], x3, y3, turn[1], -c[1] * turn[2] - r[2][0], c[0] * turn[2] - r[2][1], turn[2]]
+        let ax = -a[1] * turn[0];
+        let ay = a[0] * turn[0];
+        let x2 = ax - r[0][0];
+        let y2 = ay - r[0][1];
+        let x3 = x2 + ax - b[1] * turn[1] + r[1][0];
+        let y3 = y2 + ay + b[0] * turn[1] + r[1][1];
+        [
+            x2,
+            y2,
+            turn[0],
+            x3,
+            y3,
+            turn[1],
+            -c[1] * turn[2] - r[2][0],
+            c[0] * turn[2] - r[2][1],
+            turn[2],
+        ]
     }
 }
 
@@ -88,7 +114,9 @@ impl Equations<9> for Solver {
             let (s, c) = theta.sin_cos();
             [h * c, h * s]
         };
-        let (a, b, c) = (half(self.h[0], q[2]), half(self.h[1], q[5]), half(self.h[2], q[8]));
+        let a = half(self.h[0], q[2]);
+        let b = half(self.h[1], q[5]);
+        let c = half(self.h[2], q[8]);
         self.c = [
             q[0] - a[0],
             q[1] - a[1],
@@ -105,7 +133,8 @@ impl Equations<9> for Solver {
     }
 
     fn correct(&mut self, q: &mut [f64; 9]) {
-        let (c, a) = (&self.c, &self.e[0]);
+        let c = &self.c;
+        let a = &self.e[0];
         let turn = -c[8];
         let g = [
             0.5 * (c[0] - c[2] - c[4] - c[6]) + a[1] * turn,
@@ -117,7 +146,8 @@ impl Equations<9> for Solver {
     }
 
     fn velocity(&mut self, _: &[f64; 9]) -> [f64; 9] {
-        let (w, a) = (self.omega, &self.e[0]);
+        let w = self.omega;
+        let a = &self.e[0];
         let reciprocal = self.reciprocal();
         let (u, v) = self.turns([w * a[1], -w * a[0]], reciprocal);
         let qd = self.all([[0.0; 2]; 3], [w, u, v]);
@@ -127,7 +157,8 @@ impl Equations<9> for Solver {
 
     fn acceleration(&mut self, _: &[f64; 9], qd: &[f64; 9]) -> [f64; 9] {
         let scaled = |e: &[f64; 2], w: f64| [w * w * e[0], w * w * e[1]];
-        let [a, b, c] = [scaled(&self.e[0], qd[2]), scaled(&self.e[1], qd[5]), scaled(&self.e[2], qd[8])];
+        let [a, b, c] =
+            [scaled(&self.e[0], qd[2]), scaled(&self.e[1], qd[5]), scaled(&self.e[2], qd[8])];
         let (u, v) = self.turns([a[0] + b[0] - c[0], a[1] + b[1] - c[1]], self.reciprocal);
         // Row by row −Q_d; the crank does not accelerate.
         self.all([a, [-a[0] - b[0], -a[1] - b[1]], c], [0.0, u, v])

@@ -1,4 +1,5 @@
-//! W8: the constraints of users by hand, cut into `linearize` (C, and C_q by rows) and `right_side` (Q_d).
+//! W8: the constraints of users by hand, cut into `linearize` (C, and C_q by rows) and `right_side`
+//! (Q_d).
 //!
 //! A bare coordinate comes as its value, sine and cosine, a body as its coordinates.
 
@@ -99,7 +100,8 @@ impl Kernel for Belt {
     fn linearize(&self, states: &[f64], c: &mut [f64], c_q: &mut [f64]) {
         let distance = coord(states, 0) + 4.0;
         let sine = (self.r - self.s) / distance;
-        let (angle, cosine) = (sine.asin(), (1.0 - sine * sine).sqrt());
+        let angle = sine.asin();
+        let cosine = (1.0 - sine * sine).sqrt();
         let around = std::f64::consts::PI * (self.r + self.s) + 2.0 * angle * (self.r - self.s);
         c[0] = 2.0 * distance * cosine + around - self.length;
         c_q[0] = 2.0 * cosine;
@@ -123,13 +125,15 @@ pub struct Arm {
 impl Kernel for Arm {
     #[inline(never)]
     fn linearize(&self, states: &[f64], c: &mut [f64], c_q: &mut [f64]) {
-        let (mut links, mut angle) = ([(0.0, 0.0); 5], 0.0);
+        let mut links = [(0.0, 0.0); 5];
+        let mut angle = 0.0;
         for (k, link) in links.iter_mut().enumerate() {
             angle += coord(states, k);
             let (sin, cos) = angle.sin_cos();
             *link = (self.lengths[k] * cos, self.lengths[k] * sin);
         }
-        let (mut x, mut y) = (0.0, 0.0);
+        let mut x = 0.0;
+        let mut y = 0.0;
         for k in (0..5).rev() {
             (x, y) = (x + links[k].0, y + links[k].1);
             (c_q[k], c_q[5 + k]) = (-y, x);
@@ -139,7 +143,10 @@ impl Kernel for Arm {
 
     #[inline(never)]
     fn right_side(&self, states: &[f64], qd: &[f64], q_d: &mut [f64]) {
-        let (mut angle, mut rate, mut x, mut y) = (0.0, 0.0, 0.0, 0.0);
+        let mut angle = 0.0;
+        let mut rate = 0.0;
+        let mut x = 0.0;
+        let mut y = 0.0;
         for (k, (length, own)) in self.lengths.iter().zip(qd).enumerate() {
             angle += coord(states, k);
             rate += own;
@@ -151,8 +158,8 @@ impl Kernel for Arm {
     }
 }
 
-/// Six revolute joints by Denavit–Hartenberg parameters, the tip at a point: the geometric Jacobian, and the
-/// accelerations of the links from the base outwards.
+/// Six revolute joints by Denavit–Hartenberg parameters, the tip at a point: the geometric
+/// Jacobian, and the accelerations of the links from the base outwards.
 pub struct Chain {
     /// a, d, cos α, sin α of each link.
     pub links: [[f64; 4]; 6],
@@ -167,7 +174,8 @@ impl Chain {
     #[inline(always)]
     fn step(&self, k: usize, [x, y, z]: &Axes, states: &[f64]) -> (Axes, V) {
         let [a, d, ca, sa] = self.links[k];
-        let (s, c) = (states[3 * k + 1], states[3 * k + 2]);
+        let s = states[3 * k + 1];
+        let c = states[3 * k + 2];
         let turned: V = std::array::from_fn(|i| c * x[i] + s * y[i]);
         let across: V = std::array::from_fn(|i| c * y[i] - s * x[i]);
         let arm = std::array::from_fn(|i| a * turned[i] + d * z[i]);
@@ -195,7 +203,8 @@ fn plus(a: &V, b: &V) -> V {
 impl Kernel for Chain {
     #[inline(never)]
     fn linearize(&self, states: &[f64], c: &mut [f64], c_q: &mut [f64]) {
-        let (mut axes, mut joints) = (START, [([0.0; 3], [0.0; 3]); 6]);
+        let mut axes = START;
+        let mut joints = [([0.0; 3], [0.0; 3]); 6];
         for (k, joint) in joints.iter_mut().enumerate() {
             let z = axes[2];
             let arm;
@@ -218,7 +227,10 @@ impl Kernel for Chain {
 
     #[inline(never)]
     fn right_side(&self, states: &[f64], qd: &[f64], q_d: &mut [f64]) {
-        let (mut axes, mut spin, mut turn, mut tip) = (START, [0.0; 3], [0.0; 3], [0.0; 3]);
+        let mut axes = START;
+        let mut spin = [0.0; 3];
+        let mut turn = [0.0; 3];
+        let mut tip = [0.0; 3];
         for (k, rate) in qd.iter().enumerate().take(6) {
             let z = axes[2];
             let own = z.map(|z| rate * z);
@@ -244,7 +256,8 @@ impl Kernel for Platform {
     fn linearize(&self, states: &[f64], c: &mut [f64], c_q: &mut [f64]) {
         let p = [states[3], states[4], states[5], states[6]];
         let doubled = p.map(|e| 2.0 * e);
-        let rows = c.iter_mut().zip(c_q.as_chunks_mut::<8>().0).zip(self.pins.iter().zip(&self.bases));
+        let rows =
+            c.iter_mut().zip(c_q.as_chunks_mut::<8>().0).zip(self.pins.iter().zip(&self.bases));
         for (k, ((c, row), (pin, base))) in rows.enumerate() {
             let ([a, b, e], turned) = turn(&p, &doubled, pin);
             let l: V = std::array::from_fn(|i| states[i] + turned[i] - pin[i] - base[i]);

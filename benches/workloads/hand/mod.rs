@@ -1,6 +1,6 @@
-//! The same work written by hand, as an engineer with time to spare would: everything shared that can be, the
-//! linear solves eliminated on paper, cut into the same functions as the library's. It is the practical limit
-//! that the library is measured against.
+//! The same work written by hand, as an engineer with time to spare would: everything shared that
+//! can be, the linear solves eliminated on paper, cut into the same functions as the library's. It
+//! is the practical limit that the library is measured against.
 
 pub mod chain;
 pub mod four_bar;
@@ -51,7 +51,8 @@ pub fn sweep<E: Equations<N>, const N: usize>(
     table
 }
 
-/// max |x|; a comparison rather than `f64::max`, which takes three instructions to be right about NaN.
+/// max |x|; a comparison rather than `f64::max`, which takes three instructions to be right about
+/// NaN.
 #[inline(always)]
 pub fn largest<const N: usize>(numbers: &[f64; N]) -> f64 {
     numbers.iter().fold(0.0, |m, x| if x.abs() > m { x.abs() } else { m })

@@ -1,4 +1,5 @@
-//! W2: loop closure of the offset slider-crank. The second row has one unknown, the first then the other.
+//! W2: loop closure of the offset slider-crank. The second row has one unknown, the first then the
+//! other.
 
 use super::{Equations, largest, sweep};
 use crate::sweep::Table;
@@ -17,7 +18,12 @@ pub fn start() -> [f64; 2] {
 pub fn run(steps: usize, dt: f64) -> Table {
     // The lengths are numbers of the model, known at run time only, as the library's are.
     let [l2, l3, h, omega] = std::hint::black_box([L2, L3, H, OMEGA]);
-    sweep(Solver { l2, l3, h, omega, x: 0.0, y: 0.0, a: 0.0, b: 0.0, c: [0.0; 2] }, start(), dt, steps)
+    sweep(
+        Solver { l2, l3, h, omega, x: 0.0, y: 0.0, a: 0.0, b: 0.0, c: [0.0; 2] },
+        start(),
+        dt,
+        steps,
+    )
 }
 
 struct Solver {
@@ -59,7 +65,8 @@ impl Equations<2> for Solver {
     }
 
     fn acceleration(&mut self, _: &[f64; 2], qd: &[f64; 2]) -> [f64; 2] {
-        let (w2, w3) = (self.omega * self.omega, qd[0] * qd[0]);
+        let w2 = self.omega * self.omega;
+        let w3 = qd[0] * qd[0];
         let turn = (w2 * self.y + w3 * self.b) / self.a;
         [turn, -self.b * turn - (w2 * self.x + w3 * self.a)]
     }

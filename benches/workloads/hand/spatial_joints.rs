@@ -1,7 +1,8 @@
 //! W6, spatial joints: `linearize` (C and C_q) and `right_side` (Q_d).
 //!
-//! All comes from one bilinear form: with w = e0 u + e × u and r = e · u, A u = 2 (e0 w + r e) − u. Along the
-//! motion, with v and s made of ė in the same way, (A u)′ = 2 (e0 v + s e + ė0 w + r ė) and (A u)″ = 4 (ė0 v
+//! All comes from one bilinear form: with w = e0 u + e × u and r = e · u, A u = 2 (e0 w + r e) − u.
+//! Along the motion, with v and s made of ė in the same way, (A u)′ = 2 (e0 v + s e + ė0 w + r ė)
+//! and (A u)″ = 4 (ė0 v
 //! + s ė).
 
 use std::sync::atomic::{Ordering, compiler_fence};
@@ -66,10 +67,16 @@ fn fma(a: f64, b: f64, c: f64) -> f64 {
 /// ∂(A u)/∂p by rows, and A u + u, both times `f`, from p and d = 2 f p.
 #[inline(always)]
 pub fn turn(p: &P, d: &P, u: &V) -> ([P; 3], V) {
-    let (p01, p02, p03) = (d[0] * u[0], d[0] * u[1], d[0] * u[2]);
+    let p01 = d[0] * u[0];
+    let p02 = d[0] * u[1];
+    let p03 = d[0] * u[2];
     let r = fma(d[3], u[2], fma(d[2], u[1], d[1] * u[0]));
-    let (j12, j13, j21) = (fma(d[1], u[1], p03), fma(d[1], u[2], -p02), fma(d[2], u[0], -p03));
-    let (j23, j31, j32) = (fma(d[2], u[2], p01), fma(d[3], u[0], p02), fma(d[3], u[1], -p01));
+    let j12 = fma(d[1], u[1], p03);
+    let j13 = fma(d[1], u[2], -p02);
+    let j21 = fma(d[2], u[0], -p03);
+    let j23 = fma(d[2], u[2], p01);
+    let j31 = fma(d[3], u[0], p02);
+    let j32 = fma(d[3], u[1], -p01);
     // 2 w + 2 e0 u, the column of e0, is what the other columns are not symmetric by.
     let j = [
         [j23 - j32, fma(d[1], u[0], r), j12, j13],
@@ -87,8 +94,8 @@ fn apply(j: &[P; 3], y: &V) -> P {
     [at(0), at(1), at(2), at(3)]
 }
 
-/// Keeps the compiler from gathering all writes at the end of a function, which costs a spill and a reload
-/// each.
+/// Keeps the compiler from gathering all writes at the end of a function, which costs a spill and a
+/// reload each.
 #[inline(always)]
 fn in_order() {
     compiler_fence(Ordering::SeqCst);
@@ -121,12 +128,16 @@ fn half(p: &P, u: &V) -> (V, f64) {
 /// The same for Aᵀ, of two pairs, added.
 #[inline(always)]
 fn half_back((p, u): (&P, &V), (o, v): (&P, &V)) -> (V, f64) {
-    let first = |k: usize, a: usize, b: usize| fma(p[b + 1], u[a], fma(-p[a + 1], u[b], p[0] * u[k]));
+    let first =
+        |k: usize, a: usize, b: usize| fma(p[b + 1], u[a], fma(-p[a + 1], u[b], p[0] * u[k]));
     let both = |k: usize, a: usize, b: usize| {
         fma(o[b + 1], v[a], fma(-o[a + 1], v[b], fma(o[0], v[k], first(k, a, b))))
     };
     let r = fma(p[3], u[2], fma(p[2], u[1], p[1] * u[0]));
-    ([both(0, 1, 2), both(1, 2, 0), both(2, 0, 1)], fma(o[3], v[2], fma(o[2], v[1], fma(o[1], v[0], r))))
+    (
+        [both(0, 1, 2), both(1, 2, 0), both(2, 0, 1)],
+        fma(o[3], v[2], fma(o[2], v[1], fma(o[1], v[0], r))),
+    )
 }
 
 /// e0 w + r e
@@ -155,7 +166,8 @@ fn second(pd: &P, u: &V) -> V {
 /// A u, (A u)′ and (A u)″ / 2, from p, ṗ and d = 2 p.
 #[inline(always)]
 pub fn motion(p: &P, pd: &P, u: &V) -> (V, V, V) {
-    let (w, v) = (half(&times(2.0, p), u), half(&times(2.0, pd), u));
+    let w = half(&times(2.0, p), u);
+    let v = half(&times(2.0, pd), u);
     let x = plus_whole(&[-u[0], -u[1], -u[2]], p, &w);
     (x, plus_whole(&whole(p, &v), pd, &w), whole(pd, &v))
 }
@@ -169,21 +181,24 @@ struct Points {
 
 impl Points {
     fn new(p: &[f64]) -> Self {
-        let (i, j) = (v(p, 0), v(p, 3));
+        let i = v(p, 0);
+        let j = v(p, 3);
         Points { i, j, apart: [j[0] - i[0], j[1] - i[1], j[2] - i[2]] }
     }
 
     /// d = R_i + A_i u_i − R_j − A_j u_j and its rows, from p and d = 2 p_i, −2 p_j.
     #[inline(always)]
     fn linearize(&self, q: &[f64; 14], (p, d): (&P, &P), (o, e): (&P, &P)) -> (V, [f64; 30]) {
-        let ((a, x), (b, y)) = (turn(p, d, &self.i), turn(o, e, &self.j));
+        let (a, x) = turn(p, d, &self.i);
+        let (b, y) = turn(o, e, &self.j);
         let r = apart(q);
         let c = [
             r[0] + x[0] + y[0] + self.apart[0],
             r[1] + x[1] + y[1] + self.apart[1],
             r[2] + x[2] + y[2] + self.apart[2],
         ];
-        let ([a0, a1, a2], [b0, b1, b2]) = (a, b);
+        let [a0, a1, a2] = a;
+        let [b0, b1, b2] = b;
         let c_q = [
             1.0, a0[0], a0[1], a0[2], a0[3], -1.0, b0[0], b0[1], b0[2], b0[3], //
             1.0, a1[0], a1[1], a1[2], a1[3], -1.0, b1[0], b1[1], b1[2], b1[3], //
@@ -194,7 +209,8 @@ impl Points {
 
     #[inline(always)]
     fn right_side(&self, pd: &P, od: &P) -> V {
-        let (a, b) = (second(pd, &self.i), second(od, &self.j));
+        let a = second(pd, &self.i);
+        let b = second(od, &self.j);
         [4.0 * (b[0] - a[0]), 4.0 * (b[1] - a[1]), 4.0 * (b[2] - a[2])]
     }
 }
@@ -237,11 +253,13 @@ impl Spatial<4, 38> for Universal {
     #[inline(never)]
     fn linearize(&self, q: &[f64; 14], c: &mut [f64; 4], c_q: &mut [f64; 38]) {
         let (p, o) = euler(q);
-        let (d, e) = (times(2.0, &p), times(-2.0, &o));
+        let d = times(2.0, &p);
+        let e = times(-2.0, &o);
         let (points, rows) = self.points.linearize(q, (&p, &d), (&o, &e));
         c_q[..30].copy_from_slice(&rows);
         // With −A_j y in hand, the minus of both factors cancels where p_j's columns are made.
-        let ((jx, x), (jy, y)) = (turn(&p, &d, &self.x), turn(&o, &e, &self.y));
+        let (jx, x) = turn(&p, &d, &self.x);
+        let (jy, y) = turn(&o, &e, &self.y);
         let x = [self.x[0] - x[0], self.x[1] - x[1], self.x[2] - x[2]];
         let y = [-self.y[0] - y[0], -self.y[1] - y[1], -self.y[2] - y[2]];
         *c = [points[0], points[1], points[2], -dot(&x, &y)];
@@ -251,9 +269,11 @@ impl Spatial<4, 38> for Universal {
 
     #[inline(never)]
     fn right_side(&self, q: &[f64; 14], qd: &[f64; 14], q_d: &mut [f64; 4]) {
-        let ((p, o), (pd, od)) = (euler(q), euler(qd));
+        let (p, o) = euler(q);
+        let (pd, od) = euler(qd);
         let d = self.points.right_side(&pd, &od);
-        let ((x, x1, x2), (y, y1, y2)) = (motion(&p, &pd, &self.x), motion(&o, &od, &self.y));
+        let (x, x1, x2) = motion(&p, &pd, &self.x);
+        let (y, y1, y2) = motion(&o, &od, &self.y);
         *q_d = [d[0], d[1], d[2], -2.0 * (dot(&x2, &y) + dot(&x1, &y1) + dot(&x, &y2))];
     }
 }
@@ -270,7 +290,9 @@ pub struct Cylindrical {
 pub fn rotation(p: &P) -> [V; 3] {
     let d = times(2.0, p);
     let s = fma(d[0], p[0], -1.0);
-    let (a01, a02, a03) = (d[0] * p[1], d[0] * p[2], d[0] * p[3]);
+    let a01 = d[0] * p[1];
+    let a02 = d[0] * p[2];
+    let a03 = d[0] * p[3];
     [
         [fma(d[1], p[1], s), fma(d[1], p[2], -a03), fma(d[1], p[3], a02)],
         [fma(d[1], p[2], a03), fma(d[2], p[2], s), fma(d[2], p[3], -a01)],
@@ -278,8 +300,8 @@ pub fn rotation(p: &P) -> [V; 3] {
     ]
 }
 
-/// Half of (Aᵀ w)″, of which a dot product with a vector fixed in the body is half of its second derivative
-/// with w.
+/// Half of (Aᵀ w)″, of which a dot product with a vector fixed in the body is half of its second
+/// derivative with w.
 #[inline(always)]
 fn second_in_body((p, d): (&P, &P), (pd, dd): (&P, &P), (w, w1, w2): (&V, &V, &V)) -> V {
     let x = plus_whole(&[-w2[0], -w2[1], -w2[2]], p, &half_back((dd, w1), (d, w2)));
@@ -294,13 +316,16 @@ impl Spatial<4, 44> for Cylindrical {
     #[inline(never)]
     fn linearize(&self, q: &[f64; 14], c: &mut [f64; 4], c_q: &mut [f64; 44]) {
         let (p, o) = euler(q);
-        let (d, e) = (times(2.0, &p), times(-2.0, &o));
-        // Each row is written as soon as it is known and each matrix used up before the next one is made:
-        // registers are few.
-        let (x1, x2) = (turned(&p, &d, &self.x1), turned(&p, &d, &self.x2));
+        let d = times(2.0, &p);
+        let e = times(-2.0, &o);
+        // Each row is written as soon as it is known and each matrix used up before the next one is
+        // made: registers are few.
+        let x1 = turned(&p, &d, &self.x1);
+        let x2 = turned(&p, &d, &self.x2);
         c_q[16..19].copy_from_slice(&x1);
         c_q[30..33].copy_from_slice(&x2);
-        let (n1, n2) = (x1.map(|x| -x), x2.map(|x| -x));
+        let n1 = x1.map(|x| -x);
+        let n2 = x2.map(|x| -x);
         c_q[23..26].copy_from_slice(&n1);
         c_q[37..40].copy_from_slice(&n2);
         in_order();
@@ -315,10 +340,15 @@ impl Spatial<4, 44> for Cylindrical {
         c_q[40..44].copy_from_slice(&apply(&j, &x2));
         in_order();
         let (j, a) = turn(&p, &d, &self.points.i);
-        let (by_a1, by_a2) = (apply(&j, &x1), apply(&j, &x2));
-        let (r, fixed) = (apart(q), &self.points.apart);
-        let between =
-            [r[0] + fixed[0] + a[0] + b[0], r[1] + fixed[1] + a[1] + b[1], r[2] + fixed[2] + a[2] + b[2]];
+        let by_a1 = apply(&j, &x1);
+        let by_a2 = apply(&j, &x2);
+        let r = apart(q);
+        let fixed = &self.points.apart;
+        let between = [
+            r[0] + fixed[0] + a[0] + b[0],
+            r[1] + fixed[1] + a[1] + b[1],
+            r[2] + fixed[2] + a[2] + b[2],
+        ];
         (c[2], c[3]) = (dot(&x1, &between), dot(&x2, &between));
         in_order();
         let (j, _) = turn(&p, &d, &self.x1);
@@ -332,17 +362,23 @@ impl Spatial<4, 44> for Cylindrical {
 
     #[inline(never)]
     fn right_side(&self, q: &[f64; 14], qd: &[f64; 14], q_d: &mut [f64; 4]) {
-        let ((p, o), (pd, od)) = (euler(q), euler(qd));
-        let (two, two_d) = (times(2.0, &p), times(2.0, &pd));
-        let ((a, a1, a2), (b, b1, b2)) = (motion(&p, &pd, &self.points.i), motion(&o, &od, &self.points.j));
+        let (p, o) = euler(q);
+        let (pd, od) = euler(qd);
+        let two = times(2.0, &p);
+        let two_d = times(2.0, &pd);
+        let (a, a1, a2) = motion(&p, &pd, &self.points.i);
+        let (b, b1, b2) = motion(&o, &od, &self.points.j);
         let (w, w1, w2) = motion(&o, &od, &self.w);
-        let (r, rd) = (apart(q), apart(qd));
+        let r = apart(q);
+        let rd = apart(qd);
         let d = [r[0] + a[0] - b[0], r[1] + a[1] - b[1], r[2] + a[2] - b[2]];
         let d1 = [rd[0] + a1[0] - b1[0], rd[1] + a1[1] - b1[1], rd[2] + a1[2] - b1[2]];
         let d2 = [a2[0] - b2[0], a2[1] - b2[1], a2[2] - b2[2]];
         // Seen from body i two rows at a time are dot products with the same moving vector.
-        let in_body = |w: &V, w1: &V, w2: &V| second_in_body((&p, &two), (&pd, &two_d), (w, w1, w2));
-        let (w, d) = (in_body(&w, &w1, &w2), in_body(&d, &d1, &d2));
+        let in_body =
+            |w: &V, w1: &V, w2: &V| second_in_body((&p, &two), (&pd, &two_d), (w, w1, w2));
+        let w = in_body(&w, &w1, &w2);
+        let d = in_body(&d, &d1, &d2);
         *q_d = [
             -2.0 * dot(&self.x1, &w),
             -2.0 * dot(&self.x2, &w),

@@ -6,7 +6,8 @@ use super::spatial_joints::{V, dot, motion, turn};
 use super::{Equations, largest, sweep};
 use crate::sweep::Table;
 
-/// One leg: its pin on the base, its pin in the platform, its length at the start and the phase of its motor.
+/// One leg: its pin on the base, its pin in the platform, its length at the start and the phase of
+/// its motor.
 #[derive(Clone, Copy, Debug)]
 pub struct Leg {
     pub base: V,
@@ -29,9 +30,12 @@ pub const START: [f64; 7] = [0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0];
 /// The six legs.
 pub fn legs() -> [Leg; 6] {
     std::array::from_fn(|i| {
-        let (pair, side) = (2.0 * PI * (i / 2) as f64 / 3.0, if i % 2 == 0 { -1.0 } else { 1.0 });
-        let (alpha, beta) = (pair + side * PI / 12.0, pair + side * FRAC_PI_4);
-        let (base, u) = ([alpha.cos(), alpha.sin(), 0.0], [0.5 * beta.cos(), 0.5 * beta.sin(), 0.0]);
+        let pair = 2.0 * PI * (i / 2) as f64 / 3.0;
+        let side = if i % 2 == 0 { -1.0 } else { 1.0 };
+        let alpha = pair + side * PI / 12.0;
+        let beta = pair + side * FRAC_PI_4;
+        let base = [alpha.cos(), alpha.sin(), 0.0];
+        let u = [0.5 * beta.cos(), 0.5 * beta.sin(), 0.0];
         let l = [u[0] - base[0], u[1] - base[1], 1.0];
         Leg { base, u, l0: dot(&l, &l).sqrt(), phase: i as f64 * FRAC_PI_3 }
     })
@@ -111,7 +115,8 @@ impl Factors {
 impl Solver {
     /// C_q at q, factored.
     fn factor(&mut self, q: &[f64; 7]) {
-        let (p, d) = ([q[3], q[4], q[5], q[6]], [4.0 * q[3], 4.0 * q[4], 4.0 * q[5], 4.0 * q[6]]);
+        let p = [q[3], q[4], q[5], q[6]];
+        let d = [4.0 * q[3], 4.0 * q[4], 4.0 * q[5], 4.0 * q[6]];
         for ((row, leg), l) in self.factors.a.iter_mut().zip(&self.legs).zip(&self.l) {
             // Rows of |l|², from twice ∂(A u)/∂p.
             let ([a, b, c], _) = turn(&p, &d, &leg.u);
@@ -156,7 +161,8 @@ impl Equations<7> for Solver {
     }
 
     fn acceleration(&mut self, q: &[f64; 7], qd: &[f64; 7]) -> [f64; 7] {
-        let (p, pd) = ([q[3], q[4], q[5], q[6]], [qd[3], qd[4], qd[5], qd[6]]);
+        let p = [q[3], q[4], q[5], q[6]];
+        let pd = [qd[3], qd[4], qd[5], qd[6]];
         let mut rhs = [0.0; 7];
         for (k, leg) in self.legs.iter().enumerate() {
             let (_, x1, x2) = motion(&p, &pd, &leg.u);

@@ -20,8 +20,10 @@ impl TwoLink {
     /// The exact positions at time t.
     pub fn position(&self, t: f64) -> [f64; 9] {
         let [a, b] = [0, 1].map(|k| self.theta0[k] + self.omega[k] * t);
-        let (h, g) = (0.5 * self.l[0], 0.5 * self.l[1]);
-        let (x, y) = (h * a.cos(), h * a.sin());
+        let h = 0.5 * self.l[0];
+        let g = 0.5 * self.l[1];
+        let x = h * a.cos();
+        let y = h * a.sin();
         [0.0, 0.0, 0.0, x, y, a, 2.0 * x + g * b.cos(), 2.0 * y + g * b.sin(), b]
     }
 }
@@ -65,8 +67,10 @@ impl Equations<9> for Solver {
     }
 
     fn residual(&mut self, q: &[f64; 9]) -> f64 {
-        let ((s2, c2), (s3, c3)) = (q[5].sin_cos(), q[8].sin_cos());
-        let (a, b) = ([self.h[0] * c2, self.h[0] * s2], [self.h[1] * c3, self.h[1] * s3]);
+        let (s2, c2) = q[5].sin_cos();
+        let (s3, c3) = q[8].sin_cos();
+        let a = [self.h[0] * c2, self.h[0] * s2];
+        let b = [self.h[1] * c3, self.h[1] * s3];
         self.c = [
             q[0],
             q[1],
@@ -83,24 +87,33 @@ impl Equations<9> for Solver {
     }
 
     fn correct(&mut self, q: &mut [f64; 9]) {
-        let (c, a, b) = (&self.c, &self.a, &self.b);
-        let (x2, y2) = (a[1] * c[7] - c[0] + c[3], c[4] - c[1] - a[0] * c[7]);
-        let (x3, y3) = (x2 + a[1] * c[7] + b[1] * c[8] + c[5], y2 - a[0] * c[7] - b[0] * c[8] + c[6]);
+        let c = &self.c;
+        let a = &self.a;
+        let b = &self.b;
+        let x2 = a[1] * c[7] - c[0] + c[3];
+        let y2 = c[4] - c[1] - a[0] * c[7];
+        let x3 = x2 + a[1] * c[7] + b[1] * c[8] + c[5];
+        let y3 = y2 - a[0] * c[7] - b[0] * c[8] + c[6];
         let dq = [-c[0], -c[1], -c[2], x2, y2, -c[7], x3, y3, -c[8]];
         q.iter_mut().zip(dq).for_each(|(q, dq)| *q += dq);
     }
 
     fn velocity(&mut self, _: &[f64; 9]) -> [f64; 9] {
         let [w2, w3] = self.omega;
-        let (x2, y2) = (-w2 * self.a[1], w2 * self.a[0]);
-        let (x3, y3) = (2.0 * x2 - w3 * self.b[1], 2.0 * y2 + w3 * self.b[0]);
+        let x2 = -w2 * self.a[1];
+        let y2 = w2 * self.a[0];
+        let x3 = 2.0 * x2 - w3 * self.b[1];
+        let y3 = 2.0 * y2 + w3 * self.b[0];
         [0.0, 0.0, 0.0, x2, y2, w2, x3, y3, w3]
     }
 
     fn acceleration(&mut self, _: &[f64; 9], qd: &[f64; 9]) -> [f64; 9] {
-        let (w2, w3) = (qd[5] * qd[5], qd[8] * qd[8]);
-        let (x2, y2) = (-w2 * self.a[0], -w2 * self.a[1]);
-        let (x3, y3) = (2.0 * x2 - w3 * self.b[0], 2.0 * y2 - w3 * self.b[1]);
+        let w2 = qd[5] * qd[5];
+        let w3 = qd[8] * qd[8];
+        let x2 = -w2 * self.a[0];
+        let y2 = -w2 * self.a[1];
+        let x3 = 2.0 * x2 - w3 * self.b[0];
+        let y3 = 2.0 * y2 - w3 * self.b[1];
         [0.0, 0.0, 0.0, x2, y2, 0.0, x3, y3, 0.0]
     }
 }

@@ -27,10 +27,14 @@ pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
         return Ok(());
     }
     let row = |what: &str, name: String, value: String| vec![what.to_string(), name, value];
-    let dimensions =
-        system.dimensions().into_iter().map(|(name, value)| row("dimension", name, value.to_string()));
-    let parameters =
-        system.parameters().into_iter().map(|(name, value)| row("parameter", name, value.to_string()));
+    let dimensions = system
+        .dimensions()
+        .into_iter()
+        .map(|(name, value)| row("dimension", name, value.to_string()));
+    let parameters = system
+        .parameters()
+        .into_iter()
+        .map(|(name, value)| row("parameter", name, value.to_string()));
     let coordinates = system.coordinate_names().iter().zip(&found.q);
     let coordinates = coordinates.map(|(name, q)| row("coordinate", name.clone(), q.to_string()));
     let measures = system.measures().into_iter().map(|name| row("measure", name, String::new()));
@@ -62,7 +66,9 @@ pub fn diagnose(asked: &Diagnose, say: &Say) -> Result<(), Fault> {
 pub fn assemblies(asked: &Assemblies, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let all = system.assemblies(asked.at)?;
-    let (name, complete, reason) = (system.name(), all.complete, &all.reason);
+    let name = system.name();
+    let complete = all.complete;
+    let reason = &all.reason;
     say.note(&format!("{name}: {} assemblies found at t = {}", all.len(), asked.at));
     say.note(&format!("complete: {complete} ({reason})"));
     if let Some(to) = &asked.json {
@@ -71,11 +77,13 @@ pub fn assemblies(asked: &Assemblies, say: &Say) -> Result<(), Fault> {
             to.write_all(b"\n")
         })?;
     }
-    let header: Vec<String> =
-        ["label".to_string()].into_iter().chain(system.coordinate_names().iter().cloned()).collect();
-    let rows = all
-        .iter()
-        .map(|one| [one.label.to_string()].into_iter().chain(one.q.iter().map(|q| digits(*q))).collect());
+    let header: Vec<String> = ["label".to_string()]
+        .into_iter()
+        .chain(system.coordinate_names().iter().cloned())
+        .collect();
+    let rows = all.iter().map(|one| {
+        [one.label.to_string()].into_iter().chain(one.q.iter().map(|q| digits(*q))).collect()
+    });
     table(&asked.csv, &header, rows)
 }
 
@@ -83,7 +91,8 @@ pub fn assemblies(asked: &Assemblies, say: &Say) -> Result<(), Fault> {
 pub fn measure(asked: &Measure, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
-    let (mut header, mut columns) = (vec![time_header(&motion)], vec![motion.times().to_vec()]);
+    let mut header = vec![time_header(&motion)];
+    let mut columns = vec![motion.times().to_vec()];
     for name in &asked.names {
         let found = system.measure(&motion, name).map_err(Fault::asked)?;
         for (series, mark) in [(&found.value, ""), (&found.rate, "'"), (&found.second_rate, "''")] {
@@ -91,12 +100,15 @@ pub fn measure(asked: &Measure, say: &Say) -> Result<(), Fault> {
             columns.push(series.values().to_vec());
         }
         for drive in &asked.over {
-            let advantage = system.mechanical_advantage(&motion, drive, name).map_err(Fault::asked)?;
+            let advantage =
+                system.mechanical_advantage(&motion, drive, name).map_err(Fault::asked)?;
             header.push(format!("{} [{}]", advantage.name(), advantage.unit()));
             columns.push(advantage.values().to_vec());
         }
         let extremes = system.extremes(&motion, name)?;
-        let (least, most, s) = (extremes.min(), extremes.max(), motion.unit_words().time().to_string());
+        let least = extremes.min();
+        let most = extremes.max();
+        let s = motion.unit_words().time().to_string();
         say.note(&format!(
             "{name}: from {} {unit} at t = {} {s} to {} {unit} at t = {} {s}",
             least.value,
@@ -156,7 +168,8 @@ pub fn sensitivities(asked: &Sensitivities, say: &Say) -> Result<(), Fault> {
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
     say.note(&motion.summary());
     let by = system.sensitivities(&motion, &asked.parameters).map_err(Fault::asked)?;
-    let (mut header, mut columns) = (vec![time_header(&motion)], vec![motion.times().to_vec()]);
+    let mut header = vec![time_header(&motion)];
+    let mut columns = vec![motion.times().to_vec()];
     let names: &[String] =
         if asked.measures.is_empty() { system.coordinate_names() } else { &asked.measures };
     for name in names {
@@ -192,15 +205,21 @@ pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
     let found = found.map_err(Fault::asked)?;
     say.note(&found.to_string());
     if let Some(proved) = &found.proved {
-        say.note(&format!("{}: proved from {} to {} {}", found.name, proved.low, proved.high, found.unit));
+        say.note(&format!(
+            "{}: proved from {} to {} {}",
+            found.name, proved.low, proved.high, found.unit
+        ));
     }
     let header = ["dimension", "tolerance", "derivative", "off", "share", "share of variance"];
     let rows = found.contributions.iter().map(|one| {
-        let numbers = [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)];
+        let numbers =
+            [one.tolerance, one.slope, one.off(), found.share(one), found.share_of_variance(one)];
         std::iter::once(one.name.clone()).chain(numbers.map(digits)).collect()
     });
-    let samples =
-        asked.samples.map(|count| samples(count, asked, &system, &motion, found.feature)).transpose()?;
+    let samples = asked
+        .samples
+        .map(|count| samples(count, asked, &system, &motion, found.feature))
+        .transpose()?;
     table(&asked.csv, &header.map(str::to_string), rows)?;
     if let Some(samples) = samples {
         say.note(&samples.to_string());

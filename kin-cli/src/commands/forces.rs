@@ -18,7 +18,8 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     for name in forces.drives() {
         match forces.drive(name) {
             Ok(drive) => {
-                let (effort, rms) = (drive.effort(), short(drive.effort().rms()));
+                let effort = drive.effort();
+                let rms = short(drive.effort().rms());
                 say.note(&format!("{name}: at most {}, {rms} {} RMS", drive.peak(), effort.unit()));
             }
             Err(error) => say.note(&error.to_string()),
@@ -35,8 +36,14 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     early.map_or(Ok(()), Err)
 }
 
-/// Writes the pictures that the command line names. `why` is why the run ended early, which the page says.
-fn pictures(asked: &Forces, system: &System, forces: &kin::Forces<'_>, why: &str) -> Result<(), Fault> {
+/// Writes the pictures that the command line names. `why` is why the run ended early, which the
+/// page says.
+fn pictures(
+    asked: &Forces,
+    system: &System,
+    forces: &kin::Forces<'_>,
+    why: &str,
+) -> Result<(), Fault> {
     let motion = forces.motion();
     let write = |to: &str, text: &str| put(to, |to| to.write_all(text.as_bytes()));
     if let Some(to) = &asked.chart {
@@ -50,7 +57,10 @@ fn pictures(asked: &Forces, system: &System, forces: &kin::Forces<'_>, why: &str
         write(to, scene.pose(motion, hardest(forces))?.svg())?;
     }
     if let Some(to) = &asked.page {
-        write(to, &scene.page(motion)?.asked(&asked.motion.times.0).ended(why).forces(forces).html())?;
+        write(
+            to,
+            &scene.page(motion)?.asked(&asked.motion.times.0).ended(why).forces(forces).html(),
+        )?;
     }
     Ok(())
 }

@@ -6,8 +6,8 @@ use crate::model::{named, text};
 use crate::output;
 use crate::say::Say;
 
-/// Makes a mechanism file of a file of another program. Notes say what is left out, and at which times the
-/// other program solves it.
+/// Makes a mechanism file of a file of another program. Notes say what is left out, and at which
+/// times the other program solves it.
 pub fn import(asked: &Import, say: &Say) -> Result<(), Fault> {
     let imported = kin_import::asmt(&text(&asked.file)?)
         .map_err(|mistake| Fault::File(format!("{}: {mistake}", named(&asked.file))))?;

@@ -17,7 +17,8 @@ const SECONDS: f64 = 3.0;
 /// How often a file is looked at.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// Runs the mechanism and writes what is asked for. Where the run ends early, what came before is written.
+/// Runs the mechanism and writes what is asked for. Where the run ends early, what came before is
+/// written.
 pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (mut motion, early) = model::motion(&system, &asked.motion, asked.jerk)?;
@@ -37,7 +38,8 @@ pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
     early.map_or(Ok(()), Err)
 }
 
-/// Writes each file that the command line names. `why` is why the run ended early, which the page says.
+/// Writes each file that the command line names. `why` is why the run ended early, which the page
+/// says.
 fn written(asked: &Run, motion: &Motion, scene: &Scene, why: &str) -> Result<(), Fault> {
     if let Some(to) = &asked.csv {
         output::put(to, |to| motion.write_csv_to(to))?;
@@ -86,7 +88,9 @@ fn with_point(
         }
         (planar, ..) => {
             let (is, n) = if planar.is_some() { ("planar", 2) } else { ("spatial", 3) };
-            return Err(Fault::Usage(format!("`{body}` is a {is} body: a point of it has {n} numbers")));
+            return Err(Fault::Usage(format!(
+                "`{body}` is a {is} body: a point of it has {n} numbers"
+            )));
         }
     };
     added.map_err(Fault::asked)
@@ -95,18 +99,21 @@ fn with_point(
 /// Adds a measure and its rates to the file.
 fn add_measure(system: &System, motion: &mut Motion, name: &str) -> KinResult<()> {
     let measure = system.measure(motion, name)?;
-    for (series, mark) in [(&measure.value, ""), (&measure.rate, "'"), (&measure.second_rate, "''")] {
+    for (series, mark) in [(&measure.value, ""), (&measure.rate, "'"), (&measure.second_rate, "''")]
+    {
         motion.add_output(&format!("{name}{mark}"), series.unit(), series.values().to_vec())?;
     }
     Ok(())
 }
 
-/// Runs, and runs again each time the file has another content. It ends when nobody reads its output any
-/// more; faults are told, and the file is watched on.
+/// Runs, and runs again each time the file has another content. It ends when nobody reads its
+/// output any more; faults are told, and the file is watched on.
 pub fn watch(asked: &Run, say: &Say) -> Result<(), Fault> {
     let file = &asked.model.file;
     if file == "-" {
-        return Err(Fault::Usage("the standard input does not change: give a file to watch".to_string()));
+        return Err(Fault::Usage(
+            "the standard input does not change: give a file to watch".to_string(),
+        ));
     }
     let mut known = model::text(file)?;
     loop {
@@ -121,7 +128,8 @@ pub fn watch(asked: &Run, say: &Say) -> Result<(), Fault> {
     }
 }
 
-/// The content of the file once it is another one. A file that is missing is one that is being written.
+/// The content of the file once it is another one. A file that is missing is one that is being
+/// written.
 fn changed(file: &str, known: &str) -> String {
     let stamp = || std::fs::metadata(file).and_then(|of| of.modified()).ok();
     let mut seen = None;
@@ -129,7 +137,9 @@ fn changed(file: &str, known: &str) -> String {
         let now = stamp();
         if now.is_some() && now != seen {
             seen = now;
-            if let Some(text) = model::text(file).ok().filter(|text| text != known && !text.is_empty()) {
+            if let Some(text) =
+                model::text(file).ok().filter(|text| text != known && !text.is_empty())
+            {
                 return text;
             }
         }

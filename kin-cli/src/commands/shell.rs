@@ -31,8 +31,9 @@ pub fn manual(of: Option<&str>) -> Result<(), Fault> {
         None => all,
         Some(name) => {
             let found = all.find_subcommand(name).cloned();
-            found
-                .ok_or_else(|| Fault::Usage(format!("there is no command `{name}`; `kin help` lists them")))?
+            found.ok_or_else(|| {
+                Fault::Usage(format!("there is no command `{name}`; `kin help` lists them"))
+            })?
         }
     };
     output::put("-", |to| clap_mangen::Man::new(page).render(&mut Box::new(to)))

@@ -1,7 +1,7 @@
 //! `kin sweep`: many cases of one mechanism, a row each.
 //!
-//! Each case is run by itself, as `kin run` with its numbers set does it, so that its row does not depend on
-//! other cases, on threads or on the part of the whole that is asked for.
+//! Each case is run by itself, as `kin run` with its numbers set does it, so that its row does not
+//! depend on other cases, on threads or on the part of the whole that is asked for.
 
 use kin::{Options, System};
 use rayon::prelude::*;
@@ -16,30 +16,35 @@ use crate::say::Say;
 /// Cases that are run before their rows are written.
 const BLOCK: usize = 256;
 
-/// The cases of a file: names, and for each case the numbers as they are written and as they are read.
+/// The cases of a file: names, and for each case the numbers as they are written and as they are
+/// read.
 struct Cases {
     names: Vec<String>,
     rows: Vec<Vec<(String, f64)>>,
 }
 
-/// Runs all cases, or a part of them, and writes a row each as they are done. A case that fails is a row that
-/// says why.
+/// Runs all cases, or a part of them, and writes a row each as they are done. A case that fails is
+/// a row that says why.
 pub fn sweep(asked: &Sweep, say: &Say) -> Result<(), Fault> {
     if asked.model.file == "-" && asked.cases == "-" {
-        return Err(Fault::Usage("mechanism and cases cannot both be the standard input".to_string()));
+        return Err(Fault::Usage(
+            "mechanism and cases cannot both be the standard input".to_string(),
+        ));
     }
     let system = model::system(&asked.model)?;
     let Cases { names, rows } = cases(&asked.cases)?;
     let keep: Vec<String> =
         if asked.keep.is_empty() { system.coordinate_names().to_vec() } else { asked.keep.clone() };
-    let (times, options) = (&asked.motion.times.0, model::options(&asked.motion, false));
+    let times = &asked.motion.times.0;
+    let options = model::options(&asked.motion, false);
     known(&system, &names, &keep, times.first())?;
     let range = asked.shard.map_or(0..rows.len(), |shard| shard.cases(rows.len()));
     let job = Job { system: &system, names: &names, keep: &keep, times, options: &options };
     let mut table = csv::Writer::from_writer(output::open(&asked.out)?);
     let failed = |error: csv::Error| output::failed(&asked.out, &output::reason(error));
     table.write_record(job.header().iter().map(|name| output::as_text(name))).map_err(failed)?;
-    let (all, mut done) = (range.len(), 0);
+    let all = range.len();
+    let mut done = 0;
     say.progress(done, all, "cases");
     for block in range.collect::<Vec<usize>>().chunks(BLOCK) {
         let run = |k: &usize| job.row(*k, &rows[*k]);
@@ -58,7 +63,8 @@ fn cases(file: &str) -> Result<Cases, Fault> {
     let fail = |why: String| Fault::File(format!("{}: {why}", model::named(file)));
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let headers = reader.headers().map_err(|error| fail(error.to_string()))?;
-    let names: Vec<String> = headers.iter().map(|header| output::of_text(header).to_string()).collect();
+    let names: Vec<String> =
+        headers.iter().map(|header| output::of_text(header).to_string()).collect();
     if names.iter().all(String::is_empty) {
         return Err(fail("its first line names no parameter".to_string()));
     }
@@ -73,7 +79,9 @@ fn cases(file: &str) -> Result<Cases, Fault> {
         let line = record.position().map_or(0, csv::Position::line);
         let number = |(name, text): (&String, &str)| {
             let parsed = crate::times::number(text);
-            parsed.map(|x| (text.to_string(), x)).map_err(|why| fail(format!("line {line}: `{name}`: {why}")))
+            parsed
+                .map(|x| (text.to_string(), x))
+                .map_err(|why| fail(format!("line {line}: `{name}`: {why}")))
         };
         rows.push(names.iter().zip(&record).map(number).collect::<Result<_, _>>()?);
     }
@@ -92,7 +100,12 @@ fn unread(error: &csv::Error) -> String {
 }
 
 /// An error for names that the mechanism does not have, before anything is computed.
-fn known(system: &System, names: &[String], keep: &[String], first: Option<&f64>) -> Result<(), Fault> {
+fn known(
+    system: &System,
+    names: &[String],
+    keep: &[String],
+    first: Option<&f64>,
+) -> Result<(), Fault> {
     system.sweep(names).map_err(Fault::asked)?;
     let checked = first.map_or(Ok(()), |t| system.check_columns(keep, *t));
     checked.map_err(|error| match Fault::asked(error) {
@@ -170,7 +183,8 @@ impl Job<'_> {
                 }
                 _ => {
                     let found = system.extremes(&motion, name)?;
-                    let (least, most) = (found.min(), found.max());
+                    let least = found.min();
+                    let most = found.max();
                     all.extend([least.value, least.t, most.value, most.t]);
                 }
             }

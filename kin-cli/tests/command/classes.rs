@@ -1,4 +1,5 @@
-//! Every class of errors that the library has: the command line that leads there, its exit code, its words.
+//! Every class of errors that the library has: the command line that leads there, its exit code,
+//! its words.
 
 use std::collections::BTreeSet;
 
@@ -11,8 +12,9 @@ use crate::{SLOT, code, done, example, file, four_bar, words};
 /// A class of errors, the exit code that it has, words of its sentence, and the command line.
 type Line = (&'static str, i32, &'static str, Vec<String>);
 
-/// Classes that no command line leads to: a program has bodies and motions of two mechanisms, numbers that
-/// are none, tables and files of its own, stops its runs, compares routes to derivatives.
+/// Classes that no command line leads to: a program has bodies and motions of two mechanisms,
+/// numbers that are none, tables and files of its own, stops its runs, compares routes to
+/// derivatives.
 const OF_PROGRAMS: [&str; 10] = [
     "ForeignBody",
     "InitialNotFinite",
@@ -80,7 +82,8 @@ fn driven(law: &Law) -> Value {
 fn door() -> Value {
     written(|m| {
         let body = m.spatial("door", SpatialPose::at(vec3(0.0, 0.0, 0.0)))?;
-        let (o, z) = (vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
+        let o = vec3(0.0, 0.0, 0.0);
+        let z = vec3(0.0, 0.0, 1.0);
         m.add("hinge", spatial::revolute(body, Ground, o, o, z, -z))?;
         m.add("motor", spatial::drive_turn(body, Ground, z, z, Law::ramp(1.0))).map(drop)
     })
@@ -129,8 +132,10 @@ fn reach() -> Value {
 fn weighed() -> Value {
     let text = std::fs::read_to_string(example("16_change_points")).expect("readable");
     let mut data: Value = serde_json::from_str(&text).expect("JSON");
-    let (centre, inertia) = ([0.0; 3], [[0.0; 3], [0.0; 3], [0.0, 0.0, 0.1]]);
-    data["masses"] = json!([{ "body": "rocker", "mass": 1.0, "centre": centre, "inertia": inertia }]);
+    let centre = [0.0; 3];
+    let inertia = [[0.0; 3], [0.0; 3], [0.0, 0.0, 0.1]];
+    data["masses"] =
+        json!([{ "body": "rocker", "mass": 1.0, "centre": centre, "inertia": inertia }]);
     data["gravity"] = json!([0.0, -9.81, 0.0]);
     data
 }
@@ -161,7 +166,12 @@ fn of_files() -> Vec<Line> {
         ("RepeatedBody", 1, "`crank`", run("same", &same, "0")),
         ("NoCoordinates", 1, "has no coordinate left", run("nothing", &nothing, "0")),
         ("Dimension", 1, "`reach`", run("unused", &unused, "0")),
-        ("Data", 5, "`reach * reach` is inf; give numbers of which it is finite", run("huge", &huge, "0")),
+        (
+            "Data",
+            5,
+            "`reach * reach` is inf; give numbers of which it is finite",
+            run("huge", &huge, "0"),
+        ),
         ("InvalidParameters", 1, "a slot this flat", run("unmet", &unmet, "0")),
         ("NotFinite", 1, "is not finite", run("undefined", &undefined, "0")),
         ("Data", 5, "cannot be read as a mechanism", run("none", &json!({ "name": 3 }), "0")),
@@ -178,7 +188,12 @@ fn of_motions() -> Vec<Line> {
     vec![
         ("CannotBeDriven", 1, "nothing drives", run("free", &free, "0:1:3")),
         ("NoConvergence", 1, "t = 0 s: ", asked(&["check", m, "--set", "C.u_i.x=20"])),
-        ("SingularAt", 1, "rank 8 here", asked(&["check", change_points, "--set", "motor.law.f0=0"])),
+        (
+            "SingularAt",
+            1,
+            "rank 8 here",
+            asked(&["check", change_points, "--set", "motor.law.f0=0"]),
+        ),
         (
             "Toggle",
             3,
@@ -192,7 +207,12 @@ fn of_motions() -> Vec<Line> {
             "CannotBeProved",
             4,
             "cannot be proved",
-            asked(&["prove", &file("class_proof.json", &pinned_twice().to_string()), "--times", "0:1:3"]),
+            asked(&[
+                "prove",
+                &file("class_proof.json", &pinned_twice().to_string()),
+                "--times",
+                "0:1:3",
+            ]),
         ),
     ]
 }
@@ -200,7 +220,8 @@ fn of_motions() -> Vec<Line> {
 /// Errors of what is asked.
 fn of_questions() -> Vec<Line> {
     let m = &example("04_four_bar");
-    let made = |name: &str, content: &Value| file(&format!("class_{name}.json"), &content.to_string());
+    let made =
+        |name: &str, content: &Value| file(&format!("class_{name}.json"), &content.to_string());
     let measured = SLOT.replace(
         "\"equations\":[\"fn",
         "\"equations\":[\"#[measure(root = (j.local(i.point(u_i)).x - 1.0).sqrt(), \\\"m\\\")]\\nfn",
@@ -209,7 +230,12 @@ fn of_questions() -> Vec<Line> {
     let samples = asked(&["--times", "0:1:3", "--of", "max", "--samples", "0"]);
     vec![
         ("UnknownName", 2, "there is no", asked(&["check", m, "--set", "O.u_k.x=1"])),
-        ("InvalidConstraint", 2, "`A.slide`", asked(&["measure", m, "A.slide", "--times", "0:1:3"])),
+        (
+            "InvalidConstraint",
+            2,
+            "`A.slide`",
+            asked(&["measure", m, "A.slide", "--times", "0:1:3"]),
+        ),
         ("InvalidTimes", 2, "times: ", asked(&["run", m, "--times", "0,1,0.5"])),
         (
             "InvalidOptions",
@@ -224,16 +250,36 @@ fn of_questions() -> Vec<Line> {
             asked(&["check", &made("length", &reach()), "--set", "reach=-1"]),
         ),
         ("NeedsMemory", 2, "GB", asked(&["run", m, "--times", "0:1:6000000"])),
-        ("OutputNotFinite", 1, "slot.root", asked(&["measure", &measured, "slot.root", "--times", "0:1:3"])),
-        ("NoDerivative", 2, "O.u_k.x", asked(&["sensitivities", m, "--times", "0:1:3", "--by", "O.u_k.x"])),
+        (
+            "OutputNotFinite",
+            1,
+            "slot.root",
+            asked(&["measure", &measured, "slot.root", "--times", "0:1:3"]),
+        ),
+        (
+            "NoDerivative",
+            2,
+            "O.u_k.x",
+            asked(&["sensitivities", m, "--times", "0:1:3", "--by", "O.u_k.x"]),
+        ),
         (
             "NotUnique",
             1,
             "not unique",
             asked(&["forces", &made("shared", &pinned_twice()), "--times", "0:1:3"]),
         ),
-        ("Jammed", 1, "jammed: at ", asked(&["forces", &made("drawer", &drawer()), "--times", "0:1:3"])),
-        ("Unbounded", 1, "grow", asked(&["forces", &made("weighed", &weighed()), "--times", "0:2:7"])),
+        (
+            "Jammed",
+            1,
+            "jammed: at ",
+            asked(&["forces", &made("drawer", &drawer()), "--times", "0:1:3"]),
+        ),
+        (
+            "Unbounded",
+            1,
+            "grow",
+            asked(&["forces", &made("weighed", &weighed()), "--times", "0:2:7"]),
+        ),
     ]
 }
 

@@ -50,8 +50,10 @@ fn numbers(table: &str) -> Vec<Vec<f64>> {
 
 #[test]
 fn own_equations_as_text_are_the_compiled_ones() {
-    let registry =
-        Registry::new().with::<own::slider_crank>().with::<own::parabolic_slot>().with::<own::geneva>();
+    let registry = Registry::new()
+        .with::<own::slider_crank>()
+        .with::<own::parabolic_slot>()
+        .with::<own::geneva>();
     for (name, [from, to], count) in OWN {
         let mechanism = Mechanism::read_json(example(name), &registry).expect("reads");
         let options = Options { engine: kin::Engine::Plain, ..Options::default() };
@@ -115,7 +117,8 @@ fn points_measures_and_the_jerk_are_those_of_a_program() {
         motion.add_output(&format!("A.angle{mark}"), series.unit(), values).expect("an output");
     }
     let file = example("04_four_bar");
-    let asked = ["--times", "0:1:31", "--jerk", "--point", "P=coupler:0.2,1.4", "--measure", "A.angle"];
+    let asked =
+        ["--times", "0:1:31", "--jerk", "--point", "P=coupler:0.2,1.4", "--measure", "A.angle"];
     let found = data(&[&["run", &file, "--csv", "-"][..], &asked].concat());
     assert_eq!(found.into_bytes(), written(&motion, "points"));
 }
@@ -134,23 +137,30 @@ fn a_file_that_stands_alone_runs() {
     let file = crate::file("slot.json", SLOT);
     let table = data(&["run", &file, "--times", "0:6:601", "--set", "slot.k=2.5", "--csv", "-"]);
     let mut rows = table.lines();
-    assert!(rows.next().is_some_and(|header| header.starts_with("t [s],slider.R_x [m],slider.R_y [m]")));
+    assert!(
+        rows.next().is_some_and(|header| header.starts_with("t [s],slider.R_x [m],slider.R_y [m]"))
+    );
     assert_eq!(rows.clone().count(), 601);
     for row in rows {
         let numbers: Vec<f64> = row.split(',').map(|x| x.parse().expect("a number")).collect();
         let x = 0.3 * numbers[0].sin();
-        assert!((numbers[1] - x).abs() < 1e-13 && (numbers[2] - 2.5 * x * x).abs() < 1e-13, "{row}");
+        assert!(
+            (numbers[1] - x).abs() < 1e-13 && (numbers[2] - 2.5 * x * x).abs() < 1e-13,
+            "{row}"
+        );
     }
 }
 
 #[test]
 fn pictures_and_pages_are_written() {
-    let places = ["four_bar.svg", "page/index.html"].map(|name| place(name).to_string_lossy().into_owned());
+    let places =
+        ["four_bar.svg", "page/index.html"].map(|name| place(name).to_string_lossy().into_owned());
     let [svg, page] = &places;
     let point = ["--point", "P=coupler:0.2,1.4"];
     let files = ["--svg", svg, "--page", page];
     data(&[&["run", &example("04_four_bar"), "--times", "0:1:61"][..], &point, &files].concat());
-    let [svg, page] = places.each_ref().map(|path| std::fs::read_to_string(path).expect("readable"));
+    let [svg, page] =
+        places.each_ref().map(|path| std::fs::read_to_string(path).expect("readable"));
     assert!(svg.starts_with("<svg") && svg.contains("animate"), "{}", &svg[..200]);
     assert!(page.starts_with("<!doctype html>") && page.contains("four-bar"), "{}", &page[..200]);
 }

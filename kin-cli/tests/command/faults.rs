@@ -1,4 +1,5 @@
-//! Every class of faults: its exit code, its words on the standard error, nothing on the standard output.
+//! Every class of faults: its exit code, its words on the standard error, nothing on the standard
+//! output.
 
 use serde_json::{Value, json};
 
@@ -36,12 +37,20 @@ fn a_command_line_that_makes_no_sense_is_usage() {
     fails(&["run", m], 2, "--times");
     fails(&["run", m, "--times", "0:1"], 2, "write FROM:TO:COUNT");
     fails(&["run", m, "--times", "0,1,0.5"], 2, "times");
-    fails(&["run", m, "--times", "0:1:3", "--set", "O.u_k.x=1"], 2, "there is no parameter `O.u_k.x`");
+    fails(
+        &["run", m, "--times", "0:1:3", "--set", "O.u_k.x=1"],
+        2,
+        "there is no parameter `O.u_k.x`",
+    );
     let twice = ["run", m, "--times", "0:1:3", "--set", "O.u_i.x=0", "--set", "O.u_i.x=1"];
     fails(&twice, 2, "`--set` names `O.u_i.x` twice: leave one of the two out");
     let all = "and 9 more; `kin check FILE --names` lists all";
     fails(&["run", m, "--times", "0:1:3", "--set", "crank=1"], 2, all);
-    fails(&["run", m, "--times", "0:1:3", "--point", "P=cuppler:0,0"], 2, "there is no body `cuppler`");
+    fails(
+        &["run", m, "--times", "0:1:3", "--point", "P=cuppler:0,0"],
+        2,
+        "there is no body `cuppler`",
+    );
     fails(&["run", m, "--times", "0:1:3", "--point", "P=coupler:0,0,0"], 2, "has 2 numbers");
     fails(&["run", m, "--times", "0:1:3", "--measure", "A.slide"], 2, "A.slide");
     fails(&["measure", m, "B.length", "--times", "0:1:3"], 2, "B.length");
@@ -68,14 +77,22 @@ fn a_run_that_ends_early_has_written_what_came_before() {
         ["run", &example("04_four_bar"), "--times", "0:1:101", "--set", "C.u_i.x=6", "--csv", "-"];
     let output = done(&arguments);
     assert_eq!(code(&output), 3, "{}", words(&output));
-    assert!(words(&output).contains("a toggle: beyond this time there is no position"), "{}", words(&output));
+    assert!(
+        words(&output).contains("a toggle: beyond this time there is no position"),
+        "{}",
+        words(&output)
+    );
     let rows = String::from_utf8(output.stdout).expect("text").lines().count();
     assert!((20..60).contains(&rows), "{rows} rows");
 }
 
 #[test]
 fn what_is_not_proved_has_its_own_code() {
-    fails(&["prove", &example("16_change_points"), "--times", "0:1:31"], 4, "26 of 30 steps proved");
+    fails(
+        &["prove", &example("16_change_points"), "--times", "0:1:31"],
+        4,
+        "26 of 30 steps proved",
+    );
     let told = "cannot be proved";
     let mut data = four_bar();
     let mut again = data["constraints"][0].clone();
@@ -88,15 +105,18 @@ fn what_is_not_proved_has_its_own_code() {
 fn files_that_are_missing_or_none_are_told() {
     let m = &example("04_four_bar");
     fails(&["check", "missing.json"], 5, "cannot read missing.json");
-    fails(&["check", &file("none.json", "{\"name\": 3}")], 5, "none.json cannot be read as a mechanism: ");
+    fails(
+        &["check", &file("none.json", "{\"name\": 3}")],
+        5,
+        "none.json cannot be read as a mechanism: ",
+    );
     fails(&["check", &file("text.json", "hello")], 5, "line 1 column 1");
     let unknown = four_bar().to_string().replace("\"drive_angle\"", "\"drive_angel\"");
     fails(&["check", &file("unknown.json", &unknown)], 5, "unknown constraint `drive_angel`");
     // Members that a later format has are no mistakes: the format is what is wrong.
     let mut data = four_bar();
     (data["format"], data["bodies"][0]["colour"]) = (json!(99), json!("red"));
-    let told =
-        "later.json cannot be read as a mechanism: it is of format 99, which a newer Kin has written; Kin ";
+    let told = "later.json cannot be read as a mechanism: it is of format 99, which a newer Kin has written; Kin ";
     fails(&["check", &file("later.json", &data.to_string())], 5, told);
     fails(
         &["run", m, "--times", "0:1:3", "--csv", "/dev/null/motion.csv"],
@@ -104,7 +124,11 @@ fn files_that_are_missing_or_none_are_told() {
         "cannot write /dev/null/motion.csv",
     );
     let short = file("short.csv", "O.u_i.x,O.u_i.y\n0.1,0.2\n0.1\n");
-    fails(&["sweep", m, &short, "--times", "0:1:3"], 5, "line 3 has 1 numbers, where the first line names 2");
+    fails(
+        &["sweep", m, &short, "--times", "0:1:3"],
+        5,
+        "line 3 has 1 numbers, where the first line names 2",
+    );
     let text = std::fs::read_to_string(m).expect("readable");
     let text = text.replacen("\"u_i\":", "\"u_i\": [5.0, 5.0], \"u_i\":", 1);
     fails(&["check", &file("key_twice.json", &text)], 5, "the key `u_i` stands twice");
@@ -116,7 +140,11 @@ fn files_that_are_missing_or_none_are_told() {
     fails(&["check", &file("mistake.json", &mistake)], 5, "a Vec2 has no field `w`");
     let output = done(&["sweep", m, &cases, "--times", "0:1:3"]);
     assert_eq!(code(&output), 5);
-    assert!(words(&output).contains("line 3: `O.u_i.x`: `blue` is no number"), "{}", words(&output));
+    assert!(
+        words(&output).contains("line 3: `O.u_i.x`: `blue` is no number"),
+        "{}",
+        words(&output)
+    );
 }
 
 #[test]

@@ -27,7 +27,8 @@ fn files() -> Vec<(String, String)> {
 /// Tells whether a file is one by the schema that the command writes.
 fn judge() -> impl Fn(&Value) -> Result<(), String> {
     let schema: Value = serde_json::from_str(&data(&["schema"])).expect("JSON");
-    let (mut schemas, mut compiler) = (boon::Schemas::new(), boon::Compiler::new());
+    let mut schemas = boon::Schemas::new();
+    let mut compiler = boon::Compiler::new();
     compiler.add_resource("mechanism.json", schema).expect("a schema");
     let index = compiler.compile("mechanism.json", &mut schemas).expect("a schema");
     move |value| schemas.validate(value, index).map_err(|error| error.to_string())
@@ -52,13 +53,18 @@ fn the_schema_has_every_member_that_is_written() {
     let link = m.link("link", 1.0).expect("a link");
     let body = m.spatial("body", kin::SpatialPose::at(Vec3::new(0.0, 0.0, 0.0))).expect("a body");
     m.add("O", revolute(m.ground(), link, vec2(0.0, 0.0), link.start())).expect("a joint");
-    m.add("motor", drive(link.theta(), Law::ramp(1.0) + 2.0 * Law::sine(1.0, 2.0, 0.0))).expect("a driver");
-    m.add("fixed", spatial::fixed(body, Vec3::new(0.0, 0.0, 0.0), EulerParameters::new(1.0, 0.0, 0.0, 0.0)))
-        .expect("a joint");
+    m.add("motor", drive(link.theta(), Law::ramp(1.0) + 2.0 * Law::sine(1.0, 2.0, 0.0)))
+        .expect("a driver");
+    m.add(
+        "fixed",
+        spatial::fixed(body, Vec3::new(0.0, 0.0, 0.0), EulerParameters::new(1.0, 0.0, 0.0, 0.0)),
+    )
+    .expect("a joint");
     m.limit("O.angle", -1.0, f64::INFINITY).expect("a limit");
     m.prefer(link, 0.3);
     m.prefer("O.angle", 0.3);
-    let arm = m.dimension("arm", 2.0).expect("a dimension").within(1.0, 3.0).tolerance(0.1).unit("mm");
+    let arm =
+        m.dimension("arm", 2.0).expect("a dimension").within(1.0, 3.0).tolerance(0.1).unit("mm");
     m.link("bent", arm / 2.0).expect("a link");
     m.mass(link, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
     m.gravity(vec2(0.0, -9.81));
@@ -87,10 +93,11 @@ fn slips_are_refused_by_the_schema_and_by_the_reader() {
         }),
         ("unknown field `center`", |file| {
             let rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-            file["masses"] =
-                json!([{ "body": "crank", "mass": 1.0, "center": [0.0, 0.0, 0.0], "inertia": rows }]);
+            file["masses"] = json!([{ "body": "crank", "mass": 1.0, "center": [0.0, 0.0, 0.0], "inertia": rows }]);
         }),
-        ("unknown variant `body`", |file| file["constraints"][0]["arguments"][0] = json!({ "body": null })),
+        ("unknown variant `body`", |file| {
+            file["constraints"][0]["arguments"][0] = json!({ "body": null })
+        }),
     ];
     for (told, slip) in slips {
         let mut file = four_bar();
@@ -101,7 +108,8 @@ fn slips_are_refused_by_the_schema_and_by_the_reader() {
     }
 }
 
-/// A file with one or a few changes: of a byte, of a number, of a member, of a part by one of another file.
+/// A file with one or a few changes: of a byte, of a number, of a member, of a part by one of
+/// another file.
 fn spoilt(files: &[(String, String)], random: &mut fastrand::Rng) -> String {
     let pick = |random: &mut fastrand::Rng| files[random.usize(..files.len())].1.clone();
     let mut text = pick(random);
@@ -113,11 +121,14 @@ fn spoilt(files: &[(String, String)], random: &mut fastrand::Rng) -> String {
             }
             at
         };
-        let (a, b) = (at(random, &text), at(random, &text));
-        let (from, to) = (a.min(b), a.max(b).min(a.min(b) + 40));
+        let a = at(random, &text);
+        let b = at(random, &text);
+        let from = a.min(b);
+        let to = a.max(b).min(a.min(b) + 40);
         let to = (from..=to).rev().find(|k| text.is_char_boundary(*k)).unwrap_or(from);
         let other = pick(random);
-        let (c, d) = (at(random, &other), at(random, &other));
+        let c = at(random, &other);
+        let d = at(random, &other);
         let part = &other[c.min(d)..c.max(d)];
         let part: String = part.chars().take(60).collect();
         let words = [
@@ -141,8 +152,9 @@ fn spoilt(files: &[(String, String)], random: &mut fastrand::Rng) -> String {
             Some(number) => {
                 let begin = from + number;
                 let rest = &text[begin..];
-                let length =
-                    rest.find(|c: char| !(c.is_ascii_digit() || ".eE+-".contains(c))).unwrap_or(rest.len());
+                let length = rest
+                    .find(|c: char| !(c.is_ascii_digit() || ".eE+-".contains(c)))
+                    .unwrap_or(rest.len());
                 text.replace_range(begin..begin + length, words[random.usize(..words.len())]);
             }
             None => text.replace_range(from..to, &new),
@@ -162,9 +174,11 @@ fn spoilt_files_are_read_or_refused_by_name() {
             .and_then(|data| Mechanism::from_data(&data, &kin_text::registry())?.build());
         let time = begun.elapsed();
         if let Err(error) = &made {
-            // A place of the text, the name of a part of the mechanism, or the one member without a name.
+            // A place of the text, the name of a part of the mechanism, or the one member without a
+            // name.
             let told = error.to_string();
-            let is_placed = [" at line ", "`", "mechanism: format "].iter().any(|place| told.contains(place));
+            let is_placed =
+                [" at line ", "`", "mechanism: format "].iter().any(|place| told.contains(place));
             assert!(is_placed, "{told}\n{text}");
         }
         campaign::One { read: made.is_ok(), time, text }

@@ -1,5 +1,5 @@
-//! Names and texts in files that would like to be more than names: they do not come into terminals, pictures
-//! or pages.
+//! Names and texts in files that would like to be more than names: they do not come into terminals,
+//! pictures or pages.
 
 use serde_json::json;
 
@@ -8,20 +8,26 @@ use crate::{code, data, done, file, four_bar, place, words};
 /// A four-bar whose crank has this name, everywhere.
 fn named(name: &str, at: &str) -> String {
     let quoted = json!(name).to_string();
-    let text = four_bar().to_string().replace("\"four-bar\"", &quoted).replace("\"crank\"", &quoted);
+    let text =
+        four_bar().to_string().replace("\"four-bar\"", &quoted).replace("\"crank\"", &quoted);
     file(at, &text)
 }
 
 #[test]
 fn names_that_move_the_cursor_are_refused_and_shown_harmlessly() {
-    for (k, name) in ["a\u{1b}[2J", "a\u{9b}31m", "a\nb", "a\u{202e}b", "a\rb", "\u{7}"].iter().enumerate() {
+    for (k, name) in
+        ["a\u{1b}[2J", "a\u{9b}31m", "a\nb", "a\u{202e}b", "a\rb", "\u{7}"].iter().enumerate()
+    {
         let m = named(name, &format!("cursor_{k}.json"));
         for format in ["text", "json"] {
             let output = done(&["check", &m, "--error-format", format]);
             assert_eq!(code(&output), 5);
             let told = words(&output);
             assert!(told.contains("control character"), "{told}");
-            assert!(!told.chars().any(|c| c.is_control() && c != '\n' || c == '\u{202e}'), "{told:?}");
+            assert!(
+                !told.chars().any(|c| c.is_control() && c != '\n' || c == '\u{202e}'),
+                "{told:?}"
+            );
         }
     }
 }
@@ -42,7 +48,8 @@ fn texts_of_equations_that_move_the_cursor_are_shown_harmlessly() {
 fn names_that_are_code_stay_names() {
     let name = "</script></style><script>alert(1)</script>\"'><img src=x onerror=alert(1)>&lt;";
     let m = named(name, "code.json");
-    let [svg, page] = ["code.svg", "code.html"].map(|name| place(name).to_string_lossy().into_owned());
+    let [svg, page] =
+        ["code.svg", "code.html"].map(|name| place(name).to_string_lossy().into_owned());
     let point = format!("<b>={name}:0,0");
     data(&["run", &m, "--times", "0:1:11", "--svg", &svg, "--page", &page, "--point", &point]);
     for path in [svg, page] {

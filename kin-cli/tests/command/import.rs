@@ -93,7 +93,10 @@ fn a_file_of_ondsel_becomes_a_mechanism_that_runs() {
     let imported = fed(&["import", "-"], PART);
     assert_eq!(code(&imported), 0, "{}", words(&imported));
     let told = words(&imported);
-    assert!(told.contains("CurveCurveContact `cam` is left out: joints of this kind are not read"), "{told}");
+    assert!(
+        told.contains("CurveCurveContact `cam` is left out: joints of this kind are not read"),
+        "{told}"
+    );
     assert!(told.contains("its times: --times 0:1:101"), "{told}");
     let file = String::from_utf8(imported.stdout).expect("text");
     let run = fed(&["run", "-", "--times", "0:1:5", "--csv", "-"], &file);
@@ -106,7 +109,10 @@ fn a_file_that_is_none_is_told_with_its_line() {
     let spoilt = fed(&["import", "-"], &PART.replace("2.0d*pi*time", "2.0d*pi*speed"));
     assert_eq!(code(&spoilt), 5);
     let told = words(&spoilt);
-    assert!(told.contains("the standard input: line ") && told.contains("`speed` is not known"), "{told}");
+    assert!(
+        told.contains("the standard input: line ") && told.contains("`speed` is not known"),
+        "{told}"
+    );
     let none = done(&["import", "no such file.asmt"]);
     assert_eq!(code(&none), 5, "{}", words(&none));
 }

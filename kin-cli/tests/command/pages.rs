@@ -10,7 +10,10 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 fn blocks(page: &str, language: &str) -> Vec<String> {
     let text = std::fs::read_to_string(format!("{ROOT}/docs/guide/{page}.md")).expect("a page");
     let fence = format!("```{language}\n");
-    text.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap_or_default().to_string()).collect()
+    text.split(&fence)
+        .skip(1)
+        .map(|rest| rest.split("```").next().unwrap_or_default().to_string())
+        .collect()
 }
 
 /// A folder that looks like the root of the repository, with `out/`.
@@ -22,7 +25,8 @@ fn folder(page: &str) -> PathBuf {
         std::fs::create_dir_all(folder.join(ready)).expect("a folder");
         for entry in std::fs::read_dir(format!("{ROOT}/{ready}")).expect("the ready mechanisms") {
             let from = entry.expect("an entry").path();
-            std::fs::copy(&from, folder.join(ready).join(from.file_name().expect("a name"))).expect("copied");
+            std::fs::copy(&from, folder.join(ready).join(from.file_name().expect("a name")))
+                .expect("copied");
         }
     }
     folder
@@ -31,7 +35,8 @@ fn folder(page: &str) -> PathBuf {
 /// The names of the pages of the guide, without `.md`.
 fn pages() -> Vec<String> {
     let entries = std::fs::read_dir(format!("{ROOT}/docs/guide")).expect("the guide");
-    let names = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
+    let names =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
     names.filter_map(|name| name.strip_suffix(".md").map(ToString::to_string)).collect()
 }
 
@@ -47,8 +52,11 @@ fn shell(line: &str, folder: &Path) -> Command {
 fn watched(line: &str, folder: &Path) {
     let told = folder.join("watched.txt");
     let words = std::fs::File::create(&told).expect("a file");
-    let mut child =
-        shell(&format!("exec {line}"), folder).stdout(Stdio::null()).stderr(words).spawn().expect("a shell");
+    let mut child = shell(&format!("exec {line}"), folder)
+        .stdout(Stdio::null())
+        .stderr(words)
+        .spawn()
+        .expect("a shell");
     let begun = Instant::now();
     while !std::fs::read_to_string(&told).is_ok_and(|text| text.contains("watching"))
         && begun.elapsed() < Duration::from_secs(60)
@@ -67,7 +75,8 @@ fn every_command_line_of_the_guide_does_what_it_says() {
     for page in &pages() {
         let folder = folder(page);
         for (file, json) in [("slot", blocks("text", "json")), ("arm", blocks("command", "json"))] {
-            std::fs::write(folder.join(format!("out/{file}.json")), json.concat()).expect("written");
+            std::fs::write(folder.join(format!("out/{file}.json")), json.concat())
+                .expect("written");
         }
         for line in blocks(page, "sh").iter().flat_map(|block| block.lines()) {
             count += 1;
@@ -78,8 +87,9 @@ fn every_command_line_of_the_guide_does_what_it_says() {
             let output = shell(line, &folder).output().expect("a shell");
             let told = String::from_utf8_lossy(&output.stderr).into_owned();
             assert!(output.status.success() && !told.contains("error"), "{line}: {told}");
-            let has_file =
-                line.split_whitespace().filter(|word| word.starts_with("out/") && !line.contains("cat "));
+            let has_file = line
+                .split_whitespace()
+                .filter(|word| word.starts_with("out/") && !line.contains("cat "));
             for file in has_file {
                 let size = std::fs::metadata(folder.join(file)).map(|of| of.len()).unwrap_or(0);
                 assert!(size > 0, "{line}: {file} is not there");
@@ -93,10 +103,13 @@ fn every_command_line_of_the_guide_does_what_it_says() {
 #[test]
 fn the_page_of_a_run_that_ended_early_says_why() {
     let page = folder("early").join("out/early.html");
-    let line =
-        format!("kin run examples/mechanisms/04_four_bar.json --set C.u_i.x=5.7 --page {}", page.display());
+    let line = format!(
+        "kin run examples/mechanisms/04_four_bar.json --set C.u_i.x=5.7 --page {}",
+        page.display()
+    );
     let ran = |times: &str| {
-        let output = shell(&format!("{line} --times {times}"), &folder("early")).output().expect("a shell");
+        let output =
+            shell(&format!("{line} --times {times}"), &folder("early")).output().expect("a shell");
         (output.status.code(), std::fs::read_to_string(&page).expect("a page"))
     };
     let (code, html) = ran("0:1:91");
@@ -114,9 +127,12 @@ fn the_page_of_a_run_that_ended_early_says_why() {
 
 #[test]
 fn every_ready_mechanism_runs() {
-    for entry in std::fs::read_dir(format!("{ROOT}/examples/mechanisms")).expect("the ready mechanisms") {
+    for entry in
+        std::fs::read_dir(format!("{ROOT}/examples/mechanisms")).expect("the ready mechanisms")
+    {
         let path = entry.expect("an entry").path();
-        let table = crate::data(&["run", &path.to_string_lossy(), "--times", "0:0.1:3", "--csv", "-"]);
+        let table =
+            crate::data(&["run", &path.to_string_lossy(), "--times", "0:0.1:3", "--csv", "-"]);
         assert_eq!(table.lines().count(), 4, "{}", path.display());
     }
 }

@@ -1,4 +1,5 @@
-//! The tables that the example programs have written, beside those that the command writes of their files.
+//! The tables that the example programs have written, beside those that the command writes of their
+//! files.
 
 use std::path::Path;
 
@@ -12,8 +13,8 @@ enum Alike {
 }
 use Alike::{Bits, Nearly};
 
-/// An example, what it asks for beside its times, and the beginnings of the names of what it has computed or
-/// placed by formulas of its own.
+/// An example, what it asks for beside its times, and the beginnings of the names of what it has
+/// computed or placed by formulas of its own.
 type Example = (&'static str, Alike, &'static [&'static str], &'static [&'static str]);
 
 const EXAMPLES: [Example; 26] = [
@@ -59,7 +60,8 @@ const EXAMPLES: [Example; 26] = [
 fn columns(table: &str) -> Vec<(String, Vec<String>)> {
     let mut rows = table.lines().map(|row| row.split(',').map(str::to_owned).collect::<Vec<_>>());
     let header = rows.next().expect("a header");
-    let mut all: Vec<(String, Vec<String>)> = header.into_iter().map(|name| (name, Vec::new())).collect();
+    let mut all: Vec<(String, Vec<String>)> =
+        header.into_iter().map(|name| (name, Vec::new())).collect();
     for row in rows {
         assert_eq!(row.len(), all.len());
         all.iter_mut().zip(row).for_each(|((_, column), cell)| column.push(cell));
@@ -71,14 +73,16 @@ fn is_like(alike: &Alike, ours: &[String], theirs: &[String]) -> bool {
     if *alike == Bits {
         return ours == theirs;
     }
-    let [ours, theirs] = [ours, theirs]
-        .map(|all| all.iter().map(|cell| cell.parse::<f64>().expect("a number")).collect::<Vec<f64>>());
+    let [ours, theirs] = [ours, theirs].map(|all| {
+        all.iter().map(|cell| cell.parse::<f64>().expect("a number")).collect::<Vec<f64>>()
+    });
     let size = theirs.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
-    ours.len() == theirs.len() && ours.iter().zip(&theirs).all(|(a, b)| (a - b).abs() <= 1e-13 * size)
+    ours.len() == theirs.len()
+        && ours.iter().zip(&theirs).all(|(a, b)| (a - b).abs() <= 1e-13 * size)
 }
 
-/// After `cargo run --release --example gallery`, as `.ci/run` has it; doctests write beside it. The table
-/// of `14_sweep_four_bars` is of another four-bar than its file, found by the sweep.
+/// After `cargo run --release --example gallery`, as `.ci/run` has it; doctests write beside it.
+/// The table of `14_sweep_four_bars` is of another four-bar than its file, found by the sweep.
 #[test]
 #[ignore = "the examples have to be run before"]
 fn tables_of_the_example_programs_are_the_commands() {
@@ -104,7 +108,8 @@ fn tables_of_the_example_programs_are_the_commands() {
         let ours = columns(&data(&arguments));
         for (header, cells) in &ours {
             let at = theirs.iter().position(|(known, _)| known == header);
-            let (_, wanted) = theirs.remove(at.unwrap_or_else(|| panic!("{name}: no column {header}")));
+            let (_, wanted) =
+                theirs.remove(at.unwrap_or_else(|| panic!("{name}: no column {header}")));
             assert!(is_like(alike, cells, &wanted), "{name}: {header}");
         }
         let is_computed = |header: &str| computed.iter().any(|begin| header.starts_with(begin));

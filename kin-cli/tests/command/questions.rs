@@ -44,7 +44,10 @@ fn a_measure_has_its_rates_and_extremes() {
         assert!((row[5] + std::f64::consts::TAU).abs() < 1e-9, "{row:?}");
     }
     let told = words(&done(&arguments));
-    assert!(told.contains("rocker.theta: from 1.77") && told.contains("to 2.467462146922"), "{told}");
+    assert!(
+        told.contains("rocker.theta: from 1.77") && told.contains("to 2.467462146922"),
+        "{told}"
+    );
 }
 
 #[test]
@@ -58,11 +61,17 @@ fn sensitivities_are_central_differences() {
             let set = format!("{name}={value}");
             numbers(&data(&["measure", &m, "rocker.theta", "--times", "0:1:21", "--set", &set]))
         };
-        let (at, h) = ([std::f64::consts::TAU, 4.0][column], 1e-5);
-        let (more, less) = (value(at + h), value(at - h));
+        let at = [std::f64::consts::TAU, 4.0][column];
+        let h = 1e-5;
+        let more = value(at + h);
+        let less = value(at - h);
         for (k, row) in by.iter().enumerate() {
             let difference = (more[k][1] - less[k][1]) / (2.0 * h);
-            assert!((row[column + 1] - difference).abs() < 1e-6, "{name}: {} {difference}", row[column + 1]);
+            assert!(
+                (row[column + 1] - difference).abs() < 1e-6,
+                "{name}: {} {difference}",
+                row[column + 1]
+            );
         }
     }
 }
@@ -97,7 +106,10 @@ fn names_are_those_that_can_be_set_and_asked_for() {
             _ => drop(data(&["check", &m, "--set", &format!("{}={}", cells[1], cells[2])])),
         }
     }
-    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), [("coordinate", 9), ("measure", 4), ("parameter", 17)]);
+    assert_eq!(
+        kinds.into_iter().collect::<Vec<_>>(),
+        [("coordinate", 9), ("measure", 4), ("parameter", 17)]
+    );
 }
 
 /// An arm that turns at a constant rate under its weight: the motor holds m g l cos θ.
@@ -110,24 +122,31 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     m.add("motor", drive_angle(arm, Law::ramp(2.0))).expect("a driver");
     m.mass(arm, 3.0, vec2(0.0, 0.0), 0.1).expect("a mass");
     m.gravity(vec2(0.0, -9.81));
-    let file = crate::file("arm.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let file =
+        crate::file("arm.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
     let arguments = ["forces", &file, "--times", "0:3:31"];
     let table = data(&arguments);
     let header: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
     let column = |name: &str| header.iter().position(|known| *known == name).expect(name);
-    let (effort, up) = (column("motor [N m]"), column("O on arm.F_y [N]"));
+    let effort = column("motor [N m]");
+    let up = column("O on arm.F_y [N]");
     for row in numbers(&table) {
-        let (theta, radius) = (2.0 * row[0], 0.25);
+        let theta = 2.0 * row[0];
+        let radius = 0.25;
         let exact = 3.0 * 9.81 * radius * theta.cos();
         assert!((row[effort] - exact).abs() < 1e-11, "{} {exact}", row[effort]);
         let exact = 3.0 * (9.81 - 4.0 * radius * theta.sin());
         assert!((row[up] - exact).abs() < 1e-11, "{} {exact}", row[up]);
     }
     let told = words(&done(&arguments));
-    assert!(told.contains("motor: at most 7.3575 N m at 0 s, ") && told.contains("power balance"), "{told}");
+    assert!(
+        told.contains("motor: at most 7.3575 N m at 0 s, ") && told.contains("power balance"),
+        "{told}"
+    );
     // √(1/3 ∫ cos² 2t dt) over 3 s, but for the trapezia.
     let rms = 7.3575 * ((1.5 + 12.0_f64.sin() / 8.0) / 3.0_f64).sqrt();
-    let found = told.split("0 s, ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
+    let found =
+        told.split("0 s, ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
     assert!((found.parse::<f64>().expect("a number") / rms - 1.0).abs() < 1e-3, "{found} {rms}");
     let table = std::env::temp_dir().join(format!("kin-forces-{}.csv", std::process::id()));
     let table = table.to_str().expect("a path");
@@ -135,7 +154,9 @@ fn forces_of_an_arm_are_those_of_its_weight() {
     let whole: kin::data::ForcesData = serde_json::from_str(&whole).expect("forces");
     std::fs::remove_file(table).expect("a table");
     let motor = whole.columns.iter().find(|column| column.name == "motor").expect("a column");
-    assert!((motor.values[0] - 7.3575).abs() < 1e-11 && motor.unit == "N m" && whole.left_over < 1e-12);
+    assert!(
+        (motor.values[0] - 7.3575).abs() < 1e-11 && motor.unit == "N m" && whole.left_over < 1e-12
+    );
     let drawn = |what: &str, kind: &str| {
         let to = std::env::temp_dir().join(format!("kin-forces-{}.{kind}", std::process::id()));
         let to = to.to_str().expect("a path");
@@ -144,14 +165,23 @@ fn forces_of_an_arm_are_those_of_its_weight() {
         std::fs::remove_file(to).expect("a picture");
         text
     };
-    // The motor gives most at the beginning, so that time is drawn, with the scale that arrows are read by.
+    // The motor gives most at the beginning, so that time is drawn, with the scale that arrows are
+    // read by.
     let svg = drawn("--svg", "svg");
-    assert!(svg.contains("<title>O on arm</title>") && svg.contains("t = 0 s") && svg.contains(" N</text>"));
+    assert!(
+        svg.contains("<title>O on arm</title>")
+            && svg.contains("t = 0 s")
+            && svg.contains(" N</text>")
+    );
     assert!(drawn("--chart", "chart.svg").contains("effort [N m]"));
     let page = drawn("--page", "html");
     assert!(page.contains("motor on arm") && page.contains("forces in joints"));
     let output = done(&["forces", &example("04_four_bar"), "--times", "0:1:3"]);
-    assert!(code(&output) == 1 && words(&output).contains("nothing has mass"), "{}", words(&output));
+    assert!(
+        code(&output) == 1 && words(&output).contains("nothing has mass"),
+        "{}",
+        words(&output)
+    );
     assert!(words(&output).contains("in a file under `masses` and `loads`"), "{}", words(&output));
 }
 
@@ -160,7 +190,8 @@ fn forces_of_an_arm_are_those_of_its_weight() {
 fn forces_that_grow_without_bound_are_told_and_so_is_what_a_drive_gains() {
     use kin::prelude::*;
     let mut m = Mechanism::new("pump");
-    let (crank, rod) = (m.link("crank", 1.0).expect("a link"), m.link("rod", 2.5).expect("a link"));
+    let crank = m.link("crank", 1.0).expect("a link");
+    let rod = m.link("rod", 2.5).expect("a link");
     let piston = m.planar("piston", pose(2.4, 0.0, 0.0)).expect("a body");
     let zero = vec2(0.0, 0.0);
     m.add("O", revolute(crank, Ground, crank.start(), zero)).expect("a pin");
@@ -170,7 +201,8 @@ fn forces_that_grow_without_bound_are_told_and_so_is_what_a_drive_gains() {
     m.add("push", drive(piston.x(), Law::linear(2.4, 0.4))).expect("a driver");
     m.prefer(crank, deg(60.0));
     m.load("brake", kin::Load::torque(crank, 3.0)).expect("a load");
-    let file = crate::file("pump.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let file =
+        crate::file("pump.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
     let output = done(&["forces", &file, "--times", "0:5:51"]);
     let told = words(&output);
     let expected = "`push`: forces grow without bound towards t = 2.75 s, as |t − t*|^(−1/2)";
@@ -194,8 +226,8 @@ fn closer(x: Coord, rate: Rate, stiffness: f64, rest: f64, damping: f64) -> f64 
     -stiffness * (x - rest) - damping * rate * rate.abs()
 }
 
-/// A force of the user's own goes into the file as text, and the command reads it: the motor of a door holds
-/// against a closer that it has never seen.
+/// A force of the user's own goes into the file as text, and the command reads it: the motor of a
+/// door holds against a closer that it has never seen.
 #[test]
 fn a_force_of_ones_own_is_read_from_the_text_in_the_file() {
     use kin::prelude::*;
@@ -209,7 +241,8 @@ fn a_force_of_ones_own_is_read_from_the_text_in_the_file() {
     assert!(text.contains("fn closer("), "{text}");
     let file = crate::file("door.json", &text);
     for row in numbers(&data(&["forces", &file, "--times", "0:3:31"])) {
-        let (x, rate) = (0.8 * (2.0 * row[0]).sin(), 1.6 * (2.0 * row[0]).cos());
+        let x = 0.8 * (2.0 * row[0]).sin();
+        let rate = 1.6 * (2.0 * row[0]).cos();
         let held = 7.0 * (x + 0.2) + 3.0 * rate * rate.abs();
         assert!((row[1] - held).abs() < 1e-12, "{} {held}", row[1]);
     }
@@ -227,7 +260,8 @@ fn tolerances_of_an_arm_are_those_of_its_length() {
     let arm = m.link("arm", reach).expect("a link");
     m.add("O", revolute(arm, Ground, arm.start(), (0.0, 0.0))).expect("a joint");
     m.add("motor", drive_angle(arm, Law::linear(-1.0, 1.0))).expect("a driver");
-    let file = crate::file("reach.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let file =
+        crate::file("reach.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
     let arguments = ["tolerance", &file, "arm.R_x", "--times", "0:3:31", "--of", "max"];
     let table = data(&arguments);
     let row: Vec<&str> = table.lines().nth(1).expect("a row").split(',').collect();
@@ -263,8 +297,8 @@ fn tolerances_of_an_arm_are_those_of_its_length() {
     assert!(words(&output).contains("none of them has a tolerance"), "{}", words(&output));
 }
 
-/// A door of three hinges that are off by some nanometres: the advice names the flag, and with it the door
-/// turns.
+/// A door of three hinges that are off by some nanometres: the advice names the flag, and with it
+/// the door turns.
 #[test]
 fn closure_is_allowed_by_a_flag() {
     use kin::prelude::*;

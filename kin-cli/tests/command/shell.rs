@@ -2,8 +2,17 @@
 
 use crate::data;
 
-const COMMANDS: [&str; 9] =
-    ["run", "watch", "check", "diagnose", "assemblies", "measure", "prove", "sensitivities", "sweep"];
+const COMMANDS: [&str; 9] = [
+    "run",
+    "watch",
+    "check",
+    "diagnose",
+    "assemblies",
+    "measure",
+    "prove",
+    "sensitivities",
+    "sweep",
+];
 
 #[test]
 fn every_shell_completes_every_command() {
@@ -20,7 +29,9 @@ fn every_shell_completes_every_command() {
 fn bash_takes_its_completions() {
     let script = data(&["completions", "bash"])
         + "\nCOMP_WORDS=(kin diag); COMP_CWORD=1; _kin kin diag kin; echo \"${COMPREPLY[@]}\"\n";
-    let Ok(output) = std::process::Command::new("bash").args(["-c", &script]).output() else { return };
+    let Ok(output) = std::process::Command::new("bash").args(["-c", &script]).output() else {
+        return;
+    };
     assert_eq!(String::from_utf8_lossy(&output.stdout).trim(), "diagnose");
 }
 

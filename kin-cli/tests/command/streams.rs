@@ -20,7 +20,10 @@ fn words_have_no_colour_where_nobody_sees_it() {
     for (name, value) in [("NO_COLOR", "1"), ("TERM", "xterm-256color")] {
         for arguments in [&["check", "missing.json"][..], &["rum"], &["help"]] {
             let output = kin(arguments).env(name, value).output().expect("kin runs");
-            assert!(!output.stderr.contains(&0x1b) && !output.stdout.contains(&0x1b), "{arguments:?}");
+            assert!(
+                !output.stderr.contains(&0x1b) && !output.stdout.contains(&0x1b),
+                "{arguments:?}"
+            );
         }
     }
 }
@@ -68,8 +71,15 @@ fn a_full_disk_is_told() {
 #[test]
 fn progress_is_not_written_to_files() {
     let cases = crate::file("progress.csv", "O.u_j.x\n-0.5\n-0.5\n");
-    let output =
-        done(&["sweep", &example("04_four_bar"), &cases, "--times", "0:1:3", "--keep", "rocker.theta"]);
+    let output = done(&[
+        "sweep",
+        &example("04_four_bar"),
+        &cases,
+        "--times",
+        "0:1:3",
+        "--keep",
+        "rocker.theta",
+    ]);
     assert_eq!((code(&output), words(&output).as_str()), (0, ""));
     assert_eq!(BufReader::new(&output.stdout[..]).lines().count(), 3);
 }

@@ -15,13 +15,17 @@ fn written() -> String {
         let half = 0.25 + 0.04 * f64::from(k);
         format!("{},{half}\n", -half)
     });
-    file("cranks.csv", &["O.u_j.x,A.u_i.x\n".to_string()].into_iter().chain(rows).collect::<String>())
+    file(
+        "cranks.csv",
+        &["O.u_j.x,A.u_i.x\n".to_string()].into_iter().chain(rows).collect::<String>(),
+    )
 }
 
 const ASKED: [&str; 6] = ["--times", "0:1:91", "--keep", "rocker.theta", "--keep", "A.angle"];
 
 fn swept(more: &[&str]) -> Vec<String> {
-    let (m, cases) = (example("04_four_bar"), cases());
+    let m = example("04_four_bar");
+    let cases = cases();
     let table = data(&[&["sweep", &m, &cases][..], &ASKED, more].concat());
     table.lines().map(str::to_string).collect()
 }
@@ -52,7 +56,8 @@ fn a_row_is_the_run_of_its_case() {
     for k in [0, 7, 12] {
         let row: Vec<&str> = whole[k + 1].split(',').collect();
         let set = [format!("O.u_j.x={}", row[1]), format!("A.u_i.x={}", row[2])];
-        let (m, motion) = (example("04_four_bar"), ["--times", "0:1:91"]);
+        let m = example("04_four_bar");
+        let motion = ["--times", "0:1:91"];
         let asked = ["measure", &m, "rocker.theta", "--set", &set[0], "--set", &set[1]];
         let output = crate::done(&[&asked[..], &motion].concat());
         let told = words(&output);
@@ -91,7 +96,8 @@ fn cases_come_from_the_standard_input_and_rows_go_to_a_file() {
 
 #[test]
 fn columns_of_forces_are_kept_like_measures() {
-    let (arm, times) = (example("25_arm_torque"), ["--times", "0:1:41"]);
+    let arm = example("25_arm_torque");
+    let times = ["--times", "0:1:41"];
     let cases = file("arms.csv", "elbow.u_j.x\n-0.175\n-0.16\n");
     let rows = data(&[&["sweep", &arm, &cases], &times[..], &["--keep", "elbow motor"]].concat());
     let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
@@ -100,16 +106,23 @@ fn columns_of_forces_are_kept_like_measures() {
         let set = format!("elbow.u_j.x={}", row[1]);
         let values = column(&data(&[&["forces", &arm, "--set", &set], &times[..]].concat()));
         let [least, most] = [3, 5].map(|k| row[k].parse::<f64>().expect("a number"));
-        assert!(near(least, values.iter().copied().fold(f64::INFINITY, f64::min)), "{row:?} of {values:?}");
+        assert!(
+            near(least, values.iter().copied().fold(f64::INFINITY, f64::min)),
+            "{row:?} of {values:?}"
+        );
         assert!(
             near(most, values.iter().copied().fold(f64::NEG_INFINITY, f64::max)),
             "{row:?} of {values:?}"
         );
     }
     assert_eq!(rows.lines().count(), 3);
-    let wrong = crate::done(&[&["sweep", &arm, &cases], &times[..], &["--keep", "elbow motr"]].concat());
+    let wrong =
+        crate::done(&[&["sweep", &arm, &cases], &times[..], &["--keep", "elbow motr"]].concat());
     let told = words(&wrong);
-    assert!(code(&wrong) == 2 && told.contains("`elbow motr`") && told.contains("kin forces FILE"), "{told}");
+    assert!(
+        code(&wrong) == 2 && told.contains("`elbow motr`") && told.contains("kin forces FILE"),
+        "{told}"
+    );
 }
 
 /// The efforts of the elbow's motor, of a table of forces.

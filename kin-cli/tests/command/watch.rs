@@ -26,10 +26,13 @@ impl Drop for Ended {
 
 #[test]
 fn a_file_that_changes_is_run_again_and_mistakes_are_survived() {
-    let (model, table, words) = (place("watched.json"), place("watched.csv"), place("watched.txt"));
+    let model = place("watched.json");
+    let table = place("watched.csv");
+    let words = place("watched.txt");
     let _ = std::fs::remove_file(&table);
     std::fs::write(&model, SLOT).expect("written");
-    let (from, to) = (model.to_string_lossy(), table.to_string_lossy());
+    let from = model.to_string_lossy();
+    let to = table.to_string_lossy();
     let told = std::fs::File::create(&words).expect("a file");
     let child = kin(&["watch", &from, "--times", "0:1:2", "--csv", &to])
         .stdout(Stdio::null())
@@ -41,6 +44,7 @@ fn a_file_that_changes_is_run_again_and_mistakes_are_survived() {
     wait_for(&words, "watching");
     std::fs::write(&model, SLOT.replace("s.y - k", "s.w - k")).expect("written");
     wait_for(&words, "a Vec2 has no field `w`");
-    std::fs::write(&model, SLOT.replace("\"amplitude\":0.3", "\"amplitude\":0.4")).expect("written");
+    std::fs::write(&model, SLOT.replace("\"amplitude\":0.3", "\"amplitude\":0.4"))
+        .expect("written");
     wait_for(&table, "3.3658839");
 }

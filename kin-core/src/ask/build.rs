@@ -14,37 +14,42 @@ use crate::system::System;
 use crate::system::evaluate::Equations;
 
 impl Mechanism {
-    /// The system of its equations, the norm constraints of spatial bodies appended. It may have more
-    /// equations than coordinates.
+    /// The system of its equations, the norm constraints of spatial bodies appended. It may have
+    /// more equations than coordinates.
     ///
-    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at t = 0); a
-    /// mistake in [`Mechanism::prefer`].
+    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at
+    /// t = 0); a mistake in [`Mechanism::prefer`].
     pub fn build(self) -> Result<System> {
         let system = self.system()?;
         if system.n_equations() < system.n_coordinates() {
-            return Err(Error::CannotBeDriven { diagnosis: Box::new(system.diagnose(0.0)?), motion: None });
+            return Err(Error::CannotBeDriven {
+                diagnosis: Box::new(system.diagnose(0.0)?),
+                motion: None,
+            });
         }
         Ok(system)
     }
 
-    /// Diagnoses the mechanism at time t, assembled from its guess, whether it can be driven or not: counts,
-    /// rank, dependencies between equations and freedoms by name.
+    /// Diagnoses the mechanism at time t, assembled from its guess, whether it can be driven or
+    /// not: counts, rank, dependencies between equations and freedoms by name.
     ///
-    /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near the guess.
+    /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near
+    /// the guess.
     pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
         self.clone().system()?.diagnose(t)
     }
 
-    /// The same at a pose q (length n, in the order in which coordinates were declared), brought onto C = 0
-    /// first where it is off.   \[m, rad\]
+    /// The same at a pose q (length n, in the order in which coordinates were declared), brought
+    /// onto C = 0 first where it is off.   \[m, rad\]
     ///
     /// Errors: those of [`Mechanism::diagnose`]; wrong length, not finite.
     pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
         self.clone().system()?.diagnose_at(t, q)
     }
 
-    /// Holds every turn that moves nothing else, such as that of a rod between two balls about its own axis:
-    /// one equation each, named `BODY.idle`, by which the body stays turned about that axis as it is at t =
+    /// Holds every turn that moves nothing else, such as that of a rod between two balls about its
+    /// own axis: one equation each, named `BODY.idle`, by which the body stays turned about that
+    /// axis as it is at t =
     /// 0. Gives the bodies that are held; none where there is no such turn.
     ///
     /// Errors: those of [`Mechanism::diagnose`].
@@ -53,7 +58,9 @@ impl Mechanism {
         let mut held = Vec::new();
         for freedom in found.lasting_freedoms().filter(|freedom| freedom.idle) {
             let Some((name, axis)) = freedom.turn() else { continue };
-            let Some(item) = self.layout.items.iter().position(|item| item.name == name) else { continue };
+            let Some(item) = self.layout.items.iter().position(|item| item.name == name) else {
+                continue;
+            };
             let first = self.layout.items[item].first;
             let Some([_, _, _, e0, e1, e2, e3]) =
                 found.q.get(first..).and_then(|q| q.first_chunk::<7>()).copied()
@@ -71,8 +78,12 @@ impl Mechanism {
 
     fn system(self) -> Result<System> {
         let mut mechanism = self.settled()?;
-        let spatial =
-            mechanism.layout.items.iter().enumerate().filter(|(_, item)| item.kind == Kind::Spatial);
+        let spatial = mechanism
+            .layout
+            .items
+            .iter()
+            .enumerate()
+            .filter(|(_, item)| item.kind == Kind::Spatial);
         let norms: Vec<(String, usize)> =
             spatial.map(|(index, item)| (format!("{}.p", item.name), index)).collect();
         for (name, index) in norms {
@@ -85,7 +96,8 @@ impl Mechanism {
             guess[column] = value;
         }
         let equations = Equations::new(&mechanism.layout, mechanism.constraints);
-        let mut system = System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred);
+        let mut system =
+            System::new(mechanism.name, mechanism.layout, equations, guess, mechanism.preferred);
         system.loads = Arc::new(mechanism.loads);
         act_along_what_there_is(&system)?;
         system.set_dimensions(dimensions);
@@ -100,7 +112,9 @@ fn act_along_what_there_is(system: &System) -> Result<()> {
     for (load, all) in &system.loads.loads {
         let mut unknown = None;
         all.parts(&mut |part| match part {
-            Acting::Along(Along(Line::Named(name)), _) if !system.is_measure(name) => unknown = Some(name),
+            Acting::Along(Along(Line::Named(name)), _) if !system.is_measure(name) => {
+                unknown = Some(name)
+            }
             _ => {}
         });
         if let Some(name) = unknown {

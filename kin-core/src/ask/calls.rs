@@ -11,8 +11,8 @@ use crate::solve::sweep::Sweep;
 use crate::system::{Solution, System, time};
 
 impl System {
-    /// Position, velocity and acceleration at time t, assembled from the initial guess into the preferred
-    /// assembly. Errors: no convergence, singular, not finite.
+    /// Position, velocity and acceleration at time t, assembled from the initial guess into the
+    /// preferred assembly. Errors: no convergence, singular, not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
         self.position_with(t, &Options::default())
     }
@@ -29,12 +29,12 @@ impl System {
         Ok(newton.solution(t, outcome))
     }
 
-    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n), nothing
-    /// preferred. Errors: wrong length, no convergence, singular, not finite.
+    /// Position, velocity and acceleration at time t by damped Newton steps from q0 (length n),
+    /// nothing preferred. Errors: wrong length, no convergence, singular, not finite.
     ///
-    /// After a call of [`System::compile`] positions that are near q0 (each coordinate within a tenth of a
-    /// radian, or of the mechanism's typical length, and Newton's steps shrink quickly) are found by the
-    /// program, two to nine times faster; [`crate::Report::compiled`] tells.
+    /// After a call of [`System::compile`] positions that are near q0 (each coordinate within a
+    /// tenth of a radian, or of the mechanism's typical length, and Newton's steps shrink quickly)
+    /// are found by the program, two to nine times faster; [`crate::Report::compiled`] tells.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -75,7 +75,8 @@ impl System {
     /// Position, velocity and acceleration at each of the times, which must only increase or only
     /// decrease.   \[s\]
     ///
-    /// Errors: no convergence, singular, not finite; each carries the motion up to it ([`Error::motion`]).
+    /// Errors: no convergence, singular, not finite; each carries the motion up to it
+    /// ([`Error::motion`]).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
         self.run_with(times, &Options::default())
     }
@@ -85,8 +86,8 @@ impl System {
         self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), None))
     }
 
-    /// The same run, watched: `progress` is called before each plain step with the number of times that are
-    /// done; the run goes on while it says so. A program calls it once a block of times.
+    /// The same run, watched: `progress` is called before each plain step with the number of times
+    /// that are done; the run goes on while it says so. A program calls it once a block of times.
     ///
     /// Errors: those of a run; [`Error::Stopped`], with the motion up to there.
     pub fn run_watched(
@@ -95,7 +96,13 @@ impl System {
         options: &Options,
         mut progress: impl FnMut(usize) -> bool,
     ) -> Result<Motion> {
-        self.noted(newton::run::run(self, times.as_ref(), options, Some(EXPLAIN), Some(&mut progress)))
+        self.noted(newton::run::run(
+            self,
+            times.as_ref(),
+            options,
+            Some(EXPLAIN),
+            Some(&mut progress),
+        ))
     }
 
     /// A run with what has happened on its way.
@@ -117,7 +124,8 @@ impl System {
     /// The same of a part of a run, from the end of the part before on.
     fn note_after(&self, before: Option<&Motion>, part: &mut Motion) {
         let Some(before) = before.filter(|_| !part.is_empty()) else { return self.note(part) };
-        let (mut whole, start) = (before.followed_by(part), before.times().first().copied());
+        let mut whole = before.followed_by(part);
+        let start = before.times().first().copied();
         self.note(&mut whole);
         // The part before has told of events at its last time, which is where this one begins.
         let found = whole.events().iter().filter(|event| {
@@ -127,12 +135,13 @@ impl System {
         found.for_each(|event| part.add_event(event.clone()));
     }
 
-    /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is shown one
-    /// part after the other, each a motion of its own that can be asked whatever a motion can be asked, and
-    /// keeps of it what is wanted. Memory is that of one part, and the times may come from any iterator,
-    /// which is asked for those of a part at once. All numbers are those of the run in one by plain steps
-    /// ([`crate::Engine::Plain`]), to the last digit, unless a program is asked for by
-    /// [`crate::Engine::Compiled`]: its last digits hang on where parts end.
+    /// The run of [`System::run_with`] in parts of so many times, for times without end: `keep` is
+    /// shown one part after the other, each a motion of its own that can be asked whatever a motion
+    /// can be asked, and keeps of it what is wanted. Memory is that of one part, and the times may
+    /// come from any iterator, which is asked for those of a part at once. All numbers are those of
+    /// the run in one by plain steps ([`crate::Engine::Plain`]), to the last digit, unless a
+    /// program is asked for by [`crate::Engine::Compiled`]: its last digits hang on where parts
+    /// end.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -143,7 +152,8 @@ impl System {
     /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
     /// let (times, mut highest) = ((0..10_000).map(|k| 0.001 * f64::from(k)), 0.0_f64);
     /// m.build()?.run_in_parts(times, 1000, &kin::Options::default(), |part| {
-    ///     highest = part.point(crank, crank.end())?.r().iter().fold(highest, |highest, r| highest.max(r.y));
+    ///     let path = part.point(crank, crank.end())?;
+    ///     highest = path.r().iter().fold(highest, |highest, r| highest.max(r.y));
     ///     Ok(())
     /// })?;
     /// assert!((highest - 1.0).abs() < 1e-6);
@@ -151,11 +161,11 @@ impl System {
     /// # }
     /// ```
     ///
-    /// A part of no times counts as one of one. Limits of joints are looked at from the last time of the part
-    /// before on; angles over many turns are counted from the beginning of each part.
+    /// A part of no times counts as one of one. Limits of joints are looked at from the last time
+    /// of the part before on; angles over many turns are counted from the beginning of each part.
     ///
-    /// Errors: those of a run, which carry the part that was under way; those of `keep`, with which the run
-    /// ends.
+    /// Errors: those of a run, which carry the part that was under way; those of `keep`, with which
+    /// the run ends.
     pub fn run_in_parts(
         &self,
         times: impl IntoIterator<Item = f64>,
@@ -163,7 +173,8 @@ impl System {
         options: &Options,
         mut keep: impl FnMut(&Motion) -> Result<()>,
     ) -> Result<()> {
-        let (size, mut times) = (size.max(1), times.into_iter().peekable());
+        let size = size.max(1);
+        let mut times = times.into_iter().peekable();
         options.check_memory(1, size, self.n_coordinates())?;
         let mut run = newton::run::Run::new(self, options, Some(EXPLAIN))?;
         let mut computing = newton::compiled::Computing::in_parts(self, options)?;
@@ -171,7 +182,8 @@ impl System {
         let mut before: Option<Motion> = None;
         while times.peek().is_some() {
             let mut part = Motion::new(self, size.min(times.size_hint().0.max(1)));
-            let (mut own, mut ordered) = (Vec::with_capacity(part.times.capacity()), Ok(()));
+            let mut own = Vec::with_capacity(part.times.capacity());
+            let mut ordered = Ok(());
             for t in times.by_ref().take(size) {
                 ordered = order.check(t);
                 if ordered.is_err() {
@@ -191,16 +203,16 @@ impl System {
         order.some()
     }
 
-    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and initial values
-    /// (such as `rocker.theta`) are others. See [`Sweep`].
+    /// Many cases of this system: in each of them the named parameters (such as `A.u_i.x`) and
+    /// initial values (such as `rocker.theta`) are others. See [`Sweep`].
     ///
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
         Sweep::new(self, names, System::noted)
     }
 
-    /// Diagnoses the mechanism at time t, assembled from the initial guess: counts, rank, dependencies and
-    /// freedoms by name.
+    /// Diagnoses the mechanism at time t, assembled from the initial guess: counts, rank,
+    /// dependencies and freedoms by name.
     ///
     /// Errors: t not finite, nothing finite near the guess.
     pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
@@ -224,17 +236,23 @@ impl System {
     }
 
     /// The same with other options.
-    pub fn diagnose_at_with(&self, t: f64, q: &[f64], options: &DiagnosisOptions) -> Result<Diagnosis> {
+    pub fn diagnose_at_with(
+        &self,
+        t: f64,
+        q: &[f64],
+        options: &DiagnosisOptions,
+    ) -> Result<Diagnosis> {
         self.check(q, "pose")?;
         diagnosis::diagnose(self.model(), Start::Pose(q), time(t)?, options)
     }
 
-    /// All assemblies that are found at time t, in the order of their labels, and whether they are all
-    /// there are ([`Assemblies::complete`]); the same each time, by any number of threads. A list reads
-    /// like a slice.
+    /// All assemblies that are found at time t, in the order of their labels, and whether they are
+    /// all there are ([`Assemblies::complete`]); the same each time, by any number of threads. A
+    /// list reads like a slice.
     ///
-    /// The search goes on until more starts are not expected to lead to another assembly. Poses with a hinge
-    /// turned over, its axes opposed, are left out. If no assembly is found, the list is empty.
+    /// The search goes on until more starts are not expected to lead to another assembly. Poses
+    /// with a hinge turned over, its axes opposed, are left out. If no assembly is found, the list
+    /// is empty.
     ///
     /// Errors: t not finite, a mechanism that is free to move.
     pub fn assemblies(&self, t: f64) -> Result<Assemblies> {
@@ -254,18 +272,27 @@ impl System {
     }
 
     /// The same with other options: those that the label was given out with.
-    pub fn assembly_with(&self, t: f64, label: &Label, options: &AssemblyOptions) -> Result<Assembly> {
+    pub fn assembly_with(
+        &self,
+        t: f64,
+        label: &Label,
+        options: &AssemblyOptions,
+    ) -> Result<Assembly> {
         let all = self.assemblies_with(t, options)?;
         let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
         let found = all.iter().find(|assembly| assembly.label == *label).cloned();
-        found.ok_or_else(|| Error::UnknownName { what: "assembly", name: label.to_string(), known: known() })
+        found.ok_or_else(|| Error::UnknownName {
+            what: "assembly",
+            name: label.to_string(),
+            known: known(),
+        })
     }
 }
 
 impl Sweep<'_> {
     /// With `true`, the error of a case that fails says what is wrong with the mechanism there
-    /// ([`Error::diagnosis`]), as that of a run does; without this call it does not. To find that out takes
-    /// from a tenth of a second to seconds a case, a thousand times what most cases take.
+    /// ([`Error::diagnosis`]), as that of a run does; without this call it does not. To find that
+    /// out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
     #[must_use]
     pub fn diagnose(mut self, diagnose: bool) -> Self {
         self.explain = diagnose.then_some(EXPLAIN);

@@ -1,5 +1,5 @@
-//! Checking a constraint or a law of one's own, in one line of a test: symbolic code against dual numbers,
-//! term by term, and both against central differences of the function as it was written.
+//! Checking a constraint or a law of one's own, in one line of a test: symbolic code against dual
+//! numbers, term by term, and both against central differences of the function as it was written.
 //!
 //! ```
 //! use kin::prelude::*;
@@ -10,7 +10,8 @@
 //!     s.y - k * s.x * s.x
 //! }
 //!
-//! kin::check::derivatives(parabolic_slot(kin::any_planar(), kin::any_planar(), vec2(0.1, 0.0), 2.0));
+//! let (i, j) = (kin::any_planar(), kin::any_planar());
+//! kin::check::derivatives(parabolic_slot(i, j, vec2(0.1, 0.0), 2.0));
 //! kin::check::law(&Law::sine(2.0, 3.0, 0.5), 0.0, 4.0);
 //! ```
 
@@ -33,15 +34,16 @@ use central::Central;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
-    /// Largest difference of a term between the constraint's own route and dual numbers, relative to 1 + the
-    /// largest entry of the term.
+    /// Largest difference of a term between the constraint's own route and dual numbers, relative
+    /// to 1 + the largest entry of the term.
     pub routes: f64,
     /// Largest difference of C, C_q, C_t, and of Q_d from central differences, relative as above.
     pub differences: f64,
     /// Number of states at which interval bounds of C and C_q over boxes around it, those of
     /// [`crate::System::prove`], were known; all values lie within.
     pub bounded: usize,
-    /// Number of states compared. States where the function or a derivative is not finite are left out.
+    /// Number of states compared. States where the function or a derivative is not finite are left
+    /// out.
     pub states: usize,
 }
 
@@ -52,20 +54,20 @@ pub const DIFFERENCES_TOLERANCE: f64 = 1e-6;
 /// The seed of the states of [`derivatives`] and [`compare`]: the same ones in every run.
 pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Asserts that all routes to the derivatives of `equation` agree and lie within their interval bounds, at 24
-/// states spread over ±2 (m, rad, /s; Euler parameters near length one) and t in 0..4 s, the same in every
-/// run.
+/// Asserts that all routes to the derivatives of `equation` agree and lie within their interval
+/// bounds, at 24 states spread over ±2 (m, rad, /s; Euler parameters near length one) and t in 0..4
+/// s, the same in every run.
 ///
-/// For a test: panics with a table of the entries that do not agree, and their state. [`compare`] returns the
-/// same as a value.
+/// For a test: panics with a table of the entries that do not agree, and their state. [`compare`]
+/// returns the same as a value.
 pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: E) {
     if let Err(mismatch) = compare::<E, N, M>(&equation) {
         panic!("{mismatch}");
     }
 }
 
-/// Compares all routes to the derivatives of `equation` at 24 states; the first state where they disagree is
-/// the error.
+/// Compares all routes to the derivatives of `equation` at 24 states; the first state where they
+/// disagree is the error.
 pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
 ) -> Result<Report, Box<Mismatch>> {
@@ -80,7 +82,8 @@ pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     let mut report = Report { routes: 0.0, differences: 0.0, bounded: 0, states: 0 };
     let mut spread = Spread(seed);
     for number in 1..=24 {
-        let (mut q, qd) = (spread.vector::<N>(), spread.vector::<N>());
+        let mut q = spread.vector::<N>();
+        let qd = spread.vector::<N>();
         let t = spread.next() + 2.0;
         near_one(E::ARGUMENTS, &mut q, &mut spread);
         at_state::<E, N, M>(equation, &q, &qd, t, &mut report).map_err(|mut mismatch| {
@@ -91,8 +94,8 @@ pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     Ok(report)
 }
 
-/// Brings Euler parameters to a length within a tenth of one: an iterate of Newton's method is not farther
-/// off.
+/// Brings Euler parameters to a length within a tenth of one: an iterate of Newton's method is not
+/// farther off.
 fn near_one(arguments: &[ArgumentKind], q: &mut [f64], spread: &mut Spread) {
     let mut column = 0;
     for kind in arguments {
@@ -130,7 +133,8 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     if !own.is_finite() && !dual.is_finite() {
         return Ok(());
     }
-    let central = Some(Central::new::<E, N, M>(equation, q, qd, t)).filter(|central| central.reliable);
+    let central =
+        Some(Central::new::<E, N, M>(equation, q, qd, t)).filter(|central| central.reliable);
     report.states += 1;
     let mut entries = Vec::new();
     for (term, a, b) in pairs(&own, &dual) {
@@ -180,7 +184,8 @@ fn distance(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
     })
 }
 
-/// The three parts of Q_d come from one right side, so they are exact to rounding of the largest of them.
+/// The three parts of Q_d come from one right side, so they are exact to rounding of the largest of
+/// them.
 fn of_the_right_side(term: &str) -> bool {
     matches!(term, "(C_q qd)_q qd" | "C_qt qd" | "C_tt" | "Q_d")
 }

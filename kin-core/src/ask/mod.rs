@@ -1,5 +1,5 @@
-//! Questions about mechanisms and motions: the calls of a system, diagnosis, proof, measures, and whether the
-//! routes to derivatives agree.
+//! Questions about mechanisms and motions: the calls of a system, diagnosis, proof, measures, and
+//! whether the routes to derivatives agree.
 
 mod build;
 mod calls;

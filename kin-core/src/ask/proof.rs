@@ -1,56 +1,58 @@
-//! Proof that a computed motion is the motion of the mechanism: [`System::prove`](crate::System::prove).
+//! Proof that a computed motion is the motion of the mechanism:
+//! [`System::prove`](crate::System::prove).
 //!
 //! # What is shown
-//! For a step from t_k to t_(k+1) let p(t) be the polynomial of fifth degree through q, q̇ and q̈ at both
-//! ends, as computed. Shown is that at every t of the step C(q, t) = 0 has a solution no further from p(t)
-//! than [`Tube::radius`], and no other one within [`Tube::alone`]; that this solution is continuous in t; and
-//! that it is the one beside the computed position at either end, whose distance from it is bounded too
-//! ([`Proof::error`]). Solutions of neighbouring steps are the same where they meet: proved steps in a row
-//! are one motion.
+//! For a step from t_k to t_(k+1) let p(t) be the polynomial of fifth degree through q, q̇ and q̈
+//! at both ends, as computed. Shown is that at every t of the step C(q, t) = 0 has a solution no
+//! further from p(t) than [`Tube::radius`], and no other one within [`Tube::alone`]; that this
+//! solution is continuous in t; and that it is the one beside the computed position at either end,
+//! whose distance from it is bounded too ([`Proof::error`]). Solutions of neighbouring steps are
+//! the same where they meet: proved steps in a row are one motion.
 //!
 //! # How
-//! The step is cut into pieces. With T the times of a piece, A near C_q⁻¹ in its middle, and Y the box |y_j|
-//! ≤ ρ s_j (s_j the characteristic size of a coordinate):
-//! * **C along the curve**, c(t) = C(p(t), t), is bounded over T by Taylor's formula, Σ_(k<6) c_k σᵏ + c_6 σ⁶
-//!   with c_k at the middle of T and c_6 over all of T (`numbers/enclosure/series.rs`): the bound shrinks
-//!   like the error of the interpolation, h⁶, and not like the step.
+//! The step is cut into pieces. With T the times of a piece, A near C_q⁻¹ in its middle, and Y the
+//! box |y_j| ≤ ρ s_j (s_j the characteristic size of a coordinate):
+//! * **C along the curve**, c(t) = C(p(t), t), is bounded over T by Taylor's formula, Σ_(k<6) c_k
+//!   σᵏ + c_6 σ⁶ with c_k at the middle of T and c_6 over all of T (`numbers/enclosure/series.rs`):
+//!   the bound shrinks like the error of the interpolation, h⁶, and not like the step.
 //! * **C_q over p(T) + Y**, its entries over that box, gives R ≥ |I − A C_q| entry by entry.
-//! * **Krawczyk's test** (`krawczyk.rs`): for b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s, the map y ↦
-//!   y − A C(p(t) + y, t) takes the box of y into that of z at each t of T: there is a solution within z
-//!   (Brouwer). R y < y makes the spectral radius of R less than 1 (Collatz and Wielandt), so every matrix
-//!   between the bounds of C_q is regular, the means of C_q along straight lines in the box among them. So C
-//!   has no value twice in the box: there is no second solution within ρ s. The only solution, at every t, of
-//!   a continuous C in a closed box is continuous in t. Krawczyk, *Computing* 4 (1969); Neumaier, *Interval
-//!   Methods for Systems of Equations*, ch. 5.
-//! * **Joins.** At the time at which two pieces meet each has one solution. If the z of one lies in the box ρ
-//!   s of the other (around the same p; at the ends of a step what p has lost by rounding is added), the
-//!   solution of the first is a solution in the second's box, where there is only one: they are the same.
-//!   Each computed position is a piece of its own, without length; steps are joined to those at their ends,
-//!   and through them to one another.
+//! * **Krawczyk's test** (`krawczyk.rs`): for b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s,
+//!   the map y ↦ y − A C(p(t) + y, t) takes the box of y into that of z at each t of T: there is a
+//!   solution within z (Brouwer). R y < y makes the spectral radius of R less than 1 (Collatz and
+//!   Wielandt), so every matrix between the bounds of C_q is regular, the means of C_q along
+//!   straight lines in the box among them. So C has no value twice in the box: there is no second
+//!   solution within ρ s. The only solution, at every t, of a continuous C in a closed box is
+//!   continuous in t. Krawczyk, *Computing* 4 (1969); Neumaier, *Interval Methods for Systems of
+//!   Equations*, ch. 5.
+//! * **Joins.** At the time at which two pieces meet each has one solution. If the z of one lies in
+//!   the box ρ s of the other (around the same p; at the ends of a step what p has lost by rounding
+//!   is added), the solution of the first is a solution in the second's box, where there is only
+//!   one: they are the same. Each computed position is a piece of its own, without length; steps
+//!   are joined to those at their ends, and through them to one another.
 //!
-//! Pieces that fail are halved, 14 times at most, and at most 256 are tested in a step; then it is told when
-//! and why. At a singular position (a toggle, a change point) the bounds of C_q hold a singular matrix: no
-//! step over one is ever proved.
+//! Pieces that fail are halved, 14 times at most, and at most 256 are tested in a step; then it is
+//! told when and why. At a singular position (a toggle, a change point) the bounds of C_q hold a
+//! singular matrix: no step over one is ever proved.
 //!
 //! # What it stands on
-//! * Interval arithmetic rounded outwards (`numbers/enclosure/interval.rs`); f64's functions are allowed an
-//!   error of 8 units in the last place, which is far more than is found at their worst arguments
-//!   (`numbers/enclosure/tests/accuracy.rs`).
-//! * The equation as it was written, decimals as decimals, with its parameters as they are in memory: its
-//!   steps (`model/formula.rs`) are interpreted, not the code that was made of them. What the user's program
-//!   computes of parameters alone is taken as it gives it.
-//! * Every row is continuous over the whole box, not only along the curve: what can jump there (floor, `%`,
-//!   an `if`, an angle over its cut in what does not repeat) is no proof, whether C_q has an entry for it or
-//!   not.
+//! * Interval arithmetic rounded outwards (`numbers/enclosure/interval.rs`); f64's functions are
+//!   allowed an error of 8 units in the last place, which is far more than is found at their worst
+//!   arguments (`numbers/enclosure/tests/accuracy.rs`).
+//! * The equation as it was written, decimals as decimals, with its parameters as they are in
+//!   memory: its steps (`model/formula.rs`) are interpreted, not the code that was made of them.
+//!   What the user's program computes of parameters alone is taken as it gives it.
+//! * Every row is continuous over the whole box, not only along the curve: what can jump there
+//!   (floor, `%`, an `if`, an angle over its cut in what does not repeat) is no proof, whether C_q
+//!   has an entry for it or not.
 //! * Laws as their formulas mean them (π is π). Pieces of a law that meet but for rounding meet
-//!   (`numbers/enclosure/pieces.rs`), and at their seam as many derivatives count as agree. An angle by
-//!   `atan2` goes on across its cut where what reads it (sine, cosine, a law whose formula repeats) does not
-//!   mind whole turns.
+//!   (`numbers/enclosure/pieces.rs`), and at their seam as many derivatives count as agree. An
+//!   angle by `atan2` goes on across its cut where what reads it (sine, cosine, a law whose formula
+//!   repeats) does not mind whole turns.
 //! * The bounds of laws of the program's own that tell them, by name: [`Proof::trusted`].
 //!
-//! Nothing is proved of mechanisms with superfluous equations (numbers do not show that those left over hold
-//! exactly), of constraints on the dual route or written by hand, of laws without an expression, and of steps
-//! in which the condition of an `if` changes.
+//! Nothing is proved of mechanisms with superfluous equations (numbers do not show that those left
+//! over hold exactly), of constraints on the dual route or written by hand, of laws without an
+//! expression, and of steps in which the condition of an `if` changes.
 
 mod bounds;
 mod krawczyk;
@@ -73,8 +75,8 @@ pub(crate) use krawczyk::settled;
 use krawczyk::{Around, Fault, Test};
 use step::{Curve, Failure, step};
 
-/// Mechanisms with more coordinates are refused: the inverse of C_q is a full matrix, some 10 n³ operations
-/// for each piece.
+/// Mechanisms with more coordinates are refused: the inverse of C_q is a full matrix, some 10 n³
+/// operations for each piece.
 const LARGEST: usize = 400;
 
 /// The proof of a motion, step by step. Its text is the verdict.
@@ -98,18 +100,18 @@ pub struct StepProof {
     pub from: f64,
     /// The time at which it ends.   \[s\]
     pub to: f64,
-    /// The tube around it in which the motion is the only solution, or what stands in the way of showing
-    /// that.
+    /// The tube around it in which the motion is the only solution, or what stands in the way of
+    /// showing that.
     pub tube: std::result::Result<Tube, Doubt>,
 }
 
-/// How near the solution is, and how far away the next one at least: one number for each coordinate.   \[m,
-/// rad\]
+/// How near the solution is, and how far away the next one at least: one number for each
+/// coordinate.   \[m, rad\]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tube {
-    /// At every time there is a solution no further than this from the position interpolated by q, q̇ and q̈
-    /// at both ends.
+    /// At every time there is a solution no further than this from the position interpolated by q,
+    /// q̇ and q̈ at both ends.
     pub radius: Vec<f64>,
     /// No other solution is within this distance of that position.
     pub alone: Vec<f64>,
@@ -136,8 +138,8 @@ pub enum DoubtReason {
         /// The coordinate that can move most while everything else is nearly met.
         coordinate: String,
     },
-    /// The positions between both ends are not near any solution: both ends may be on different branches, or
-    /// the step is too large.
+    /// The positions between both ends are not near any solution: both ends may be on different
+    /// branches, or the step is too large.
     Apart {
         /// The equation that is missed most.
         equation: String,
@@ -156,15 +158,16 @@ pub enum DoubtReason {
 }
 
 impl System {
-    /// For each step of a motion a proof, by interval bounds, that exactly one continuous motion leads from
-    /// one computed position to the next, or what stands in the way of one. See [`crate::ask::proof`] for
-    /// what exactly is shown, and what it stands on.
+    /// For each step of a motion a proof, by interval bounds, that exactly one continuous motion
+    /// leads from one computed position to the next, or what stands in the way of one. See
+    /// [`crate::ask::proof`] for what exactly is shown, and what it stands on.
     ///
-    /// It takes some hundred times as long as the run did, and goes to all cores; with the number n of
-    /// coordinates it grows like n³.
+    /// It takes some hundred times as long as the run did, and goes to all cores; with the number n
+    /// of coordinates it grows like n³.
     ///
-    /// Errors: [`Error::CannotBeProved`] for a mechanism with superfluous equations or with more than 400
-    /// coordinates, and for a constraint or law of which no bounds can be had; a motion of another system.
+    /// Errors: [`Error::CannotBeProved`] for a mechanism with superfluous equations or with more
+    /// than 400 coordinates, and for a constraint or law of which no bounds can be had; a motion of
+    /// another system.
     pub fn prove(&self, motion: &Motion) -> Result<Proof> {
         self.own(motion)?;
         self.provable()?;
@@ -186,16 +189,25 @@ impl System {
             .zip(all.get(1..).unwrap_or_default())
             .zip(times.par_iter().zip(times.get(1..).unwrap_or_default()));
         let steps = ends.enumerate().map(|(k, ((first, last), (from, to)))| {
-            let both = first.as_ref().and_then(|first| Ok([first, last.as_ref()?])).map_err(Clone::clone);
+            let both =
+                first.as_ref().and_then(|first| Ok([first, last.as_ref()?])).map_err(Clone::clone);
             let around = both.and_then(|ends| step(&bounds, &sizes, motion, k, ends));
-            StepProof { step: k, from: *from, to: *to, tube: around.map(Tube::from).map_err(&failed) }
+            StepProof {
+                step: k,
+                from: *from,
+                to: *to,
+                tube: around.map(Tube::from).map_err(&failed),
+            }
         });
         let steps = steps.collect();
         Ok(Proof {
             name: self.name().to_string(),
             units: self.layout().units.clone(),
             words: self.unit_words().clone(),
-            positions: all.into_iter().map(|around| around.map(Tube::from).map_err(&failed)).collect(),
+            positions: all
+                .into_iter()
+                .map(|around| around.map(Tube::from).map_err(&failed))
+                .collect(),
             steps,
             trusted: bounds.trusted(),
         })
@@ -203,7 +215,8 @@ impl System {
 
     /// An error unless C_q is square and not too large.
     pub(crate) fn provable(&self) -> Result<()> {
-        let (n, m) = (self.n_coordinates(), self.n_equations());
+        let n = self.n_coordinates();
+        let m = self.n_equations();
         let reason = if m != n {
             format!(
                 "it has {m} equations for {n} coordinates, and whether those left over hold exactly is not shown by numbers; leave superfluous ones out \
@@ -237,13 +250,18 @@ impl System {
                     source: source.flatten(),
                 }
             }
-            Fault::Apart(row, by) => DoubtReason::Apart { equation: self.equations().equation(row), by },
-            Fault::Singular(q, t) => DoubtReason::Singular { coordinate: self.loosest(&q, t, sizes) },
+            Fault::Apart(row, by) => {
+                DoubtReason::Apart { equation: self.equations().equation(row), by }
+            }
+            Fault::Singular(q, t) => {
+                DoubtReason::Singular { coordinate: self.loosest(&q, t, sizes) }
+            }
         };
         Doubt { t, units: self.unit_words().clone(), reason }
     }
 
-    /// The coordinate that moves most, in its characteristic size, along what C_q nearly leaves free.
+    /// The coordinate that moves most, in its characteristic size, along what C_q nearly leaves
+    /// free.
     pub(crate) fn loosest(&self, q: &[f64], t: f64, sizes: &[f64]) -> String {
         let found = self.jacobian(q, t).ok().and_then(|mut c_q| {
             c_q.column_iter_mut().zip(sizes).for_each(|(mut column, size)| column *= *size);
@@ -279,8 +297,8 @@ impl Proof {
         self.steps.iter().filter(|step| step.tube.is_ok()).count()
     }
 
-    /// The laws, each with its constraint, whose bounds are taken on their own word: laws of the program's
-    /// own that tell them ([`crate::model::law::LawFunction::over`]).
+    /// The laws, each with its constraint, whose bounds are taken on their own word: laws of the
+    /// program's own that tell them ([`crate::model::law::LawFunction::over`]).
     pub fn trusted(&self) -> &[String] {
         &self.trusted
     }
@@ -290,8 +308,8 @@ impl Proof {
         self.steps.iter().find(|step| step.tube.is_err())
     }
 
-    /// Bounds of the distance of computed position k from the solution beside it, for each coordinate; `None`
-    /// where none was found, or beyond the last time.   \[m, rad\]
+    /// Bounds of the distance of computed position k from the solution beside it, for each
+    /// coordinate; `None` where none was found, or beyond the last time.   \[m, rad\]
     pub fn error(&self, k: usize) -> Option<&[f64]> {
         Some(&self.positions.get(k)?.as_ref().ok()?.radius)
     }
@@ -343,7 +361,8 @@ mod tests {
         [x + y * y, y * y * y]
     }
 
-    /// The loosest coordinate can move most, in its own size, while each equation in its own is nearly met.
+    /// The loosest coordinate can move most, in its own size, while each equation in its own is
+    /// nearly met.
     #[test]
     fn the_loosest_coordinate() {
         let mut m = Mechanism::new("loose");

@@ -14,7 +14,8 @@ impl System {
         Ok(qd)
     }
 
-    /// q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not finite, singular.
+    /// q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not finite,
+    /// singular.
     pub fn acceleration(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
         let q_d = self.acceleration_rhs(q, qd, t)?;
         let qdd = self.solved(q, t, &q_d)?;
@@ -31,8 +32,8 @@ impl System {
         Ok(qddd)
     }
 
-    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares where there
-    /// are more equations.
+    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares
+    /// where there are more equations.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
         if self.is_redundant() {
             return redundant::solved(self, q, t, rhs, EXPLAIN);

@@ -44,7 +44,8 @@ pub struct DimensionData {
 }
 
 fn too_long() -> Error {
-    let reason = "an expression of them is too long to be written; give parts of it a name of their own";
+    let reason =
+        "an expression of them is too long to be written; give parts of it a name of their own";
     Error::Data { place: "dimensions".to_string(), reason: reason.to_string() }
 }
 
@@ -80,8 +81,8 @@ enum Within {
     Law(String),
 }
 
-/// The value with numbers in place of expressions, which are noted, and the numbers of a list beside them as
-/// constants. Errors: one that cannot be read.
+/// The value with numbers in place of expressions, which are noted, and the numbers of a list
+/// beside them as constants. Errors: one that cannot be read.
 pub(super) fn without_expressions(
     mechanism: &Mechanism,
     key: &str,
@@ -112,7 +113,11 @@ enum Known<'a> {
     Text(&'a str),
 }
 
-fn replace(value: &mut Value, number: &mut usize, note: &mut Note<'_>) -> std::result::Result<(), String> {
+fn replace(
+    value: &mut Value,
+    number: &mut usize,
+    note: &mut Note<'_>,
+) -> std::result::Result<(), String> {
     match value {
         Value::Array(parts) => parts.iter_mut().try_for_each(|part| replace(part, number, note)),
         Value::String(text) => {
@@ -130,7 +135,11 @@ fn replace(value: &mut Value, number: &mut usize, note: &mut Note<'_>) -> std::r
     }
 }
 
-fn replace_in_law(law: &mut Value, before: &str, note: &mut Note<'_>) -> std::result::Result<(), String> {
+fn replace_in_law(
+    law: &mut Value,
+    before: &str,
+    note: &mut Note<'_>,
+) -> std::result::Result<(), String> {
     let Value::Object(law) = law else { return Ok(()) };
     if let Some(Value::Object(numbers)) = law.get_mut("numbers") {
         for (name, value) in numbers {
@@ -140,11 +149,13 @@ fn replace_in_law(law: &mut Value, before: &str, note: &mut Note<'_>) -> std::re
         }
     }
     let Some(Value::Object(parts)) = law.get_mut("parts") else { return Ok(()) };
-    parts.iter_mut().try_for_each(|(name, part)| replace_in_law(part, &format!("{before}{name}."), note))
+    parts
+        .iter_mut()
+        .try_for_each(|(name, part)| replace_in_law(part, &format!("{before}{name}."), note))
 }
 
-/// The data of a law with numbers in place of expressions, and those by the names of the law's numbers.
-/// Errors: an expression that cannot be read.
+/// The data of a law with numbers in place of expressions, and those by the names of the law's
+/// numbers. Errors: an expression that cannot be read.
 pub(super) fn law_without_expressions(
     mechanism: &Mechanism,
     law: &Value,
@@ -167,17 +178,22 @@ pub(super) fn bound(
         let own = names(of, &key);
         let name = match place {
             // An axis is told from a vector by its numbers that are not shown.
-            Within::List(k) if k < 6 && of.clone_boxed().set_parameter(&Axis::name_of(&key, k), 1.0) => {
+            Within::List(k)
+                if k < 6 && of.clone_boxed().set_parameter(&Axis::name_of(&key, k), 1.0) =>
+            {
                 Some(Axis::name_of(&key, k))
             }
             Within::List(k) => own.get(k).cloned(),
             Within::Law(name) => own.into_iter().find(|known| *known == format!("{key}.{name}")),
         };
-        let name = name.ok_or_else(|| format!("its parameter `{key}`: an expression cannot stand there"))?;
+        let name =
+            name.ok_or_else(|| format!("its parameter `{key}`: an expression cannot stand there"))?;
         Ok((name, number))
     };
-    let hangs = |key: &str| found.iter().any(|one| one.key == key && one.number.of() != Of::Nothing);
-    let keys: Vec<String> = found.iter().map(|one| one.key.clone()).filter(|key| hangs(key)).collect();
+    let hangs =
+        |key: &str| found.iter().any(|one| one.key == key && one.number.of() != Of::Nothing);
+    let keys: Vec<String> =
+        found.iter().map(|one| one.key.clone()).filter(|key| hangs(key)).collect();
     found.into_iter().filter(|one| keys.contains(&one.key)).map(parameter).collect()
 }
 
@@ -185,7 +201,8 @@ impl Mechanism {
     /// The number that an expression of this mechanism's dimensions says, such as `crank / 2` or
     /// `hypot(dx, dy)`, as mechanism files have them. Names that are no words stand in backticks.
     ///
-    /// Errors: a text that is no expression, names what is no dimension, or is infinite or not a number.
+    /// Errors: a text that is no expression, names what is no dimension, or is infinite or not a
+    /// number.
     pub fn expression(&self, text: &str) -> Result<Dimension> {
         let place = "dimensions".to_string();
         self.read_expression(text).map_err(|reason| Error::Data { place, reason })
@@ -210,9 +227,9 @@ impl Mechanism {
     pub(super) fn number(&self, place: &str, number: &NumberData) -> Result<Dimension> {
         match number {
             NumberData::Number(x) => Ok((*x).into()),
-            NumberData::Expression(text) => {
-                self.read_expression(text).map_err(|reason| Error::Data { place: place.to_string(), reason })
-            }
+            NumberData::Expression(text) => self
+                .read_expression(text)
+                .map_err(|reason| Error::Data { place: place.to_string(), reason }),
         }
     }
 
@@ -221,7 +238,8 @@ impl Mechanism {
         let Some(shared) = &self.dimensions else { return Ok(Vec::new()) };
         let store = shared.store();
         let data = |(k, entry): (usize, &Entry)| {
-            let expression = || text_of(&store.graph, &store.entries[..k], entry.node).ok_or_else(too_long);
+            let expression =
+                || text_of(&store.graph, &store.entries[..k], entry.node).ok_or_else(too_long);
             let value = match entry.is_derived {
                 true => NumberData::Expression(expression()?),
                 false => NumberData::Number(entry.value),
@@ -236,8 +254,8 @@ impl Mechanism {
         store.entries.iter().enumerate().map(data).collect()
     }
 
-    /// Makes the dimensions of a file, each after those that it is an expression of. Errors: an expression
-    /// that cannot be read, or that comes back to itself.
+    /// Makes the dimensions of a file, each after those that it is an expression of. Errors: an
+    /// expression that cannot be read, or that comes back to itself.
     pub(super) fn add_dimensions(&mut self, all: &[DimensionData]) -> Result<()> {
         let mut open: Vec<&DimensionData> = all.iter().collect();
         while !open.is_empty() {
@@ -281,7 +299,11 @@ impl Mechanism {
 }
 
 /// The first dimension of the file that an expression names and that is not made yet.
-fn unmade<'a>(data: &DimensionData, all: &'a [DimensionData], made: &Mechanism) -> Option<&'a DimensionData> {
+fn unmade<'a>(
+    data: &DimensionData,
+    all: &'a [DimensionData],
+    made: &Mechanism,
+) -> Option<&'a DimensionData> {
     let NumberData::Expression(text) = &data.value else { return None };
     let mut first = None;
     let _ = expression::read(text, &mut |name| {
@@ -306,7 +328,9 @@ fn circle(from: &DimensionData, all: &[DimensionData], made: &Mechanism) -> Erro
         }
     }
     let names: Vec<String> = way.iter().map(|one| format!("`{}`", one.name)).collect();
-    let reason =
-        format!("they hang on one another in a circle, {}; give one of them a number", names.join(" on "));
+    let reason = format!(
+        "they hang on one another in a circle, {}; give one of them a number",
+        names.join(" on ")
+    );
     Error::Data { place: "dimensions".to_string(), reason }
 }

@@ -89,7 +89,11 @@ impl<'a> Reader<'a> {
             Some('(') => self.bracketed(|reader| reader.sum()),
             Some('`') if self.takes('`') => {
                 let name = self.word(|c| c != '`');
-                if self.takes('`') { self.look_up(name) } else { Err("a closing ` is missing".to_string()) }
+                if self.takes('`') {
+                    self.look_up(name)
+                } else {
+                    Err("a closing ` is missing".to_string())
+                }
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => {
@@ -119,7 +123,10 @@ impl<'a> Reader<'a> {
     }
 
     /// The inside of brackets.
-    fn bracketed<T>(&mut self, inside: impl FnOnce(&mut Self) -> Result<T, String>) -> Result<T, String> {
+    fn bracketed<T>(
+        &mut self,
+        inside: impl FnOnce(&mut Self) -> Result<T, String>,
+    ) -> Result<T, String> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(format!("it is nested deeper than {DEEPEST} brackets"));
@@ -138,7 +145,8 @@ impl<'a> Reader<'a> {
             }
             Ok(all)
         })?;
-        let (one, two) = (Function::from_method(name), Function2::from_method(name));
+        let one = Function::from_method(name);
+        let two = Function2::from_method(name);
         match (arguments.as_slice(), one, two) {
             ([a], Some(f), _) => Ok(a.call(f)),
             ([a, b], _, Some(f)) => Ok(a.call2(f, *b)),
@@ -156,8 +164,9 @@ mod tests {
     use super::*;
 
     fn value(text: &str) -> Result<f64, String> {
-        let named =
-            |name: &str| [("a", 3.0), ("O.x", 4.0), ("link 2", 0.5)].iter().find(|known| known.0 == name);
+        let named = |name: &str| {
+            [("a", 3.0), ("O.x", 4.0), ("link 2", 0.5)].iter().find(|known| known.0 == name)
+        };
         read(text, &mut |name| named(name).map(|(_, x)| (*x).into())).map(Dimension::value)
     }
 
@@ -193,9 +202,15 @@ mod tests {
             ("é", "there is no dimension"),
             ("€", "not understood"),
         ] {
-            assert!(value(text).is_err_and(|reason| reason.contains(told)), "{text}: {:?}", value(text));
+            assert!(
+                value(text).is_err_and(|reason| reason.contains(told)),
+                "{text}: {:?}",
+                value(text)
+            );
         }
-        assert!(value(&"(".repeat(1_000_000)).is_err_and(|reason| reason.contains("nested deeper")));
+        assert!(
+            value(&"(".repeat(1_000_000)).is_err_and(|reason| reason.contains("nested deeper"))
+        );
         assert_eq!(value(&format!("{}a", "-".repeat(1_000_000))), Ok(3.0));
     }
 }

@@ -133,8 +133,8 @@ pub struct BodyData {
     /// The points that a spatial body is drawn between, of which its guess then is worked out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<[[NumberData; 3]; 2]>,
-    /// The place of a spatial body and the components of one or two directions that it faces, of which its
-    /// guess then is worked out.
+    /// The place of a spatial body and the components of one or two directions that it faces, of
+    /// which its guess then is worked out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub facing: Option<Vec<NumberData>>,
 }
@@ -168,8 +168,8 @@ pub struct ConstraintData {
     /// Its parameters by name.
     #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
-    /// Names in the text of its equation that the text could not take along: the file does not stand alone,
-    /// and is read by the program that has the constraint.
+    /// Names in the text of its equation that the text could not take along: the file does not
+    /// stand alone, and is read by the program that has the constraint.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lacking: Vec<String>,
 }

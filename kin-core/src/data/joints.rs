@@ -122,12 +122,14 @@ fn registered_spatial(registry: Registry) -> Registry {
 mod tests {
     use super::*;
 
-    /// The names of all functions under `#[constraint]`, `#[potential]` and `#[force]` in this file or in the
-    /// files of this folder.
+    /// The names of all functions under `#[constraint]`, `#[potential]` and `#[force]` in this file
+    /// or in the files of this folder.
     fn written(path: &std::path::Path, names: &mut Vec<String>) {
         if let Ok(text) = std::fs::read_to_string(path) {
             for mark in ["\n#[constraint", "\n#[potential]", "\n#[force]"] {
-                let name = |text: &str| Some(text.split_once("\npub fn ")?.1.split_once('(')?.0.to_string());
+                let name = |text: &str| {
+                    Some(text.split_once("\npub fn ")?.1.split_once('(')?.0.to_string())
+                };
                 names.extend(text.split(mark).skip(1).filter_map(name));
             }
             return;
@@ -144,7 +146,8 @@ mod tests {
             .for_each(|part| written(&sources.join(part), &mut names));
         names.sort();
         let registry = Registry::new();
-        let mut registered: Vec<&str> = registry.kinds().into_iter().map(|(kind, _)| kind).collect();
+        let mut registered: Vec<&str> =
+            registry.kinds().into_iter().map(|(kind, _)| kind).collect();
         registered.sort();
         assert!(names.len() > 30, "{names:?}");
         assert_eq!(registered, names);

@@ -16,7 +16,8 @@ pub struct LawData {
     /// Its kind, such as `ramp`: what a [`Registry`] looks up first.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub kind: String,
-    /// Its function as text, `fn lift(x: f64, h: f64) -> f64 { … }`: what it is where its kind is not known.
+    /// Its function as text, `fn lift(x: f64, h: f64) -> f64 { … }`: what it is where its kind is
+    /// not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// Its own numbers by name.
@@ -41,7 +42,12 @@ impl LawData {
             }
         });
         let parts = parts.iter().map(|(name, part)| (name.clone(), LawData::of(part))).collect();
-        LawData { kind: law.kind().to_string(), text: law.text().map(str::to_string), numbers, parts }
+        LawData {
+            kind: law.kind().to_string(),
+            text: law.text().map(str::to_string),
+            numbers,
+            parts,
+        }
     }
 }
 
@@ -73,9 +79,11 @@ impl<'a> LawReader<'a> {
     /// An error by name where the data have a number or a part that nothing has asked for.
     pub(super) fn all_are_asked(&self) -> Result<(), String> {
         let asked = self.asked.borrow();
-        let of = |names: Vec<&String>| names.into_iter().find(|name| !asked.contains(*name)).cloned();
+        let of =
+            |names: Vec<&String>| names.into_iter().find(|name| !asked.contains(*name)).cloned();
         let number = of(self.data.numbers.keys().collect()).map(|name| ("number", name));
-        let found = number.or_else(|| of(self.data.parts.keys().collect()).map(|name| ("part", name)));
+        let found =
+            number.or_else(|| of(self.data.parts.keys().collect()).map(|name| ("part", name)));
         let Some((what, name)) = found else { return Ok(()) };
         let has: Vec<String> = asked.iter().map(|name| format!("`{name}`")).collect();
         let has = if has.is_empty() { "nothing".to_string() } else { has.join(", ") };
@@ -119,8 +127,13 @@ impl<'a> LawReader<'a> {
         if a.len() == b.len() {
             return Ok(a.into_iter().zip(b).collect());
         }
-        let ([one, other], own) = (names, self.data.name());
-        Err(format!("the law `{own}` has {} numbers `{one}` and {} numbers `{other}`", a.len(), b.len()))
+        let [one, other] = names;
+        let own = self.data.name();
+        Err(format!(
+            "the law `{own}` has {} numbers `{one}` and {} numbers `{other}`",
+            a.len(),
+            b.len()
+        ))
     }
 
     /// The law of that name that this one is made of. Errors: none, of an unknown kind.
@@ -156,7 +169,9 @@ pub(super) fn shipped(registry: Registry) -> Registry {
         .with_law("ramp", |law| Ok(Law::ramp(law.number("rate")?)))
         .with_law("linear", |law| Ok(Law::linear(law.number("f0")?, law.number("rate")?)))
         .with_law("polynomial", |law| Ok(Law::polynomial(&law.list("c", 0))))
-        .with_law("harmonic", |law| Ok(Law::harmonic(law.number("mean")?, law.number("amplitude")?)))
+        .with_law("harmonic", |law| {
+            Ok(Law::harmonic(law.number("mean")?, law.number("amplitude")?))
+        })
         .with_law("sine", |law| {
             Ok(Law::sine(law.number("amplitude")?, law.number("omega")?, law.number("phase")?))
         })
@@ -165,7 +180,11 @@ pub(super) fn shipped(registry: Registry) -> Registry {
             Ok(Law::fourier(law.number("mean")?, law.number("omega")?, &pairs))
         })
         .with_law("trapezoidal", |law| {
-            Ok(Law::trapezoidal(law.number("distance")?, law.number("speed")?, law.number("acceleration")?))
+            Ok(Law::trapezoidal(
+                law.number("distance")?,
+                law.number("speed")?,
+                law.number("acceleration")?,
+            ))
         })
         .with_law("s_curve", |law| {
             Ok(Law::s_curve(
@@ -197,6 +216,7 @@ fn spline(law: &LawReader<'_>, make: fn(&[(f64, f64)], Ends) -> Law) -> Result<L
 
 fn sequence(law: &LawReader<'_>) -> Result<Law, String> {
     let lengths = (0..).map_while(|k| law.number(&format!("part[{k}].length")).ok());
-    let parts = lengths.enumerate().map(|(k, length)| Ok((length, law.part(&format!("part[{k}].law"))?)));
+    let parts =
+        lengths.enumerate().map(|(k, length)| Ok((length, law.part(&format!("part[{k}].law"))?)));
     Ok(Law::sequence(law.number("start")?, parts.collect::<Result<Vec<_>, String>>()?))
 }

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use super::dimensions::{NumberData, Texts, law_without_expressions};
 use super::dynamics::{Carried, carry};
-use super::format::{ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData};
+use super::format::{
+    ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData,
+};
 use super::law::LawData;
 use super::names::plain;
 use super::{FORMAT, Registry, understood};
@@ -20,11 +22,11 @@ use crate::model::mechanism::{ConstraintId, Limit, Mechanism, SpatialPose};
 use crate::model::units::Units;
 
 impl Mechanism {
-    /// Writes the mechanism as a JSON file that stands alone, making folders that are missing: whoever has
-    /// the file and a reader of texts has the mechanism.
+    /// Writes the mechanism as a JSON file that stands alone, making folders that are missing:
+    /// whoever has the file and a reader of texts has the mechanism.
     ///
-    /// Errors: a constraint that cannot be described, or whose equation speaks of what the file cannot take
-    /// along, by name; a file that cannot be written.
+    /// Errors: a constraint that cannot be described, or whose equation speaks of what the file
+    /// cannot take along, by name; a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         self.write_json_for(path, &Registry::new())
     }
@@ -38,18 +40,19 @@ impl Mechanism {
 
     /// The mechanism as data, to be written by serde.
     ///
-    /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type that serde
-    /// does not know, by name.
+    /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type
+    /// that serde does not know, by name.
     pub fn data(&self) -> Result<MechanismData> {
         let texts = Texts::of(self)?;
         let bodies = self.body_data(&texts);
         let mut equations = Carried::new();
-        let constraints = self.constraints.iter().enumerate().map(|(number, (name, constraint))| {
-            let (mut data, equation) = self.constraint_data(name, constraint.as_ref())?;
-            texts.put(Holder::Constraint(number), constraint.as_ref(), &mut data.parameters);
-            carry(&format!("constraint `{name}`"), &data.kind, equation, &mut equations)?;
-            Ok(data)
-        });
+        let constraints =
+            self.constraints.iter().enumerate().map(|(number, (name, constraint))| {
+                let (mut data, equation) = self.constraint_data(name, constraint.as_ref())?;
+                texts.put(Holder::Constraint(number), constraint.as_ref(), &mut data.parameters);
+                carry(&format!("constraint `{name}`"), &data.kind, equation, &mut equations)?;
+                Ok(data)
+            });
         let constraints = constraints.collect::<Result<_>>()?;
         let end = |x: f64| Some(x).filter(|x| x.is_finite());
         let limit = |Limit { name, ends: [from, to] }: &Limit| LimitData {
@@ -94,8 +97,10 @@ impl Mechanism {
                 preferred.clear();
             }
             let link = self.layout.links.iter().position(|(known, _)| *known == index);
-            let length = link.map(|link| texts.number(Bound::Length(link), self.layout.links[link].1));
-            let guess = columns.map(|column| texts.number(Bound::Guess(column), self.initial[column]));
+            let length =
+                link.map(|link| texts.number(Bound::Length(link), self.layout.links[link].1));
+            let guess =
+                columns.map(|column| texts.number(Bound::Guess(column), self.initial[column]));
             BodyData {
                 name: item.name.clone(),
                 kind: item.kind.into(),
@@ -140,7 +145,8 @@ impl Mechanism {
         if describer.is_own() {
             Registry::is_free(constraint.facts().kind, &arguments).map_err(fail)?;
         }
-        let (equation, lacking) = (describer.equation(), describer.lacking().to_vec());
+        let equation = describer.equation();
+        let lacking = describer.lacking().to_vec();
         let data = ConstraintData {
             name: name.to_string(),
             kind: constraint.facts().kind.to_string(),
@@ -173,8 +179,8 @@ impl Mechanism {
 
     /// The mechanism that the data say; constraints and laws are made by the registry.
     ///
-    /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and everything that
-    /// [`Mechanism::add`] refuses.
+    /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and
+    /// everything that [`Mechanism::add`] refuses.
     pub fn from_data(data: &MechanismData, registry: &Registry) -> Result<Mechanism> {
         let fail = |reason| Error::Data { place: format!("mechanism `{}`", data.name), reason };
         understood(data.format, FORMAT).map_err(fail)?;
@@ -191,7 +197,11 @@ impl Mechanism {
             mechanism.add_data(constraint, registry)?;
         }
         for LimitData { measure, from, to } in &data.limits {
-            mechanism.limit(measure, from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))?;
+            mechanism.limit(
+                measure,
+                from.unwrap_or(f64::NEG_INFINITY),
+                to.unwrap_or(f64::INFINITY),
+            )?;
         }
         for PreferredData { measure, value } in &data.preferred {
             let value = mechanism.number(&format!("preferred `{measure}`"), value)?;
@@ -206,8 +216,8 @@ impl Mechanism {
 
     /// Adds the constraint that the data say, made by the registry, on bodies of this mechanism.
     ///
-    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, and those of
-    /// [`Mechanism::add`].
+    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, and those
+    /// of [`Mechanism::add`].
     pub fn add_data(&mut self, data: &ConstraintData, registry: &Registry) -> Result<ConstraintId> {
         let ConstraintData { name, kind, arguments, parameters, lacking } = data;
         let made = registry.constraint(kind, arguments, parameters, self);
@@ -218,27 +228,35 @@ impl Mechanism {
         self.add_bound(name, constraint, bound)
     }
 
-    /// The law that the data of a file say: `{"kind": "ramp", "numbers": {"rate": "2 * w"}}`, where numbers
-    /// may be expressions of this mechanism's dimensions.
+    /// The law that the data of a file say: `{"kind": "ramp", "numbers": {"rate": "2 * w"}}`, where
+    /// numbers may be expressions of this mechanism's dimensions.
     ///
-    /// Errors: data that say no law, an unknown kind, numbers that are missing, an expression that cannot be
-    /// read.
+    /// Errors: data that say no law, an unknown kind, numbers that are missing, an expression that
+    /// cannot be read.
     pub fn law(&self, data: &serde_json::Value, registry: &Registry) -> Result<Law> {
         let fail = |reason: String| Error::Data { place: "law".to_string(), reason };
         let (plain, bound) = law_without_expressions(self, data).map_err(fail)?;
-        let data: LawData = serde_json::from_value(plain).map_err(|error| fail(error.to_string()))?;
+        let data: LawData =
+            serde_json::from_value(plain).map_err(|error| fail(error.to_string()))?;
         Ok(registry.law(&data).map_err(fail)?.hung_on(bound))
     }
 
     fn add_body(&mut self, body: &BodyData) -> Result<()> {
-        let (kind, place) = (Kind::from(body.kind), format!("body `{}`", body.name));
+        let kind = Kind::from(body.kind);
+        let place = format!("body `{}`", body.name);
         let count = kind.coordinates().len();
         let fail = |reason: String| Error::Data { place: place.clone(), reason };
-        if body.guess.len() != count || !(body.preferred.is_empty() || body.preferred.len() == count) {
-            return Err(fail(format!("it has {count} coordinates; its guess has {}", body.guess.len())));
+        if body.guess.len() != count
+            || !(body.preferred.is_empty() || body.preferred.len() == count)
+        {
+            return Err(fail(format!(
+                "it has {count} coordinates; its guess has {}",
+                body.guess.len()
+            )));
         }
         let number = |number: &NumberData| self.number(&place, number);
-        let numbers = |all: &[NumberData]| all.iter().map(number).collect::<Result<Vec<Dimension>>>();
+        let numbers =
+            |all: &[NumberData]| all.iter().map(number).collect::<Result<Vec<Dimension>>>();
         let guess = numbers(&body.guess)?;
         let length = body.length.as_ref().map(number).transpose()?;
         let mut preferred = Vec::new();
@@ -249,7 +267,8 @@ impl Mechanism {
             }
             preferred.push((axis, value));
         }
-        let points = body.between.as_ref().map(|points| numbers(points.as_flattened())).transpose()?;
+        let points =
+            body.between.as_ref().map(|points| numbers(points.as_flattened())).transpose()?;
         let facing = body.facing.as_deref().map(numbers).transpose()?;
         let index = self.declare_hung(plain("body", &body.name)?, kind, &guess)?;
         let first = self.layout.items[index].first;
@@ -263,7 +282,8 @@ impl Mechanism {
             self.hang_pose(&body.name, &points, |part| Bound::Between { first, part })?;
         }
         if let Some(facing) = facing {
-            let told = "`facing` is where a spatial body is, and one or two directions that it faces";
+            let told =
+                "`facing` is where a spatial body is, and one or two directions that it faces";
             if !matches!(facing.len(), 6 | 9) {
                 return Err(fail(told.to_string()));
             }
@@ -274,8 +294,8 @@ impl Mechanism {
         length.map_or(Ok(()), |length| self.note_length(&body.name, Some(index), length))
     }
 
-    /// Draws a spatial body, whose coordinates begin there, at a pose. Errors: what was told of it is no such
-    /// pose.
+    /// Draws a spatial body, whose coordinates begin there, at a pose. Errors: what was told of it
+    /// is no such pose.
     fn draw(
         &mut self,
         (name, told): (&str, &str),
@@ -323,12 +343,15 @@ impl Mechanism {
 }
 
 impl MechanismData {
-    /// Errors: the first constraint whose equation is not all there, and that the registry does not know.
+    /// Errors: the first constraint whose equation is not all there, and that the registry does not
+    /// know.
     pub(super) fn is_readable(&self, registry: &Registry) -> Result<()> {
         let unread = |constraint: &&ConstraintData| {
-            !constraint.lacking.is_empty() && !registry.knows(&constraint.kind, &constraint.arguments)
+            !constraint.lacking.is_empty()
+                && !registry.knows(&constraint.kind, &constraint.arguments)
         };
-        let Some(ConstraintData { name, kind, lacking, .. }) = self.constraints.iter().find(unread) else {
+        let Some(ConstraintData { name, kind, lacking, .. }) = self.constraints.iter().find(unread)
+        else {
             return Ok(());
         };
         let reason = format!(
@@ -342,7 +365,10 @@ impl MechanismData {
 
 /// A reason, and why the file has no text of the equation.
 fn without(reason: &str, lacking: &[String]) -> String {
-    format!("{reason}; the file does not carry its equation, which speaks of {}", lacking.join(" and of "))
+    format!(
+        "{reason}; the file does not carry its equation, which speaks of {}",
+        lacking.join(" and of ")
+    )
 }
 
 /// The words of a file. Errors: one that is empty.

@@ -1,7 +1,7 @@
 //! Mechanisms, motions and diagnoses as data: serde, and JSON on disk.
 //!
-//! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors, to which
-//! a user's own constraints are added: `Registry::new().with::<parabolic_slot>()`.
+//! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors,
+//! to which a user's own constraints are added: `Registry::new().with::<parabolic_slot>()`.
 
 mod dimensions;
 mod dynamics;
@@ -25,12 +25,12 @@ use serde::{Deserialize, Serialize};
 pub use crate::model::describer::Describer;
 pub use dimensions::{DimensionData, NumberData};
 pub use dynamics::{
-    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MassData, MeasureData,
-    PointMassData, ScalarData,
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MassData,
+    MeasureData, PointMassData, ScalarData,
 };
 pub use format::{
-    ArgumentData, BodyData, BodyKind, ColumnData, ConstraintData, ForcesData, LimitData, MechanismData,
-    PreferredData,
+    ArgumentData, BodyData, BodyKind, ColumnData, ConstraintData, ForcesData, LimitData,
+    MechanismData, PreferredData,
 };
 pub use law::{LawData, LawReader};
 pub use motion::{BreakData, MotionData, OutputData};
@@ -48,8 +48,8 @@ use crate::model::mechanism::Mechanism;
 use crate::model::motion::Series;
 use crate::solve::motion::Motion;
 
-/// The newest version of the formats, which is the one that is written; it goes up by one when an older
-/// reader would misunderstand, and all from the first to this one are read.
+/// The newest version of the formats, which is the one that is written; it goes up by one when an
+/// older reader would misunderstand, and all from the first to this one are read.
 const FORMAT: u32 = 1;
 
 /// The version of data that do not say.
@@ -70,16 +70,17 @@ fn understood(version: u32, newest: u32) -> std::result::Result<(), String> {
     }
 }
 
-/// The data in a text. Whoever meets data of a newer version is told so, and not of the first member that
-/// they do not know.
+/// The data in a text. Whoever meets data of a newer version is told so, and not of the first
+/// member that they do not know.
 fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> {
     #[derive(Deserialize)]
     struct Version {
         format: u32,
     }
     serde_json::from_str(text).map_err(|error| {
-        let newer =
-            serde_json::from_str(text).ok().and_then(|Version { format }| understood(format, FORMAT).err());
+        let newer = serde_json::from_str(text)
+            .ok()
+            .and_then(|Version { format }| understood(format, FORMAT).err());
         newer.unwrap_or_else(|| error.to_string())
     })
 }
@@ -87,8 +88,8 @@ fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> 
 impl MechanismData {
     /// The data in the text of a mechanism file.
     ///
-    /// Errors: a text that is no JSON, members that are missing, unknown or of another type, with line and
-    /// column; data of a newer version.
+    /// Errors: a text that is no JSON, members that are missing, unknown or of another type, with
+    /// line and column; data of a newer version.
     pub fn read(text: &str) -> Result<MechanismData> {
         read_text(text).map_err(|reason| Error::Data { place: "mechanism".to_string(), reason })
     }
@@ -129,8 +130,8 @@ impl Diagnosis {
 }
 
 impl Motion {
-    /// Writes the motion as JSON ([`Motion::data`]), making folders that are missing; it comes back without
-    /// loss.
+    /// Writes the motion as JSON ([`Motion::data`]), making folders that are missing; it comes back
+    /// without loss.
     ///
     /// Errors: a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -146,8 +147,8 @@ impl Motion {
 }
 
 impl Forces<'_> {
-    /// Everything that is unique as data, to be written by serde: the columns of [`Forces::columns`] with
-    /// their units.
+    /// Everything that is unique as data, to be written by serde: the columns of
+    /// [`Forces::columns`] with their units.
     pub fn data(&self) -> ForcesData {
         let motion = self.motion();
         let column = |column: Series| ColumnData {

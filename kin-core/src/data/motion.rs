@@ -107,8 +107,9 @@ pub struct OutputData {
 impl Motion {
     /// The motion as data, to be written by serde.
     pub fn data(&self) -> MotionData {
-        let rows =
-            |row: fn(&Motion, usize) -> &[f64]| (0..self.len()).map(|k| row(self, k).to_vec()).collect();
+        let rows = |row: fn(&Motion, usize) -> &[f64]| {
+            (0..self.len()).map(|k| row(self, k).to_vec()).collect()
+        };
         let output = |series: &Series| OutputData {
             name: series.name().into(),
             unit: series.unit().into(),
@@ -118,7 +119,12 @@ impl Motion {
             format: FORMAT,
             name: self.name().to_string(),
             units: self.layout.words.clone(),
-            bodies: self.layout.items.iter().map(|item| (item.name.clone(), item.kind.into())).collect(),
+            bodies: self
+                .layout
+                .items
+                .iter()
+                .map(|item| (item.name.clone(), item.kind.into()))
+                .collect(),
             equations: self.equations.to_vec(),
             worst: self.worst.map(|(_, row)| row),
             times: self.times().to_vec(),
@@ -143,9 +149,11 @@ impl Motion {
     /// The motion that the data say. Its bodies are found by name: [`Motion::named`],
     /// [`Motion::planar_named`], [`Motion::spatial_named`].
     ///
-    /// Errors: names that are empty or taken, lists of different lengths, numbers that are not finite.
+    /// Errors: names that are empty or taken, lists of different lengths, numbers that are not
+    /// finite.
     pub fn from_data(data: &MotionData) -> Result<Motion> {
-        let fail = |reason: String| Error::Data { place: format!("motion of `{}`", data.name), reason };
+        let fail =
+            |reason: String| Error::Data { place: format!("motion of `{}`", data.name), reason };
         understood(data.format, FORMAT).map_err(fail)?;
         let mut layout = Layout::new(MechanismId::fresh());
         layout.words = read_units(&data.units)?;
@@ -153,14 +161,17 @@ impl Motion {
         for (name, kind) in &data.bodies {
             layout.declare(name, (*kind).into())?;
         }
-        let (times, width) = (data.times.len(), layout.len());
+        let times = data.times.len();
+        let width = layout.len();
         let flat = |what: &str, rows: &[Vec<f64>]| match rows.len() == times
             && rows.iter().all(|row| row.len() == width)
         {
             true => Ok(rows.concat()),
             false => Err(fail(format!("{what} needs {times} rows of {width} numbers"))),
         };
-        let (q, qd, qdd) = (flat("q", &data.q)?, flat("qd", &data.qd)?, flat("qdd", &data.qdd)?);
+        let q = flat("q", &data.q)?;
+        let qd = flat("qd", &data.qd)?;
+        let qdd = flat("qdd", &data.qdd)?;
         let qddd = if data.qddd.is_empty() { Vec::new() } else { flat("qddd", &data.qddd)? };
         if data.iterations.len() != times || data.residuals.len() != times {
             return Err(fail(format!("iterations and residuals need {times} numbers")));
@@ -213,8 +224,10 @@ impl MotionData {
     fn check_names(&self) -> Result<()> {
         let bodies = self.bodies.iter().map(|(name, _)| ("body", name));
         let equations = self.equations.iter().map(|name| ("equation", name));
-        let outputs = self.outputs.iter().flat_map(|one| [("output", &one.name), ("unit", &one.unit)]);
-        let all = [("motion", &self.name)].into_iter().chain(bodies).chain(equations).chain(outputs);
+        let outputs =
+            self.outputs.iter().flat_map(|one| [("output", &one.name), ("unit", &one.unit)]);
+        let all =
+            [("motion", &self.name)].into_iter().chain(bodies).chain(equations).chain(outputs);
         for (what, name) in all {
             plain(what, name)?;
         }
@@ -226,7 +239,8 @@ impl MotionData {
         let rows = [&self.q, &self.qd, &self.qdd, &self.qddd].into_iter().flatten().flatten();
         let happened = self.events.iter().map(|event| &event.t);
         let singular = self.singular_positions.iter().flat_map(SingularPosition::numbers);
-        let alone = self.guess.iter().chain([&self.misfit]).chain(&self.times).chain(&self.residuals);
+        let alone =
+            self.guess.iter().chain([&self.misfit]).chain(&self.times).chain(&self.residuals);
         let begun = self.beyond_a_turn.iter().map(|(_, angle)| angle);
         alone.chain(rows).chain(happened).chain(singular).chain(begun).copied()
     }

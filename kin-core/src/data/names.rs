@@ -2,15 +2,18 @@
 
 use crate::model::error::{Error, Result};
 
-/// The name, if nothing in it moves a terminal's cursor, breaks a line or turns the direction of what is
-/// around it.
+/// The name, if nothing in it moves a terminal's cursor, breaks a line or turns the direction of
+/// what is around it.
 ///
 /// Errors: a name with such a character, which is told by its number.
 pub(super) fn plain<'a>(what: &str, name: &'a str) -> Result<&'a str> {
-    let Some(odd) = name.chars().find(|c| c.is_control() || turns_direction(*c)) else { return Ok(name) };
+    let Some(odd) = name.chars().find(|c| c.is_control() || turns_direction(*c)) else {
+        return Ok(name);
+    };
     let shown: String =
         name.chars().map(|c| if c.is_control() || turns_direction(c) { '·' } else { c }).collect();
-    let reason = format!("its name has the control character {}: leave it out", odd.escape_unicode());
+    let reason =
+        format!("its name has the control character {}: leave it out", odd.escape_unicode());
     Err(Error::Data { place: format!("{what} `{shown}`"), reason })
 }
 
@@ -30,7 +33,10 @@ mod tests {
         }
         for name in ["a\u{1b}[2J", "a\nb", "a\tb", "a\0", "a\u{9b}2J", "a\u{202e}b", "a\u{2028}b"] {
             let told = plain("body", name).err().map(|error| error.to_string()).unwrap_or_default();
-            assert!(told.contains("control character") && !told.chars().any(char::is_control), "{told}");
+            assert!(
+                told.contains("control character") && !told.chars().any(char::is_control),
+                "{told}"
+            );
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Objects in which each key stands once.
 //!
-//! The maps of serde and `serde_json` take the last value of a key that stands twice. In a file one of the
-//! two values would be read and the other one lost without a word, so the maps of Kin's formats are read
-//! here. Structs need nothing: serde refuses a field that stands twice.
+//! The maps of serde and `serde_json` take the last value of a key that stands twice. In a file one
+//! of the two values would be read and the other one lost without a word, so the maps of Kin's
+//! formats are read here. Structs need nothing: serde refuses a field that stands twice.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -37,7 +37,9 @@ pub(super) fn value<'de, D: Deserializer<'de>>(from: D) -> Result<Value, D::Erro
 }
 
 /// Reads three values in a list, or none. Errors: those of [`object`].
-pub(super) fn three<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Box<[Value; 3]>>, D::Error> {
+pub(super) fn three<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Option<Box<[Value; 3]>>, D::Error> {
     #[derive(Deserialize)]
     struct One(#[serde(deserialize_with = "value")] Value);
     let read = Option::<[One; 3]>::deserialize(from)?;
@@ -92,7 +94,8 @@ impl<'de, V: Deserialize<'de>, M: FromIterator<(String, V)>> Visitor<'de> for Ke
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut from: A) -> Result<M, A::Error> {
-        let (mut seen, mut all) = (BTreeSet::new(), Vec::new());
+        let mut seen = BTreeSet::new();
+        let mut all = Vec::new();
         while let Some(key) = from.next_key::<String>()? {
             if !seen.insert(key.clone()) {
                 return Err(twice(&KeyPath::ROOT, &key));
@@ -119,8 +122,8 @@ impl<'de> Visitor<'de> for Object<'_> {
             if all.contains_key(&key) {
                 return Err(twice(self.0, &key));
             }
-            let value =
-                from.next_value_seed(AnyValue(&KeyPath { outer: Some((self.0, Step::Key(&key))) }))?;
+            let value = from
+                .next_value_seed(AnyValue(&KeyPath { outer: Some((self.0, Step::Key(&key))) }))?;
             all.insert(key, value);
         }
         Ok(all)

@@ -22,8 +22,8 @@ pub trait Described: Constraint + Sized + 'static {
     const KIND: &'static str;
     /// Kinds of its arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
-    /// From bodies and parameters. The reader notes each fault and gives something in its place; `None` where
-    /// there is nothing to give.
+    /// From bodies and parameters. The reader notes each fault and gives something in its place;
+    /// `None` where there is nothing to give.
     fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
@@ -44,10 +44,10 @@ enum Origin {
     Text(String),
 }
 
-/// Constructors of constraints and laws by their kinds. Constraints of one name with other arguments
-/// (`revolute` of planar and of spatial bodies) are told apart; of a program's own with the same name and
-/// arguments the later one counts, and the equation that a file carries counts before both. In files the
-/// names of the library are the library's.
+/// Constructors of constraints and laws by their kinds. Constraints of one name with other
+/// arguments (`revolute` of planar and of spatial bodies) are told apart; of a program's own with
+/// the same name and arguments the later one counts, and the equation that a file carries counts
+/// before both. In files the names of the library are the library's.
 #[derive(Clone)]
 pub struct Registry {
     constraints: HashMap<Key, (Make, Origin)>,
@@ -79,10 +79,11 @@ impl Registry {
         all
     }
 
-    /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function under
-    /// `#[constraint]`.
+    /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function
+    /// under `#[constraint]`.
     pub fn with<C: Described>(self) -> Registry {
-        let make = |from: &mut Reader<'_>| C::read(from).map(|made| Box::new(made) as Box<dyn Constraint>);
+        let make =
+            |from: &mut Reader<'_>| C::read(from).map(|made| Box::new(made) as Box<dyn Constraint>);
         self.with_constraint(C::KIND, C::ARGUMENTS, make)
     }
 
@@ -93,21 +94,24 @@ impl Registry {
         arguments: &[ArgumentKind],
         make: impl Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync + 'static,
     ) -> Registry {
-        self.constraints.insert((kind.to_string(), arguments.to_vec()), (Arc::new(make), Origin::Program));
+        self.constraints
+            .insert((kind.to_string(), arguments.to_vec()), (Arc::new(make), Origin::Program));
         self
     }
 
-    /// The same of an equation that a file carries as this text, for [`Registry::reading_equations`].
+    /// The same of an equation that a file carries as this text, for
+    /// [`Registry::reading_equations`].
     ///
-    /// Errors: the library has a constraint of that name with these arguments, which would mean something
-    /// else in this file than in all others; another text of the file has.
+    /// Errors: the library has a constraint of that name with these arguments, which would mean
+    /// something else in this file than in all others; another text of the file has.
     pub fn with_equation(
         mut self,
         (kind, arguments): (&str, &[ArgumentKind]),
         text: &str,
         make: impl Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync + 'static,
     ) -> Result<Registry, String> {
-        let (key, own) = ((kind.to_string(), arguments.to_vec()), Origin::Text(text.to_string()));
+        let key = (kind.to_string(), arguments.to_vec());
+        let own = Origin::Text(text.to_string());
         match self.constraints.get(&key) {
             Some((_, Origin::Library)) => Err(names_of_the_library(kind)),
             Some((_, known @ Origin::Text(_))) if *known != own => Err(format!(
@@ -120,30 +124,36 @@ impl Registry {
         }
     }
 
-    /// The same registry, able to read the equations that mechanism files carry as text: `read` adds the
-    /// constraint of a text. `kin::text::registry()` is one with the reader that ships.
-    pub fn reading_equations(mut self, read: fn(Registry, &str) -> Result<Registry, String>) -> Registry {
+    /// The same registry, able to read the equations that mechanism files carry as text: `read`
+    /// adds the constraint of a text. `kin::text::registry()` is one with the reader that ships.
+    pub fn reading_equations(
+        mut self,
+        read: fn(Registry, &str) -> Result<Registry, String>,
+    ) -> Registry {
         self.equations = Some(read);
         self
     }
 
-    /// The same registry, able to make laws of the texts that mechanism files carry: `read` makes one of the
-    /// text, numbers and parts that it is shown.
+    /// The same registry, able to make laws of the texts that mechanism files carry: `read` makes
+    /// one of the text, numbers and parts that it is shown.
     pub fn reading_laws(mut self, read: fn(&LawReader<'_>) -> Result<Law, String>) -> Registry {
         self.law_texts = Some(read);
         self
     }
 
-    /// The same registry with the constraints that these texts say; without a reader the program has to know
-    /// them itself. Errors: the mistakes of a text.
+    /// The same registry with the constraints that these texts say; without a reader the program
+    /// has to know them itself. Errors: the mistakes of a text.
     pub fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
         match self.equations {
-            Some(read) => texts.iter().try_fold(self.clone(), |registry, text| read(registry, text)),
+            Some(read) => {
+                texts.iter().try_fold(self.clone(), |registry, text| read(registry, text))
+            }
             None => Ok(Registry { unread: !texts.is_empty(), ..self.clone() }),
         }
     }
 
-    /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its constructor.
+    /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its
+    /// constructor.
     pub fn with_law(
         mut self,
         kind: &str,
@@ -155,8 +165,11 @@ impl Registry {
 
     /// Kinds of the constraints, with the number of arguments of each, sorted.
     pub fn kinds(&self) -> Vec<(&str, usize)> {
-        let mut all: Vec<(&str, usize)> =
-            self.constraints.keys().map(|(kind, arguments)| (kind.as_str(), arguments.len())).collect();
+        let mut all: Vec<(&str, usize)> = self
+            .constraints
+            .keys()
+            .map(|(kind, arguments)| (kind.as_str(), arguments.len()))
+            .collect();
         all.sort_unstable();
         all
     }
@@ -168,8 +181,9 @@ impl Registry {
         all
     }
 
-    /// The law that the data say: by its kind, where that is known, else by its text. Errors: unknown kind,
-    /// numbers or parts that are missing or that it does not have, mistakes in the text.
+    /// The law that the data say: by its kind, where that is known, else by its text. Errors:
+    /// unknown kind, numbers or parts that are missing or that it does not have, mistakes in the
+    /// text.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
         let law = LawReader::new(data, self);
         let whole = |made| law.all_are_asked().map(|()| made);
@@ -191,8 +205,8 @@ impl Registry {
         }
     }
 
-    /// The constraint of that kind, and which of its parameters are expressions of dimensions. Errors:
-    /// unknown kind, arguments or parameters that do not fit.
+    /// The constraint of that kind, and which of its parameters are expressions of dimensions.
+    /// Errors: unknown kind, arguments or parameters that do not fit.
     pub(super) fn constraint(
         &self,
         kind: &str,
@@ -233,10 +247,14 @@ impl Registry {
         self.constraints.contains_key(&(kind.to_string(), kinds))
     }
 
-    /// Errors: a constraint of one's own with a name and arguments of the library, whose place in a file the
-    /// library's would take.
+    /// Errors: a constraint of one's own with a name and arguments of the library, whose place in a
+    /// file the library's would take.
     pub(super) fn is_free(kind: &str, arguments: &[ArgumentData]) -> Result<(), String> {
-        if Registry::new().knows(kind, arguments) { Err(names_of_the_library(kind)) } else { Ok(()) }
+        if Registry::new().knows(kind, arguments) {
+            Err(names_of_the_library(kind))
+        } else {
+            Ok(())
+        }
     }
 
     fn unknown(&self, kind: &str, arguments: usize) -> String {
@@ -252,7 +270,9 @@ impl Registry {
                     "unknown constraint `{kind}`: the file carries equations as text; read it with `kin::text::registry()`, of the feature `text`"
                 )
             }
-            false => format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`"),
+            false => {
+                format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`")
+            }
         }
     }
 }
@@ -293,9 +313,10 @@ impl<'a> Reader<'a> {
     pub fn spatial(&mut self) -> SpatialBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Spatial(None)) => Ok(Ground.into()),
-            Some(ArgumentData::Spatial(Some(name))) => {
-                self.mechanism.spatial_named(name).ok_or_else(|| format!("no spatial body `{name}`"))
-            }
+            Some(ArgumentData::Spatial(Some(name))) => self
+                .mechanism
+                .spatial_named(name)
+                .ok_or_else(|| format!("no spatial body `{name}`")),
             _ => Err("a spatial body is missing".to_string()),
         };
         self.noted(found).unwrap_or(Ground.into())
@@ -304,11 +325,14 @@ impl<'a> Reader<'a> {
     /// The next argument, a bare coordinate; one of the ground's where there is none.
     pub fn coord(&mut self) -> Coordinate {
         let found = match self.arguments.next() {
-            Some(ArgumentData::Coord(name)) => {
-                self.mechanism.coordinate_named(name).ok_or_else(|| format!("no coordinate `{name}`"))
-            }
+            Some(ArgumentData::Coord(name)) => self
+                .mechanism
+                .coordinate_named(name)
+                .ok_or_else(|| format!("no coordinate `{name}`")),
             Some(ArgumentData::GroundCoord(axis)) => Ok(Coordinate::Planar(Ground.into(), *axis)),
-            Some(ArgumentData::SpatialGroundCoord(axis)) => Ok(Coordinate::Spatial(Ground.into(), *axis)),
+            Some(ArgumentData::SpatialGroundCoord(axis)) => {
+                Ok(Coordinate::Spatial(Ground.into(), *axis))
+            }
             _ => Err("a coordinate is missing".to_string()),
         };
         self.noted(found).unwrap_or(Coordinate::Planar(Ground.into(), 0))
@@ -320,10 +344,15 @@ impl<'a> Reader<'a> {
         self.numbers(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
     }
 
-    /// The same as [`Reader::value`] of a parameter made of numbers, some of which may be expressions of
-    /// dimensions in the file: `read` is given their values.
-    pub fn numbers<T>(&mut self, name: &str, read: &mut dyn FnMut(&Value) -> Result<T, String>) -> Option<T> {
-        let (mechanism, mut found) = (self.mechanism, Vec::new());
+    /// The same as [`Reader::value`] of a parameter made of numbers, some of which may be
+    /// expressions of dimensions in the file: `read` is given their values.
+    pub fn numbers<T>(
+        &mut self,
+        name: &str,
+        read: &mut dyn FnMut(&Value) -> Result<T, String>,
+    ) -> Option<T> {
+        let mechanism = self.mechanism;
+        let mut found = Vec::new();
         let value = self.value(name, &mut |value| {
             found.clear();
             read(&dimensions::without_expressions(mechanism, name, value, &mut found)?)
@@ -333,7 +362,11 @@ impl<'a> Reader<'a> {
     }
 
     /// The value that `read` makes of the parameter of that name, as JSON.
-    pub fn value<T>(&mut self, name: &str, read: &mut dyn FnMut(&Value) -> Result<T, String>) -> Option<T> {
+    pub fn value<T>(
+        &mut self,
+        name: &str,
+        read: &mut dyn FnMut(&Value) -> Result<T, String>,
+    ) -> Option<T> {
         let Some((known, value)) = self.parameters.get_key_value(name) else {
             return self.noted(Err(format!("its parameter `{name}` is missing")));
         };

@@ -4,16 +4,17 @@ use serde_json::{Map, Value, json};
 
 use super::{FORMAT, Registry};
 
-/// The JSON Schema (draft 2020-12) of mechanism files: what [`crate::Mechanism::write_json`] writes, and what
-/// may be written by hand. Kinds of constraints and laws are suggested, not demanded: a file brings
-/// constraints of its own, and a program its laws.
+/// The JSON Schema (draft 2020-12) of mechanism files: what [`crate::Mechanism::write_json`]
+/// writes, and what may be written by hand. Kinds of constraints and laws are suggested, not
+/// demanded: a file brings constraints of its own, and a program its laws.
 ///
 /// ```
 /// let schema = kin::data::schema(&kin::Registry::new());
 /// assert_eq!(schema["properties"]["bodies"]["type"], "array");
 /// ```
 pub fn schema(registry: &Registry) -> Value {
-    let list = |of: &str, told: &str| json!({ "description": told, "type": "array", "items": named(of) });
+    let list =
+        |of: &str, told: &str| json!({ "description": told, "type": "array", "items": named(of) });
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A mechanism of Kin",
@@ -73,7 +74,8 @@ pub fn schema(registry: &Registry) -> Value {
 }
 
 fn body() -> Value {
-    let guess = "R_x, R_y, θ of a planar body; R, e0..e3 of a spatial one; the value of a bare coordinate.";
+    let guess =
+        "R_x, R_y, θ of a planar body; R, e0..e3 of a spatial one; the value of a bare coordinate.";
     object(
         "A body or bare coordinate with its guess.",
         &["name", "kind", "guess"],
@@ -121,7 +123,8 @@ fn number() -> Value {
 }
 
 fn dimension() -> Value {
-    let ends = json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
+    let ends =
+        json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
     object(
         "A named number that others hang on.",
         &["name", "value"],
@@ -131,7 +134,10 @@ fn dimension() -> Value {
             ("unit", text("The word for its unit.")),
             ("within", json!({ "anyOf": [ends, { "type": "null" }] })),
             ("tolerance", number_or_null("How far it may be off, to either side.")),
-            ("distribution", json!({ "enum": ["normal", "truncated_normal", "uniform", "disc", null] })),
+            (
+                "distribution",
+                json!({ "enum": ["normal", "truncated_normal", "uniform", "disc", null] }),
+            ),
             (
                 "clearance",
                 json!({ "type": ["string", "null"], "description": "The clearance that it is one of two dimensions of." }),
@@ -181,13 +187,17 @@ fn load() -> Value {
     object(
         "What acts under one name.",
         &["name", "parts"],
-        &[("name", text("Its name.")), ("parts", json!({ "type": "array", "items": acting, "minItems": 1 }))],
+        &[
+            ("name", text("Its name.")),
+            ("parts", json!({ "type": "array", "items": acting, "minItems": 1 })),
+        ],
     )
 }
 
 fn friction() -> Value {
     let kinds = ["number", "string"];
-    let above_zero = |told: &str| json!({ "description": told, "type": kinds, "exclusiveMinimum": 0 });
+    let above_zero =
+        |told: &str| json!({ "description": told, "type": kinds, "exclusiveMinimum": 0 });
     let at_least_zero = |told: &str| json!({ "description": told, "type": kinds, "minimum": 0 });
     let pin = [
         ("radius", above_zero("The radius of the pin.")),

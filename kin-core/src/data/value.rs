@@ -52,7 +52,10 @@ impl<T: Datum, const N: usize> Datum for [T; N] {
             .as_array()
             .filter(|parts| parts.len() == N)
             .ok_or_else(|| format!("{value} is not a list of {N}"))?;
-        let parts = parts.iter().map(|part| T::from_value(part, registry)).collect::<Result<Vec<T>, _>>()?;
+        let parts = parts
+            .iter()
+            .map(|part| T::from_value(part, registry))
+            .collect::<Result<Vec<T>, _>>()?;
         parts.try_into().map_err(|_| format!("{value} is not a list of {N}"))
     }
 }

@@ -16,18 +16,18 @@ use crate::system::System;
 pub(super) type Weights = [Vec<f64>; 3];
 
 impl System {
-    /// The derivatives of one number F by parameters, where F is a function of a measure y, ẏ and ÿ over a
-    /// motion: `weights` gives ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time by its number. One backward solve serves
-    /// all parameters. With J = C_q,
+    /// The derivatives of one number F by parameters, where F is a function of a measure y, ẏ and ÿ
+    /// over a motion: `weights` gives ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time by its number. One
+    /// backward solve serves all parameters. With J = C_q,
     ///
     /// ```text
     /// Jᵀ λ₂ = F_q̈      Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂      Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂
     /// F_p = −Σ (λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p)
     /// ```
     ///
-    /// A dependence of the measure on p itself is not in it. Of a redundant mechanism C_q are as many
-    /// independent rows as there are coordinates; that the other equations agree is checked for all
-    /// parameters at once.
+    /// A dependence of the measure on p itself is not in it. Of a redundant mechanism C_q are as
+    /// many independent rows as there are coordinates; that the other equations agree is checked
+    /// for all parameters at once.
     ///
     /// Errors: those of [`System::sensitivities`] and [`crate::Sensitivities::of`].
     pub fn gradient(
@@ -66,7 +66,8 @@ impl System {
         for k in 0..motion.len() {
             let [a, b, c] = weights(k);
             for (j, [y_q, first, second]) in &partials {
-                let (place, [y0, y1, y2]) = (k * n + j, [y_q[k], first[k], second[k]]);
+                let place = k * n + j;
+                let [y0, y1, y2] = [y_q[k], first[k], second[k]];
                 by_q[place] = a * y0 + b * y1 + c * y2;
                 by_qd[place] = b * y0 + 2.0 * c * y1;
                 by_qdd[place] = c * y0;
@@ -84,14 +85,18 @@ fn terms(
     weights: &Weights,
 ) -> Result<Vec<f64>> {
     let system = prepared.system;
-    let (n, mut gradient, mut left) = (system.n_coordinates(), vec![0.0; names.len()], None);
+    let n = system.n_coordinates();
+    let mut gradient = vec![0.0; names.len()];
+    let mut left = None;
     if variation::pays(motion) {
-        let agreement = if system.is_redundant() { Agreement::along(prepared, motion, names)? } else { None };
+        let agreement =
+            if system.is_redundant() { Agreement::along(prepared, motion, names)? } else { None };
         left = variation::adjoint(prepared, agreement.as_ref(), motion, weights, &mut gradient);
     }
     let mut solver = Solver::new(system);
     for k in left.unwrap_or_else(|| (0..motion.len()).collect()) {
-        let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+        let t = motion.times()[k];
+        let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
         let along = prepared.at(t, orders);
         solver.go_to(t, orders)?;
         agreement::check(&mut solver, prepared, &along, names)?;
@@ -99,7 +104,8 @@ fn terms(
         let adjoint = adjoint(&solver, &along, vec![0.0; system.n_equations()], own);
         for (sum, by_p) in gradient.iter_mut().zip(&along.by_p) {
             for (row, jet) in by_p {
-                *sum -= adjoint.iter().zip(jet).map(|(adjoint, c_p)| adjoint[*row] * c_p).sum::<f64>();
+                *sum -=
+                    adjoint.iter().zip(jet).map(|(adjoint, c_p)| adjoint[*row] * c_p).sum::<f64>();
             }
         }
     }

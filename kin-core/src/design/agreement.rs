@@ -1,10 +1,11 @@
-//! The superfluous equations of a redundant mechanism: a check, for all parameters at once, that they still
-//! agree with the others when a parameter changes.
+//! The superfluous equations of a redundant mechanism: a check, for all parameters at once, that
+//! they still agree with the others when a parameter changes.
 //!
-//! With ν(t) such that νᵀ C_q = 0 at all times, g = νᵀ C_p and its derivatives by time vanish if and only if
-//! C_q q_p = −C_p and its derivatives have solutions. One ν serves all parameters: it takes each superfluous
-//! row times a random number, so that those that disagree do not cancel. With ν instead of λ₂ the equations
-//! of the adjoint give λ₁ = 2 ν̇ and λ₀ = ν̈ ([`super::adjoint::adjoint`]).
+//! With ν(t) such that νᵀ C_q = 0 at all times, g = νᵀ C_p and its derivatives by time vanish if
+//! and only if C_q q_p = −C_p and its derivatives have solutions. One ν serves all parameters: it
+//! takes each superfluous row times a random number, so that those that disagree do not cancel.
+//! With ν instead of λ₂ the equations of the adjoint give λ₁ = 2 ν̇ and λ₀ = ν̈
+//! ([`super::adjoint::adjoint`]).
 
 use super::adjoint::adjoint;
 use super::along::{Along, Prepared};
@@ -19,25 +20,27 @@ pub(super) struct Agreement {
     pub rows: Vec<usize>,
     /// ν in the superfluous rows, 0 in those in use.
     pub shares: Vec<f64>,
-    /// By how much rounding may keep g, ġ and g̈ of each name from 0; 0 where that is far less than their
-    /// terms.
+    /// By how much rounding may keep g, ġ and g̈ of each name from 0; 0 where that is far less than
+    /// their terms.
     pub limits: Vec<[f64; 3]>,
 }
 
 impl Agreement {
-    /// Along a motion: rounding is bounded at its first time and where it is fastest; `None` where no
-    /// equation is superfluous.
+    /// Along a motion: rounding is bounded at its first time and where it is fastest; `None` where
+    /// no equation is superfluous.
     ///
-    /// Errors: by name where a change of a parameter makes the equations contradict one another at one of
-    /// these times; a singular position.
+    /// Errors: by name where a change of a parameter makes the equations contradict one another at
+    /// one of these times; a singular position.
     pub(super) fn along(
         prepared: &mut Prepared<'_>,
         motion: &Motion,
         names: &[String],
     ) -> Result<Option<Agreement>> {
-        let (mut solver, mut found) = (Solver::new(prepared.system), None);
+        let mut solver = Solver::new(prepared.system);
+        let mut found = None;
         for k in fastest(motion) {
-            let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            let t = motion.times()[k];
+            let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
             solver.go_to(t, orders)?;
             let Some(shares) = shares(&solver) else { return Ok(None) };
             let along = prepared.at(t, orders);
@@ -59,8 +62,8 @@ impl Agreement {
     }
 }
 
-/// An error by name where a change of a parameter makes the equations contradict one another at the time of
-/// the solver.
+/// An error by name where a change of a parameter makes the equations contradict one another at the
+/// time of the solver.
 pub(super) fn check(
     solver: &mut Solver<'_>,
     prepared: &Prepared<'_>,
@@ -76,8 +79,8 @@ pub(super) fn check(
     })
 }
 
-/// ν in the superfluous rows, in which it may be anything, and 0 in the others; `None` where no equation is
-/// superfluous.
+/// ν in the superfluous rows, in which it may be anything, and 0 in the others; `None` where no
+/// equation is superfluous.
 fn shares(solver: &Solver<'_>) -> Option<Vec<f64>> {
     let (rows, norms) = solver.in_use()?;
     let mut random = Random::new(1);
@@ -95,7 +98,8 @@ fn doubtful(solver: &Solver<'_>, along: &Along, shares: Vec<f64>) -> Vec<usize> 
     let nu = adjoint(solver, along, shares, none);
     let is_doubtful = |by_p: &Vec<(usize, [f64; 3])>| {
         (0..3).any(|order| {
-            let (mut sum, mut size) = (0.0_f64, 0.0);
+            let mut sum = 0.0_f64;
+            let mut size = 0.0;
             for (row, jet) in by_p {
                 for (factor, of, by) in TERMS[order] {
                     let term: f64 = factor * nu[*of][*row] * jet[*by];
@@ -107,18 +111,25 @@ fn doubtful(solver: &Solver<'_>, along: &Along, shares: Vec<f64>) -> Vec<usize> 
             sum.is_nan() || sum.abs() > CONSISTENT * size
         })
     };
-    along.by_p.iter().enumerate().filter(|(_, by_p)| is_doubtful(by_p)).map(|(number, _)| number).collect()
+    along
+        .by_p
+        .iter()
+        .enumerate()
+        .filter(|(_, by_p)| is_doubtful(by_p))
+        .map(|(number, _)| number)
+        .collect()
 }
 
-/// g, ġ and g̈ as sums of a factor times a multiplier, λ₀, λ₁ or λ₂, times C_p or one of its derivatives by
-/// time.
+/// g, ġ and g̈ as sums of a factor times a multiplier, λ₀, λ₁ or λ₂, times C_p or one of its
+/// derivatives by time.
 pub(super) const TERMS: [&[(f64, usize, usize)]; 3] =
     [&[(1.0, 2, 0)], &[(1.0, 2, 1), (0.5, 1, 0)], &[(1.0, 2, 2), (1.0, 1, 1), (1.0, 0, 0)]];
 
 /// The first time of a motion, and those at which q̇ and q̈ are largest: there rounding is.
 fn fastest(motion: &Motion) -> Vec<usize> {
     let size = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let largest = |of: &dyn Fn(usize) -> f64| (0..motion.len()).max_by(|a, b| of(*a).total_cmp(&of(*b)));
+    let largest =
+        |of: &dyn Fn(usize) -> f64| (0..motion.len()).max_by(|a, b| of(*a).total_cmp(&of(*b)));
     let rate = largest(&|k| size(motion.qd(k)));
     let second_rate = largest(&|k| size(motion.qdd(k)));
     let mut all: Vec<usize> =

@@ -33,8 +33,8 @@ pub(super) struct Prepared<'a> {
     results: Results<Number>,
 }
 
-/// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time; a jet is a
-/// number with its first and second derivative by time.
+/// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time; a
+/// jet is a number with its first and second derivative by time.
 pub(super) struct Along<N = f64> {
     pub by_q: Vec<(usize, usize, [N; 3])>,
     pub by_p: Vec<Vec<(usize, [N; 3])>>,
@@ -43,7 +43,9 @@ pub(super) struct Along<N = f64> {
 impl<'a> Prepared<'a> {
     /// For these parameters and dimensions; refuses by name what is not known.
     pub(super) fn new(system: &'a System, names: &[String]) -> Result<Self> {
-        let (mut blocks, mut columns, mut kinds) = (Vec::new(), Vec::new(), HashMap::new());
+        let mut blocks = Vec::new();
+        let mut columns = Vec::new();
+        let mut kinds = HashMap::new();
         for block in &system.equations().blocks {
             let own: Vec<Option<usize>> = block
                 .constraint
@@ -60,7 +62,10 @@ impl<'a> Prepared<'a> {
             let unknown = Err("it takes the dual route or is written by hand");
             let equation = equation.unwrap_or(unknown).map_err(|reason| {
                 let by = names.first().map_or("", String::as_str);
-                NoDerivative::error(by, format!("of `{}` no such derivative is known: {reason}", block.name))
+                NoDerivative::error(
+                    by,
+                    format!("of `{}` no such derivative is known: {reason}", block.name),
+                )
             })?;
             blocks.push(equation);
             columns.push(own);
@@ -69,7 +74,14 @@ impl<'a> Prepared<'a> {
         for name in names.iter().enumerate() {
             asked.extend(Asked::all(system, &blocks, name)?);
         }
-        Ok(Prepared { system, blocks, columns, asked, names: names.len(), results: Results::default() })
+        Ok(Prepared {
+            system,
+            blocks,
+            columns,
+            asked,
+            names: names.len(),
+            results: Results::default(),
+        })
     }
 
     /// C_q and C_p at the time t of a motion with these q, q̇ and q̈.
@@ -85,7 +97,10 @@ impl<'a> Prepared<'a> {
     pub(super) fn bounded(&self, t: f64, orders: [&[f64]; 3], off: [&[f64]; 3]) -> Along<Rounded> {
         let moving = |j: usize| {
             let [x, v, a] = [0, 1, 2].map(|order| Rounded::new(orders[order][j], off[order][j]));
-            WithRate { x: WithRate { x, rate: Some(v) }, rate: Some(WithRate { x: v, rate: Some(a) }) }
+            WithRate {
+                x: WithRate { x, rate: Some(v) },
+                rate: Some(WithRate { x: v, rate: Some(a) }),
+            }
         };
         self.walked(t, orders[0], moving, &mut Results::<Bounded>::default())
     }
@@ -102,12 +117,14 @@ impl<'a> Prepared<'a> {
         let instant = equations.instant_at(t, q);
         let mut along = Along { by_q: Vec::new(), by_p: vec![Vec::new(); self.names] };
         for (number, block) in equations.blocks.iter().enumerate() {
-            let (equation, behind) = (&self.blocks[number], &self.columns[number]);
+            let equation = &self.blocks[number];
+            let behind = &self.columns[number];
             let at = equations.at(block, &instant);
             let fixed = block.constraint.arguments();
             let fixed = fixed.iter().map(|argument| argument.target.columns()).enumerate();
             let fixed = fixed.flat_map(|(k, n)| at.coordinates(k, n).to_vec());
-            let column = |(behind, x): (&Option<usize>, f64)| behind.map_or_else(|| N::constant(x), &moving);
+            let column =
+                |(behind, x): (&Option<usize>, f64)| behind.map_or_else(|| N::constant(x), &moving);
             let columns: Vec<N> = behind.iter().zip(fixed).map(column).collect();
             block.constraint.formula(|_, parameters, outside| {
                 let walk = Walk { equation, columns: &columns, t, parameters, outside };
@@ -227,7 +244,8 @@ impl<N: InTime> Walk<'_, N> {
                             let x = number(call.x);
                             by_p.push((
                                 row,
-                                jet(slope * x.clone().through(derivatives(by, x.value(), call.order))),
+                                jet(slope
+                                    * x.clone().through(derivatives(by, x.value(), call.order))),
                             ));
                         }
                     }
@@ -250,7 +268,8 @@ fn derivatives(law: &crate::model::law::Law, x: f64, order: u8) -> [f64; 4] {
 
 impl<N: InTime> Source<N> for Walk<'_, N> {
     fn input(&self, input: Input) -> N {
-        let (columns, parameters) = (self.equation.columns, self.equation.parameters);
+        let columns = self.equation.columns;
+        let parameters = self.equation.parameters;
         match input {
             Input::State(k, _) if k < columns => {
                 self.columns.get(k).cloned().unwrap_or_else(|| N::constant(f64::NAN))
@@ -272,7 +291,8 @@ impl<N: InTime> Source<N> for Walk<'_, N> {
 
     /// A number that the user's own functions make of parameters does not move.
     fn opaque(&self, number: usize, component: usize, operands: Vec<N>) -> N {
-        let operands: Vec<Dual3_64> = operands.iter().map(|x| Dual3_64::from_re(x.value())).collect();
+        let operands: Vec<Dual3_64> =
+            operands.iter().map(|x| Dual3_64::from_re(x.value())).collect();
         N::constant(Given::by(self.outside, number, &operands).number(component).re)
     }
 

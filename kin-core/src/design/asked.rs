@@ -17,7 +17,8 @@ const NOTHING: &str = "no equation depends on it";
 
 /// One parameter.
 pub(super) struct Asked {
-    /// The number of the name that was asked for: that of the parameter, or of a dimension that it hangs on.
+    /// The number of the name that was asked for: that of the parameter, or of a dimension that it
+    /// hangs on.
     pub name: usize,
     /// Its own derivative by that.
     pub slope: f64,
@@ -35,7 +36,8 @@ pub(super) enum Hangs {
 }
 
 impl Asked {
-    /// The parameters behind name number `number`, a parameter's (`motor.law.rate`) or a dimension's.
+    /// The parameters behind name number `number`, a parameter's (`motor.law.rate`) or a
+    /// dimension's.
     pub(super) fn all(
         system: &System,
         equations: &[Rc<Equation>],
@@ -58,8 +60,8 @@ impl Asked {
 }
 
 impl Hangs {
-    /// The part of a constraint's equation that hangs on the number of that name there, and in the system;
-    /// `None` if there is none.
+    /// The part of a constraint's equation that hangs on the number of that name there, and in the
+    /// system; `None` if there is none.
     fn on(block: &Block, equation: &Equation, (name, full): (&str, &str)) -> Result<Option<Hangs>> {
         let no = |reason: &str| NoDerivative::error(full, reason);
         // Formulas have those of an axis along it without the `h`.
@@ -82,15 +84,17 @@ impl Hangs {
                 }
                 None if equation.is_read() => None,
                 None => {
-                    return Err(no("a function of yours, which only rustc can read, may be asked for it"));
+                    return Err(no(
+                        "a function of yours, which only rustc can read, may be asked for it",
+                    ));
                 }
             },
         })
     }
 }
 
-/// The law with a parameter of that name, and its number: the one that becomes another one where the
-/// parameter is set.
+/// The law with a parameter of that name, and its number: the one that becomes another one where
+/// the parameter is set.
 fn law(block: &Block, equation: &Equation, name: &str) -> Option<(usize, Law)> {
     let law = |constraint: &dyn Constraint, number: usize| {
         constraint.formula(|_, _, outside| Given::by(outside, number, &[]).law().cloned()).flatten()
@@ -100,7 +104,8 @@ fn law(block: &Block, equation: &Equation, name: &str) -> Option<(usize, Law)> {
     let mut set = block.constraint.clone();
     set.set_parameter(name, value?);
     equation.calls.iter().map(|call| call.law).find_map(|number| {
-        let (before, after) = (law(block.constraint.as_ref(), number)?, law(set.as_ref(), number)?);
+        let before = law(block.constraint.as_ref(), number)?;
+        let after = law(set.as_ref(), number)?;
         (!before.is(&after)).then_some((number, before))
     })
 }

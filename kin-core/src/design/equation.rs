@@ -1,11 +1,12 @@
-//! One equation and its derivatives by its coordinates, its parameters and what its laws give, as a graph.
+//! One equation and its derivatives by its coordinates, its parameters and what its laws give, as a
+//! graph.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
 
-/// To the passes of `kin_graph` all that is differentiated by is a coordinate of an argument of its own:
-/// first the columns, then the parameters, then one number for each call of a law, which is added to what
-/// the law gives.
+/// To the passes of `kin_graph` all that is differentiated by is a coordinate of an argument of its
+/// own: first the columns, then the parameters, then one number for each call of a law, which is
+/// added to what the law gives.
 const SELF: Part = Part::R(0);
 
 /// The derivatives of the rows of an equation.
@@ -44,7 +45,8 @@ impl Equation {
     /// Of a formula in so many columns.
     pub(super) fn of(formula: &Formula, columns: usize) -> Result<Equation, &'static str> {
         let parameters = formula.parameters.len();
-        let mut reader = Reader { graph: Graph::default(), calls: Vec::new(), foreign: Vec::new(), columns };
+        let mut reader =
+            Reader { graph: Graph::default(), calls: Vec::new(), foreign: Vec::new(), columns };
         let mut places = vec![Node::default(); formula.graph.len()];
         for node in formula.graph.reachable(&formula.rows) {
             places[node.index()] = reader.read(&formula.graph, node, &places, parameters)?;
@@ -76,9 +78,11 @@ impl Equation {
         Equation { graph, rows, calls, foreign, columns, parameters }.compact()
     }
 
-    /// The same with a graph that has no node too many: what was differentiated is not computed again.
+    /// The same with a graph that has no node too many: what was differentiated is not computed
+    /// again.
     fn compact(mut self) -> Result<Equation, &'static str> {
-        let (from, mut to) = (std::mem::take(&mut self.graph), Graph::default());
+        let from = std::mem::take(&mut self.graph);
+        let mut to = Graph::default();
         let mut places = vec![Node::default(); from.len()];
         for node in from.reachable(&self.outputs()) {
             let of = |node: Node| places[node.index()];
@@ -89,7 +93,8 @@ impl Equation {
                     if to.opaques.len() <= number {
                         to.opaques.resize(number + 1, Vec::new());
                     }
-                    to.opaques[number] = from.opaques[number].iter().map(|operand| of(*operand)).collect();
+                    to.opaques[number] =
+                        from.opaques[number].iter().map(|operand| of(*operand)).collect();
                     to.opaque(number, component)
                 }
                 op => to.rebuilt(op, of).ok_or(EMPTY)?,
@@ -97,7 +102,8 @@ impl Equation {
         }
         let moved = |node: &mut Node| *node = places[node.index()];
         for row in &mut self.rows {
-            let slopes = row.by_column.iter_mut().chain(&mut row.by_parameter).chain(&mut row.by_call);
+            let slopes =
+                row.by_column.iter_mut().chain(&mut row.by_parameter).chain(&mut row.by_call);
             slopes.for_each(|(_, node)| moved(node));
             moved(&mut row.residual);
         }
@@ -109,7 +115,8 @@ impl Equation {
     pub(super) fn outputs(&self) -> Vec<Node> {
         let slopes = self.rows.iter().flat_map(|row| row.by_column.iter().chain(&row.by_parameter));
         let by_call = self.rows.iter().flat_map(|row| &row.by_call);
-        let others = self.calls.iter().map(|call| call.x).chain(self.rows.iter().map(|row| row.residual));
+        let others =
+            self.calls.iter().map(|call| call.x).chain(self.rows.iter().map(|row| row.residual));
         slopes.chain(by_call).map(|(_, node)| *node).chain(others).collect()
     }
 
@@ -142,14 +149,17 @@ impl Reader {
         places: &[Node],
         parameters: usize,
     ) -> Result<Node, &'static str> {
-        let (of, to) = (|node: Node| places[node.index()], &mut self.graph);
+        let of = |node: Node| places[node.index()];
+        let to = &mut self.graph;
         Ok(match from.op(node) {
             Op::Input(Input::Column(k)) => to.input(Input::State(k, SELF)),
             Op::Input(Input::Parameter(k)) => to.input(Input::State(self.columns + k, SELF)),
             Op::Input(Input::Time) => to.input(Input::Time),
             Op::Law(law, x, order) => {
-                let (x, own) = (of(x), self.columns + parameters + self.calls.len());
-                let (value, change) = (to.law(law, x, order), to.input(Input::State(own, SELF)));
+                let x = of(x);
+                let own = self.columns + parameters + self.calls.len();
+                let value = to.law(law, x, order);
+                let change = to.input(Input::State(own, SELF));
                 self.calls.push(Call { law, order, x });
                 to.add(value, change)
             }
@@ -158,11 +168,14 @@ impl Reader {
                 from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?
             }
             Op::Opaque(number, component) => {
-                let operands: Vec<Node> = from.opaques[number].iter().map(|operand| of(*operand)).collect();
+                let operands: Vec<Node> =
+                    from.opaques[number].iter().map(|operand| of(*operand)).collect();
                 let read: Vec<Column> = to.columns(&operands);
                 let own = self.columns..self.columns + parameters;
                 let moves = |operand: &Node| to.depends(*operand).on_t;
-                if operands.iter().any(moves) || read.iter().any(|column| !own.contains(&column.argument)) {
+                if operands.iter().any(moves)
+                    || read.iter().any(|column| !own.contains(&column.argument))
+                {
                     return Err(MOVING);
                 }
                 self.foreign.extend(read.iter().map(|column| column.argument - self.columns));

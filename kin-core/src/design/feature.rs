@@ -1,4 +1,5 @@
-//! Numbers that a measure has over a motion, and what they are in the same mechanism with other dimensions.
+//! Numbers that a measure has over a motion, and what they are in the same mechanism with other
+//! dimensions.
 
 use std::f64::consts::TAU;
 
@@ -83,7 +84,8 @@ pub(super) struct Term {
     pub here: f64,
 }
 
-/// A feature of a measure, with all that is needed to find it again where dimensions are other ones.
+/// A feature of a measure, with all that is needed to find it again where dimensions are other
+/// ones.
 pub(super) struct Followed<'a, M> {
     pub system: &'a System,
     pub motion: &'a Motion,
@@ -96,8 +98,8 @@ pub(super) struct Followed<'a, M> {
 }
 
 impl<'a, M: Measure> Followed<'a, M> {
-    /// Errors: those of [`System::at`] and of the measure; an extreme that the measure does not have on this
-    /// motion.
+    /// Errors: those of [`System::at`] and of the measure; an extreme that the measure does not
+    /// have on this motion.
     pub(super) fn new(
         system: &'a System,
         motion: &'a Motion,
@@ -106,7 +108,8 @@ impl<'a, M: Measure> Followed<'a, M> {
     ) -> Result<Self> {
         let feature = &feature.on_motion(system, motion, what)?;
         let ends = [motion.times().first(), motion.times().last()];
-        let turn = |extreme: &Extreme| (!ends.contains(&Some(&extreme.t))).then_some(extreme.is_max);
+        let turn =
+            |extreme: &Extreme| (!ends.contains(&Some(&extreme.t))).then_some(extreme.is_max);
         let places = match feature {
             Feature::At(t) => vec![(1.0, *t, None)],
             Feature::Extreme(extreme) => vec![(1.0, extreme.t, turn(extreme))],
@@ -114,7 +117,8 @@ impl<'a, M: Measure> Followed<'a, M> {
                 vec![(1.0, most.t, turn(most)), (-1.0, least.t, turn(least))]
             }
         };
-        let (mut terms, mut named) = (Vec::new(), (String::new(), String::new()));
+        let mut terms = Vec::new();
+        let mut named = (String::new(), String::new());
         for (sign, t, turn) in places {
             let pose = system.at(motion, t)?;
             let value = what.of(system, &pose)?.value;
@@ -124,14 +128,17 @@ impl<'a, M: Measure> Followed<'a, M> {
         let grid = |t: f64| motion.times().iter().position(|known| *known == t);
         let nominal = match feature {
             Feature::At(t) => match grid(*t) {
-                Some(k) => what.of(system, motion)?.value.values().get(k).copied().unwrap_or(f64::NAN),
+                Some(k) => {
+                    what.of(system, motion)?.value.values().get(k).copied().unwrap_or(f64::NAN)
+                }
                 None => terms[0].here,
             },
             Feature::Extreme(extreme) => extreme.value,
             Feature::Stroke([most, least]) => most.value - least.value,
         };
         let (name, unit) = named;
-        let name = if matches!(feature, Feature::Stroke(_)) { format!("stroke of {name}") } else { name };
+        let name =
+            if matches!(feature, Feature::Stroke(_)) { format!("stroke of {name}") } else { name };
         Ok(Followed { system, motion, what, terms, name, unit, nominal })
     }
 
@@ -150,10 +157,12 @@ impl<'a, M: Measure> Followed<'a, M> {
         if self.unit == "rad" { change - TAU * (change / TAU).round() } else { change }
     }
 
-    /// Its exact derivatives by dimensions and parameters, in the same mechanism with other dimensions. As
-    /// the rate vanishes at an extreme, its value changes as the measure does at that time.
+    /// Its exact derivatives by dimensions and parameters, in the same mechanism with other
+    /// dimensions. As the rate vanishes at an extreme, its value changes as the measure does at
+    /// that time.
     ///
-    /// Errors: those of [`System::sensitivities`] and of the measure; `None` where it cannot be assembled.
+    /// Errors: those of [`System::sensitivities`] and of the measure; `None` where it cannot be
+    /// assembled.
     pub(super) fn gradient(&self, other: &System, names: &[String]) -> Result<Option<Vec<f64>>> {
         let mut sum = vec![0.0; names.len()];
         for term in &self.terms {
@@ -168,20 +177,25 @@ impl<'a, M: Measure> Followed<'a, M> {
     pub(super) fn pose(&self, term: &Term, other: &System) -> Option<Motion> {
         let found = match term.turn {
             None => other.next_to(term.t, term.pose.q(0)).ok(),
-            Some(is_max) => self.turned(term, other, is_max).or_else(|| self.searched(term, other, is_max)),
+            Some(is_max) => {
+                self.turned(term, other, is_max).or_else(|| self.searched(term, other, is_max))
+            }
         };
-        let orientation = |system: &System, pose: &Motion| orientation(system, pose.times()[0], pose.q(0));
+        let orientation =
+            |system: &System, pose: &Motion| orientation(system, pose.times()[0], pose.q(0));
         found.filter(|pose| orientation(self.system, &term.pose) == orientation(other, pose))
     }
 
     /// The extreme next to that of the term, by Newton's method on the rate.
     fn turned(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
         let [from, to] = [self.motion.times().first()?, self.motion.times().last()?];
-        let (span, mut pose) = ((to - from).abs(), other.next_to(term.t, term.pose.q(0)).ok()?);
+        let span = (to - from).abs();
+        let mut pose = other.next_to(term.t, term.pose.q(0)).ok()?;
         for _ in 0..STEPS {
             let t = pose.times()[0];
             let here = self.what.of(other, &pose).ok()?;
-            let (rate, second) = (first(here.rate.values()), first(here.second_rate.values()));
+            let rate = first(here.rate.values());
+            let second = first(here.second_rate.values());
             let step = -rate / second;
             if !step.is_finite() || step.abs() > 0.1 * span || (t - term.t).abs() > 0.25 * span {
                 return None;
@@ -189,7 +203,8 @@ impl<'a, M: Measure> Followed<'a, M> {
             if step.abs() <= 4.0 * f64::EPSILON * (t.abs() + span) {
                 return ((second < 0.0) == is_max).then_some(pose);
             }
-            let next = |j: usize| pose.q(0)[j] + step * (pose.qd(0)[j] + 0.5 * step * pose.qdd(0)[j]);
+            let next =
+                |j: usize| pose.q(0)[j] + step * (pose.qd(0)[j] + 0.5 * step * pose.qdd(0)[j]);
             let q: Vec<f64> = (0..other.n_coordinates()).map(next).collect();
             let next = other.next_to(t + step, &q).ok()?;
             pose = next;
@@ -199,8 +214,10 @@ impl<'a, M: Measure> Followed<'a, M> {
 
     /// The extreme of the same kind that is next in time, of a whole run.
     fn searched(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
-        let motion = other.guessed(self.motion.q(0)).run_with(self.motion.times(), &unrescued()).ok()?;
-        let extremes = other.extremes(&motion, |motion: &Motion| self.what.of(other, motion)).ok()?;
+        let motion =
+            other.guessed(self.motion.q(0)).run_with(self.motion.times(), &unrescued()).ok()?;
+        let extremes =
+            other.extremes(&motion, |motion: &Motion| self.what.of(other, motion)).ok()?;
         let same = extremes.all().iter().filter(|extreme| extreme.is_max == is_max);
         let near = same.min_by(|a, b| (a.t - term.t).abs().total_cmp(&(b.t - term.t).abs()))?;
         other.at(&motion, near.t).ok()

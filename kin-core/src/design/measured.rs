@@ -36,22 +36,28 @@ pub struct ExtremeSensitivity {
 }
 
 impl Sensitivities<'_> {
-    /// The derivatives of a measure and its rates by each parameter, at fixed times; exact. `what` is a name,
-    /// a coordinate or a function of a motion ([`Measure`]), such as a coordinate of a point. What the
-    /// measure depends on a parameter itself, not through the motion, is not known.
+    /// The derivatives of a measure and its rates by each parameter, at fixed times; exact. `what`
+    /// is a name, a coordinate or a function of a motion ([`Measure`]), such as a coordinate of a
+    /// point. What the measure depends on a parameter itself, not through the motion, is not known.
     ///
-    /// Errors: those of [`crate::System::measure`]; by name a measure of the joint whose own parameter it is.
+    /// Errors: those of [`crate::System::measure`]; by name a measure of the joint whose own
+    /// parameter it is.
     pub fn of(&self, what: impl Measure) -> Result<Vec<MeasureSensitivity>> {
         self.each(&what)
     }
 
-    /// How time and value of an extreme of a measure change with each parameter. As the rate vanishes there,
-    /// dt/dp = −ẏ_p/ÿ and the value changes by y_p. The largest or smallest value at an end of the run, where
-    /// the measure does not turn round, stays at that time.
+    /// How time and value of an extreme of a measure change with each parameter. As the rate
+    /// vanishes there, dt/dp = −ẏ_p/ÿ and the value changes by y_p. The largest or smallest value
+    /// at an end of the run, where the measure does not turn round, stays at that time.
     ///
-    /// Errors: those of [`Sensitivities::of`], [`crate::System::extremes`] and [`crate::System::at`]; by name
-    /// an extreme that the measure does not have on this motion; one at which the second rate vanishes too.
-    pub fn extreme(&self, what: impl Measure, extreme: &Extreme) -> Result<Vec<ExtremeSensitivity>> {
+    /// Errors: those of [`Sensitivities::of`], [`crate::System::extremes`] and
+    /// [`crate::System::at`]; by name an extreme that the measure does not have on this motion; one
+    /// at which the second rate vanishes too.
+    pub fn extreme(
+        &self,
+        what: impl Measure,
+        extreme: &Extreme,
+    ) -> Result<Vec<ExtremeSensitivity>> {
         self.turning(&what, extreme)
     }
 
@@ -61,11 +67,14 @@ impl Sensitivities<'_> {
         let pose = self.system.at(self.motion, extreme.t)?;
         let names = self.all().iter().map(Sensitivity::name);
         let there = self.system.sensitivities(&pose, names)?;
-        let second = there.system.measure(&pose, |motion: &Motion| what.of(there.system, motion))?;
+        let second =
+            there.system.measure(&pose, |motion: &Motion| what.of(there.system, motion))?;
         let first = |all: &[f64]| all.first().copied().unwrap_or(f64::NAN);
-        let (size, second) = (first(second.value.values()).abs(), first(second.second_rate.values()));
+        let size = first(second.value.values()).abs();
+        let second = first(second.second_rate.values());
         let found = |by: MeasureSensitivity| {
-            let (value, rate) = (first(&by.value), first(&by.rate));
+            let value = first(&by.value);
+            let rate = first(&by.rate);
             let t = if turns { -rate / second } else { 0.0 };
             if !turns {
                 return Ok(ExtremeSensitivity { name: by.name, t, value });
@@ -79,8 +88,8 @@ impl Sensitivities<'_> {
         there.each(what)?.into_iter().map(found).collect()
     }
 
-    /// How the difference of two extremes of a measure, the first less the second, changes with each
-    /// parameter: of the values (a stroke, a swing) and of the times (between dead centres).
+    /// How the difference of two extremes of a measure, the first less the second, changes with
+    /// each parameter: of the values (a stroke, a swing) and of the times (between dead centres).
     ///
     /// Errors: those of [`Sensitivities::extreme`].
     pub fn between(
@@ -106,8 +115,8 @@ impl Sensitivities<'_> {
     }
 }
 
-/// The extreme of a measure on a motion that this one is, and true if the measure turns round there. Errors:
-/// those of [`System::extremes`]; it is none of this motion.
+/// The extreme of a measure on a motion that this one is, and true if the measure turns round
+/// there. Errors: those of [`System::extremes`]; it is none of this motion.
 pub(super) fn on_motion(
     system: &System,
     motion: &Motion,
@@ -124,8 +133,8 @@ fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> Measu
     let mut sum = MeasureSensitivity { name, value: none(), rate: none(), second_rate: none() };
     for (j, [y_q, first, second]) in partials {
         for k in 0..times {
-            let ([a, b, c], [q, qd, qdd]) =
-                ([y_q[k], first[k], second[k]], [by.q(k)[*j], by.qd(k)[*j], by.qdd(k)[*j]]);
+            let [a, b, c] = [y_q[k], first[k], second[k]];
+            let [q, qd, qdd] = [by.q(k)[*j], by.qd(k)[*j], by.qdd(k)[*j]];
             sum.value[k] += a * q;
             sum.rate[k] += a * qd + b * q;
             sum.second_rate[k] += a * qdd + 2.0 * b * qd + c * q;

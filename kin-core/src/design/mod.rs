@@ -6,14 +6,15 @@
 //! J q_p = −P        J q̇_p = −Ṗ − J̇ q_p        J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p
 //! ```
 //!
-//! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇, J̈ and P,
-//! Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve every parameter
-//! forward (`sensitivities.rs`, `solver.rs`), and transposed every parameter at once (`adjoint.rs`), which is
-//! what optimisers ask for (`objective.rs`). Superfluous equations of a redundant mechanism have to agree
-//! (`agreement.rs`). Along a motion of many times all of it is one tape, and the walk is for what is left
-//! (`variation/`). A measure reports what it reads (`partials.rs`, `measured.rs`).
-//! The time of a toggle stands by itself (`toggle.rs`). With tolerances of dimensions derivatives tell how
-//! far a measure, or an extreme or a stroke of it (`feature.rs`), may be off (`tolerance/`).
+//! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇,
+//! J̈ and P, Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve
+//! every parameter forward (`sensitivities.rs`, `solver.rs`), and transposed every parameter at
+//! once (`adjoint.rs`), which is what optimisers ask for (`objective.rs`). Superfluous equations of
+//! a redundant mechanism have to agree (`agreement.rs`). Along a motion of many times all of it is
+//! one tape, and the walk is for what is left (`variation/`). A measure reports what it reads
+//! (`partials.rs`, `measured.rs`). The time of a toggle stands by itself (`toggle.rs`). With
+//! tolerances of dimensions derivatives tell how far a measure, or an extreme or a stroke of it
+//! (`feature.rs`), may be off (`tolerance/`).
 
 mod adjoint;
 mod agreement;
@@ -35,4 +36,6 @@ pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use objective::Objective;
 pub use sensitivities::{Sensitivities, Sensitivity};
-pub use tolerance::{Contribution, LookedAt, Off, Proved, Samples, Sampling, SecondOrder, Tolerance};
+pub use tolerance::{
+    Contribution, LookedAt, Off, Proved, Samples, Sampling, SecondOrder, Tolerance,
+};

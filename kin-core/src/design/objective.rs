@@ -6,8 +6,8 @@ use crate::solve::motion::Quantity;
 use crate::solve::newton::run;
 use crate::system::System;
 
-/// A function p → (value, gradient) of dimensions and parameters: it sets them, runs, and makes one number of
-/// a measure ([`System::objective`]).
+/// A function p → (value, gradient) of dimensions and parameters: it sets them, runs, and makes one
+/// number of a measure ([`System::objective`]).
 pub struct Objective<M, F> {
     system: System,
     names: Vec<String>,
@@ -17,10 +17,11 @@ pub struct Objective<M, F> {
 }
 
 impl System {
-    /// A function of dimensions and parameters with its exact gradient, for an optimiser of one's own: the
-    /// motion over the times is run with them, and `cost` makes of the measure y over it the number F, and
-    /// ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. One backward solve serves all of them ([`System::gradient`]). The
-    /// function works on a copy of the system; with the feature `argmin` it has the traits of that crate.
+    /// A function of dimensions and parameters with its exact gradient, for an optimiser of one's
+    /// own: the motion over the times is run with them, and `cost` makes of the measure y over it
+    /// the number F, and ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. One backward solve serves all of them
+    /// ([`System::gradient`]). The function works on a copy of the system; with the feature
+    /// `argmin` it has the traits of that crate.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -33,7 +34,8 @@ impl System {
     /// // Its middle should go to 0.1 in the mean square.
     /// let objective = m.build()?.objective(["length"], linspace(0.0, 6.0, 61), crank.x(), |x| {
     ///     let off: Vec<f64> = x.value.values().iter().map(|x| x - 0.1).collect();
-    ///     (off.iter().map(|off| off * off).sum(), off.iter().map(|off| [2.0 * off, 0.0, 0.0]).collect())
+    ///     let slopes = off.iter().map(|off| [2.0 * off, 0.0, 0.0]).collect();
+    ///     (off.iter().map(|off| off * off).sum(), slopes)
     /// })?;
     /// let (value, gradient) = objective.at(&[0.25])?;
     /// let beside = (objective.at(&[0.2501])?.0 - objective.at(&[0.2499])?.0) / 2e-4;
@@ -71,9 +73,9 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
 
     /// Value and gradient at p.
     ///
-    /// Errors: another count of numbers; those of [`System::set`], [`System::run`], of the measure and
-    /// [`System::gradient`]: where there is no motion, there is no value; a number of `cost` that is not
-    /// finite, or other weights than one for each time.
+    /// Errors: another count of numbers; those of [`System::set`], [`System::run`], of the measure
+    /// and [`System::gradient`]: where there is no motion, there is no value; a number of `cost`
+    /// that is not finite, or other weights than one for each time.
     pub fn at(&self, p: &[f64]) -> Result<(f64, Vec<f64>)> {
         let (system, motion, y) = self.asked(p)?;
         let (value, weights) = self.number(&y)?;
@@ -112,7 +114,8 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
             });
         }
         if !value.is_finite() || weights.iter().flatten().any(|x| !x.is_finite()) {
-            let reason = format!("the cost of an objective is {value}, with weights that may not be finite");
+            let reason =
+                format!("the cost of an objective is {value}, with weights that may not be finite");
             return Err(Error::InvalidOptions { reason });
         }
         Ok((value, weights))

@@ -1,10 +1,10 @@
-//! How a measure depends on coordinates: y_q with its first two derivatives by time, of the coordinates that
-//! it reads.
+//! How a measure depends on coordinates: y_q with its first two derivatives by time, of the
+//! coordinates that it reads.
 //!
-//! A measure y is asked along the motions q + a s e_j that begin at the pose of each time: its derivatives by
-//! s up to the third are polynomials in a of that degree, and the linear coefficient of derivative k + 1 is
-//! (k + 1) times derivative k of y_q. Their values at two or four changes a give it exactly: nothing is
-//! approximated.
+//! A measure y is asked along the motions q + a s e_j that begin at the pose of each time: its
+//! derivatives by s up to the third are polynomials in a of that degree, and the linear coefficient
+//! of derivative k + 1 is (k + 1) times derivative k of y_q. Their values at two or four changes a
+//! give it exactly: nothing is approximated.
 
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
@@ -70,17 +70,19 @@ impl<'a> Changed<'a> {
         asked
     }
 
-    /// The coordinates that it reads: halves of all that change nothing are put aside at once. Changes are
-    /// random, lest those of two coordinates cancel.
+    /// The coordinates that it reads: halves of all that change nothing are put aside at once.
+    /// Changes are random, lest those of two coordinates cancel.
     fn read(&mut self) -> Result<Vec<usize>> {
         let n = self.motion.names().len();
-        let (mut open, mut read) = (vec![(0, n)], Vec::new());
+        let mut open = vec![(0, n)];
+        let mut read = Vec::new();
         let mut random = Random::new(1);
         let sizes: Vec<f64> = (0..n).map(|_| self.size * (1.0 + 0.25 * random.number())).collect();
         while let Some((from, to)) = open.pop() {
             let changes: Vec<(usize, f64)> = (from..to).map(|j| (j, sizes[j])).collect();
             let asked = self.asked(&changes)?;
-            let (found, still) = (asked.orders(), self.still.orders());
+            let found = asked.orders();
+            let still = self.still.orders();
             let same = |a: &f64, b: &f64| a.to_bits() == b.to_bits();
             if (1..4).all(|order| found[order].iter().zip(still[order]).all(|(a, b)| same(a, b))) {
                 continue;
@@ -99,7 +101,8 @@ impl<'a> Changed<'a> {
     fn partial(&mut self, j: usize) -> Result<Partial> {
         let h = self.size;
         let mut both = |h: f64| Result::Ok([self.asked(&[(j, h)])?, self.asked(&[(j, -h)])?]);
-        let (near, far) = (both(h)?, both(2.0 * h)?);
+        let near = both(h)?;
+        let far = both(2.0 * h)?;
         let odd = |[plus, minus]: &[Quantity; 2], order: usize, k: usize| {
             0.5 * (plus.orders()[order][k] - minus.orders()[order][k])
         };

@@ -25,14 +25,16 @@ pub struct Sensitivity {
 
 impl System {
     /// How a motion of this system changes with parameters (their names are those of
-    /// [`System::parameters`]): the derivatives of q, q̇ and q̈ by each of them at fixed times, exact and
-    /// without differences. From C(q(t, p), t, p) = 0 and its first two derivatives by time,
+    /// [`System::parameters`]): the derivatives of q, q̇ and q̈ by each of them at fixed times,
+    /// exact and without differences. From C(q(t, p), t, p) = 0 and its first two derivatives by
+    /// time,
     ///
     /// ```text
     /// C_q q_p = −C_p      C_q q̇_p = −Ċ_p − Ċ_q q_p      C_q q̈_p = −C̈_p − 2 Ċ_q q̇_p − C̈_q q_p
     /// ```
     ///
-    /// (Haug, *Computer Aided Kinematics and Dynamics*, 1989, has the first; the others are its derivatives.)
+    /// (Haug, *Computer Aided Kinematics and Dynamics*, 1989, has the first; the others are its
+    /// derivatives.)
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -49,10 +51,11 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors, each by name: a name that is no parameter; a parameter on which nothing depends; constraints
-    /// on the dual route or by hand, and laws whose derivative is not known; a redundant mechanism that
-    /// closes at one value of the parameter only; a motion with a singular position, or with a kink or a
-    /// break of a law at one of its times; a motion of another system.
+    /// Errors, each by name: a name that is no parameter; a parameter on which nothing depends;
+    /// constraints on the dual route or by hand, and laws whose derivative is not known; a
+    /// redundant mechanism that closes at one value of the parameter only; a motion with a singular
+    /// position, or with a kink or a break of a law at one of its times; a motion of another
+    /// system.
     pub fn sensitivities<'a>(
         &'a self,
         motion: &'a Motion,
@@ -65,15 +68,18 @@ impl System {
         let n = self.n_coordinates();
         // Not numbers until they are written.
         let list = || vec![f64::NAN; n * motion.len()];
-        let empty = |name: &String| Sensitivity { name: name.clone(), n, orders: [list(), list(), list()] };
+        let empty =
+            |name: &String| Sensitivity { name: name.clone(), n, orders: [list(), list(), list()] };
         let mut all: Vec<Sensitivity> = names.iter().map(empty).collect();
-        let lists = all.iter_mut().flat_map(|one| one.orders.iter_mut().map(Vec::as_mut_slice)).collect();
+        let lists =
+            all.iter_mut().flat_map(|one| one.orders.iter_mut().map(Vec::as_mut_slice)).collect();
         let left = variation::pays(motion).then(|| variation::forward(&prepared, motion, lists));
         let left = left.flatten().unwrap_or_else(|| (0..motion.len()).collect());
         let compiled = motion.len() - left.len();
         let mut solver = Solver::new(self);
         for k in left {
-            let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+            let t = motion.times()[k];
+            let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
             let along = prepared.at(t, orders);
             solver.go_to(t, orders)?;
             for (name, one) in all.iter_mut().enumerate() {
@@ -93,9 +99,10 @@ impl Sensitivities<'_> {
         &self.all
     }
 
-    /// At how many times they come from a tape of the whole mechanism over several times at once; at the
-    /// others from a walk over the equations, one time after the other: along motions of a few times, where
-    /// the mechanism is redundant or near a singular position, and on machines without lanes.
+    /// At how many times they come from a tape of the whole mechanism over several times at once;
+    /// at the others from a walk over the equations, one time after the other: along motions of a
+    /// few times, where the mechanism is redundant or near a singular position, and on machines
+    /// without lanes.
     pub fn compiled(&self) -> usize {
         self.compiled
     }
@@ -116,8 +123,8 @@ impl Sensitivity {
         &self.name
     }
 
-    /// ∂q/∂p at time k, in the order of the coordinates; empty beyond the last time.   \[unit of q a unit of
-    /// p\]
+    /// ∂q/∂p at time k, in the order of the coordinates; empty beyond the last time.   \[unit of q
+    /// a unit of p\]
     pub fn q(&self, k: usize) -> &[f64] {
         self.row(0, k)
     }

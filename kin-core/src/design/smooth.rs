@@ -1,4 +1,5 @@
-//! Where a motion has no derivatives by parameters: beyond singular positions, at kinks and breaks of laws.
+//! Where a motion has no derivatives by parameters: beyond singular positions, at kinks and breaks
+//! of laws.
 
 use kin_graph::Op;
 
@@ -19,7 +20,8 @@ const JUMP: f64 = 1e-5;
 /// Directions in which a pose is looked at.
 const DIRECTIONS: usize = 2;
 
-/// An error by name unless the motion is smooth at each of its times, on a branch that it has never left.
+/// An error by name unless the motion is smooth at each of its times, on a branch that it has never
+/// left.
 pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
     let s = motion.unit_words().time();
     if let Some(found) = motion.singular_positions().first() {
@@ -32,7 +34,8 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
             ),
         ));
     }
-    let (beside, breaking) = (Beside::new(system), breaking(system, motion));
+    let beside = Beside::new(system);
+    let breaking = breaking(system, motion);
     let has_kinks = motion.events().iter().any(|event| event.kind == EventKind::Kink);
     if !beside.asked && breaking.is_empty() && !has_kinks {
         return Ok(());
@@ -47,15 +50,21 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
             continue;
         }
         let ends = k == 0 || k + 1 == motion.len();
-        let (equations, mut broken) = (system.equations(), None);
-        let (instant, near) = (equations.instant_at(t, motion.q(k)), SAME * step);
+        let equations = system.equations();
+        let mut broken = None;
+        let instant = equations.instant_at(t, motion.q(k));
+        let near = SAME * step;
         for block in &breaking {
             block.constraint.laws(&equations.at(block, &instant), &mut |law, f, x| {
                 let near = near.max(SAME * x.abs());
                 // The run does not go beyond a table that ends where it does.
-                let is_end = |x: f64| ends && f.is_table() && f.range().is_some_and(|range| range.ends_at(x));
+                let is_end = |x: f64| {
+                    ends && f.is_table() && f.range().is_some_and(|range| range.ends_at(x))
+                };
                 let breaks = f.breaks(x - near, x + near);
-                if broken.is_none() && breaks.iter().any(|found| found.order <= 2 && !is_end(found.x)) {
+                if broken.is_none()
+                    && breaks.iter().any(|found| found.order <= 2 && !is_end(found.x))
+                {
                     broken = Some(format!("`{law}` of `{}`", block.name));
                 }
             });
@@ -70,7 +79,9 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
 
 /// The constraints with a law that breaks somewhere.
 fn breaking<'a>(system: &'a System, motion: &Motion) -> Vec<&'a Block> {
-    let (equations, Some(t)) = (system.equations(), motion.times().first()) else { return Vec::new() };
+    let (equations, Some(t)) = (system.equations(), motion.times().first()) else {
+        return Vec::new();
+    };
     let instant = equations.instant_at(*t, motion.q(0));
     let breaks = |block: &&Block| {
         let mut found = false;
@@ -88,7 +99,8 @@ pub(super) fn kink(motion: &Motion, t: f64, by: &str) -> Result<()> {
 
 /// The same of a motion whose longest step is known.
 fn kink_within(motion: &Motion, (t, step): (f64, f64), by: &str) -> Result<()> {
-    let (s, near) = (motion.unit_words().time(), SAME * step.max(t.abs()));
+    let s = motion.unit_words().time();
+    let near = SAME * step.max(t.abs());
     let mut kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink);
     let Some(kink) = kinks.find(|kink| (kink.t - t).abs() <= near) else { return Ok(()) };
     Err(NoDerivative::error(by, format!("at t = {t} {s} there is {}; ask other times", kink.text)))
@@ -105,7 +117,8 @@ impl<'a> Beside<'a> {
     fn new(system: &'a System) -> Self {
         let asked = system.equations().blocks.iter().any(|block| {
             let jumps = block.constraint.formula(|table, _, _| {
-                let (graph, rows) = (&table.formula().graph, &table.formula().rows);
+                let graph = &table.formula().graph;
+                let rows = &table.formula().rows;
                 graph.reachable(rows).into_iter().any(|node| match graph.op(node) {
                     Op::Call(f, _) => f.facts().can_jump(),
                     Op::Call2(f, ..) => f.facts().jumps,
@@ -117,31 +130,46 @@ impl<'a> Beside<'a> {
         Beside { system, asked: asked || !system.switching().is_empty() }
     }
 
-    /// An error by name where an equation has a kink or a jump at time k of a motion, whose longest step is
-    /// `step`: a little to either side of the pose, in directions at random, its switches are on other sides,
-    /// or its values far apart.
+    /// An error by name where an equation has a kink or a jump at time k of a motion, whose longest
+    /// step is `step`: a little to either side of the pose, in directions at random, its switches
+    /// are on other sides, or its values far apart.
     fn check(&self, motion: &Motion, (k, step): (usize, f64), by: &str) -> Result<()> {
         if !self.asked {
             return Ok(());
         }
-        let (system, t, q) = (self.system, motion.times()[k], motion.q(k));
-        let (measures, near) = (system.model().measure(q, t), SAME * step.max(t.abs()));
+        let system = self.system;
+        let t = motion.times()[k];
+        let q = motion.q(k);
+        let measures = system.model().measure(q, t);
+        let near = SAME * step.max(t.abs());
         let mut random = Random::new(1);
         for _ in 0..DIRECTIONS {
-            let off: Vec<f64> = measures.sizes.iter().map(|size| SAME * size * random.number()).collect();
-            let (mut beside, mut residuals) = (Motion::new(system, 2), Vec::new());
+            let off: Vec<f64> =
+                measures.sizes.iter().map(|size| SAME * size * random.number()).collect();
+            let mut beside = Motion::new(system, 2);
+            let mut residuals = Vec::new();
             for side in [-1.0, 1.0] {
-                let (t, q) = (t + side * near, q.iter().zip(&off).map(|(q, off)| q + side * off));
-                let (q, still) = (q.collect::<Vec<f64>>(), vec![0.0; off.len()]);
-                beside.append(t, [&q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
+                let t = t + side * near;
+                let q = q.iter().zip(&off).map(|(q, off)| q + side * off);
+                let q = q.collect::<Vec<f64>>();
+                let still = vec![0.0; off.len()];
+                beside.append(
+                    t,
+                    [&q, &still, &still, &[]],
+                    Outcome { iterations: 0, residual: 0.0 },
+                    0,
+                );
                 residuals.push(system.residual(&q, t)?);
             }
             let mut passed = beside.clone();
             system.note_kinks_along(&beside, &mut passed);
             kink(&passed, t, by)?;
             let apart = residuals[0].iter().zip(&residuals[1]).map(|(a, b)| (a - b).abs());
-            if let Some(row) = apart.zip(&measures.norms).position(|(apart, norm)| apart > JUMP * norm) {
-                let (s, row) = (motion.unit_words().time(), system.equations().equation(row));
+            if let Some(row) =
+                apart.zip(&measures.norms).position(|(apart, norm)| apart > JUMP * norm)
+            {
+                let s = motion.unit_words().time();
+                let row = system.equations().equation(row);
                 let reason = format!("at t = {t} {s} `{row}` jumps; ask other times");
                 return Err(NoDerivative::error(by, reason));
             }

@@ -56,7 +56,8 @@ impl<'a> Solver<'a> {
     pub(super) fn go_to(&mut self, t: f64, orders: [&'a [f64]; 3]) -> Result<()> {
         (self.t, self.orders) = (t, orders);
         self.bounded = OnceCell::new();
-        let (system, q) = (self.system, orders[0]);
+        let system = self.system;
+        let q = orders[0];
         match &mut self.kind {
             Kind::Square(square) => {
                 let mut linear = system.linearized(q, t)?;
@@ -66,15 +67,16 @@ impl<'a> Solver<'a> {
                 *square = Some(Box::new(linear));
             }
             Kind::Redundant(redundant) => {
-                let redundant = redundant.get_or_insert_with(|| Box::new(Redundant::new(system, q, t)));
+                let redundant =
+                    redundant.get_or_insert_with(|| Box::new(Redundant::new(system, q, t)));
                 redundant.factor(system, q, t)?;
             }
         }
         Ok(())
     }
 
-    /// The solution of C_qᵀ λ = w; of a redundant mechanism the one that is zero in the rows that are not in
-    /// use.
+    /// The solution of C_qᵀ λ = w; of a redundant mechanism the one that is zero in the rows that
+    /// are not in use.
     pub(super) fn transposed(&self, w: &[f64]) -> Vec<f64> {
         match &self.kind {
             Kind::Square(Some(linear)) => linear.solved_transposed(w),
@@ -88,11 +90,13 @@ impl<'a> Solver<'a> {
         self.system.n_coordinates()
     }
 
-    /// The rows of a redundant mechanism that are in use, in increasing order, and the norms of all rows;
-    /// `None` where no equation is superfluous.
+    /// The rows of a redundant mechanism that are in use, in increasing order, and the norms of all
+    /// rows; `None` where no equation is superfluous.
     pub(super) fn in_use(&self) -> Option<(&[usize], &[f64])> {
         match &self.kind {
-            Kind::Redundant(Some(redundant)) => Some((redundant.rows.rows(), &redundant.measures.norms)),
+            Kind::Redundant(Some(redundant)) => {
+                Some((redundant.rows.rows(), &redundant.measures.norms))
+            }
             _ => None,
         }
     }
@@ -117,8 +121,10 @@ impl<'a> Solver<'a> {
             }
             found[order] = self.solved(&rhs);
             if !found[order].iter().all(|x| x.is_finite()) {
-                let (t, s) = (self.t, self.system.unit_words().time());
-                let reason = format!("at t = {t} {s} a term of the equations has no finite derivative");
+                let t = self.t;
+                let s = self.system.unit_words().time();
+                let reason =
+                    format!("at t = {t} {s} a term of the equations has no finite derivative");
                 return Err(NoDerivative::error(name, reason));
             }
             self.agree(prepared, along, &rhs, (&found, order), (number, name))?;
@@ -139,8 +145,8 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// An error by name where the last solution does not meet all equations: then they can be met at one
-    /// value of the parameter only.
+    /// An error by name where the last solution does not meet all equations: then they can be met
+    /// at one value of the parameter only.
     fn agree(
         &self,
         prepared: &Prepared<'_>,
@@ -158,13 +164,15 @@ impl<'a> Solver<'a> {
             missed[*row] -= term;
             size = size.max(term.abs() / norms[*row]);
         }
-        let largest = missed.iter().zip(norms).map(|(missed, norm)| missed.abs() / norm).enumerate();
-        let (row, largest) = largest.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        let largest =
+            missed.iter().zip(norms).map(|(missed, norm)| missed.abs() / norm).enumerate();
+        let (row, largest) =
+            largest.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
         if largest <= CONSISTENT * size {
             return Ok(());
         }
-        // Terms that cancel leave rounding: where a rate does not depend on the parameter, nothing else is
-        // left.
+        // Terms that cancel leave rounding: where a rate does not depend on the parameter, nothing
+        // else is left.
         if largest <= ROUNDED * self.rounding(prepared, number, (found, order)) {
             return Ok(());
         }
@@ -178,8 +186,8 @@ impl<'a> Solver<'a> {
 }
 
 impl Solver<'_> {
-    /// How far rounding may bring the equations of order `last` apart, as a share of their norms, with these
-    /// solutions by the name of that number; 0 where no equation is superfluous.   \[-\]
+    /// How far rounding may bring the equations of order `last` apart, as a share of their norms,
+    /// with these solutions by the name of that number; 0 where no equation is superfluous.   \[-\]
     pub(super) fn rounding(
         &self,
         prepared: &Prepared<'_>,
@@ -188,7 +196,11 @@ impl Solver<'_> {
     ) -> f64 {
         let Kind::Redundant(Some(redundant)) = &self.kind else { return 0.0 };
         let bounded = self.bounded.get_or_init(|| {
-            prepared.bounded(self.t, self.orders, redundant.off(self.orders).each_ref().map(|off| &off[..]))
+            prepared.bounded(
+                self.t,
+                self.orders,
+                redundant.off(self.orders).each_ref().map(|off| &off[..]),
+            )
         });
         redundant.rounding(bounded, number, (found, last))
     }
@@ -196,23 +208,33 @@ impl Solver<'_> {
 
 impl Redundant {
     fn new(system: &System, q: &[f64], t: f64) -> Self {
-        let (model, entries) = (system.model(), &system.equations().entries);
+        let model = system.model();
+        let entries = &system.equations().entries;
         let measures = model.measure(q, t);
         let scale = |entry: &Option<(usize, usize)>| {
             entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row])
         };
         let scales = entries.iter().map(scale).collect();
-        Redundant { rows: Independent::new(model.m(), model.n(), entries), measures, scales, residual: 0.0 }
+        Redundant {
+            rows: Independent::new(model.m(), model.n(), entries),
+            measures,
+            scales,
+            residual: 0.0,
+        }
     }
 
     /// C_q at a position. Errors: a singular position.
     fn factor(&mut self, system: &System, q: &[f64], t: f64) -> Result<()> {
-        let (model, equations) = (system.model(), system.equations());
+        let model = system.model();
+        let equations = system.equations();
         let not_finite = |bad| equations.not_finite(bad, model.layout, &equations.instant_at(t, q));
         let point = model.linearize(q, t).map_err(not_finite)?;
         let shares = point.c.iter().zip(&self.measures.norms).map(|(c, norm)| c.abs() / norm);
         self.residual = shares.fold(0.0, f64::max);
-        if self.rows.factor(self.scales.iter().zip(&point.values).map(|(scale, value)| scale * value)) {
+        if self
+            .rows
+            .factor(self.scales.iter().zip(&point.values).map(|(scale, value)| scale * value))
+        {
             return Ok(());
         }
         Err((EXPLAIN.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()))
@@ -233,7 +255,8 @@ impl Redundant {
     /// How far q, q̇ and q̈ may be off: they are solved for with the same factors.
     fn off(&self, orders: [&[f64]; 3]) -> [Vec<f64>; 3] {
         let sizes = &self.measures.sizes;
-        let largest = |all: &[f64]| all.iter().zip(sizes).fold(0.0_f64, |m, (x, size)| m.max(x.abs() / size));
+        let largest =
+            |all: &[f64]| all.iter().zip(sizes).fold(0.0_f64, |m, (x, size)| m.max(x.abs() / size));
         let unit = (f64::EPSILON + self.residual) / self.rows.smallest_pivot();
         let rate = largest(orders[1]);
         [1.0, rate, largest(orders[2]) + rate * rate]
@@ -241,16 +264,24 @@ impl Redundant {
             .into_iter()
             .zip(orders)
             .map(|(share, own)| {
-                own.iter().zip(sizes).map(|(x, size)| share * size + f64::EPSILON * x.abs()).collect()
+                own.iter()
+                    .zip(sizes)
+                    .map(|(x, size)| share * size + f64::EPSILON * x.abs())
+                    .collect()
             })
             .collect::<Vec<Vec<f64>>>()
             .try_into()
             .unwrap_or_default()
     }
 
-    /// How far rounding may bring the equations of one order apart, as a share of their norms: the errors of
-    /// their terms, and of the solutions of lower orders in them.   \[-\]
-    fn rounding(&self, along: &Along<Rounded>, number: usize, (found, last): (&[Vec<f64>; 3], usize)) -> f64 {
+    /// How far rounding may bring the equations of one order apart, as a share of their norms: the
+    /// errors of their terms, and of the solutions of lower orders in them.   \[-\]
+    fn rounding(
+        &self,
+        along: &Along<Rounded>,
+        number: usize,
+        (found, last): (&[Vec<f64>; 3], usize),
+    ) -> f64 {
         let Measures { norms, sizes, .. } = &self.measures;
         // By how much of its size each solution is off.
         let mut apart = [0.0_f64; 3];
@@ -267,9 +298,11 @@ impl Redundant {
                     _ => &[(1.0, 0, 2), (2.0, 1, 1), (1.0, 2, 0)],
                 };
                 for (factor, of, by) in factors {
-                    let (cell, x) = (jet[*of], found[*by][*column].abs());
+                    let cell = jet[*of];
+                    let x = found[*by][*column].abs();
                     let known = if *of == 0 { 0.0 } else { apart[*by] * sizes[*column] };
-                    off[*row] += factor * (cell.off * x + cell.x.abs() * (known + f64::EPSILON * x));
+                    off[*row] +=
+                        factor * (cell.off * x + cell.x.abs() * (known + f64::EPSILON * x));
                 }
             }
             worst = off.iter().zip(norms).fold(0.0, |m, (off, norm)| f64::max(m, off / norm))

@@ -14,13 +14,13 @@ use crate::system::System;
 /// Singular values below this share of the largest vanish.   \[-\]
 const VANISHES: f64 = 1e-7;
 
-/// A driver takes part in what is singular if λ has more than this share of its row, rows and columns being
-/// of order 1 and λ of length 1; and those that take part have to push with more than this share of what
-/// they could together.
+/// A driver takes part in what is singular if λ has more than this share of its row, rows and
+/// columns being of order 1 and λ of length 1; and those that take part have to push with more than
+/// this share of what they could together.
 ///
-/// A run knows the place of a change point to some 1e-8 of its sizes, and λ turns by as much: a share of
-/// 1e-6 is a hundred times that. Both are shares in units of the sizes, so that they are the same in mm and
-/// in km. A driver that takes no part may be as fast as it likes.   \[-\]
+/// A run knows the place of a change point to some 1e-8 of its sizes, and λ turns by as much: a
+/// share of 1e-6 is a hundred times that. Both are shares in units of the sizes, so that they are
+/// the same in mm and in km. A driver that takes no part may be as fast as it likes.   \[-\]
 const PUSHES: f64 = 1e-6;
 
 impl System {
@@ -46,8 +46,9 @@ impl System {
     /// m.add("upright", drive_angle(slider, Law::constant(0.0)))?;
     /// m.add("lift", drive(slider.y(), Law::linear(0.3, 0.1)))?;
     /// let system = m.build()?;
-    /// let error = system.run(linspace(0.0, 4.0, 41)).expect_err("the slider is at the end of the rod");
-    /// let toggle = error.motion().expect("a motion").singular_positions().last().expect("a toggle");
+    /// let error = system.run(linspace(0.0, 4.0, 41)).expect_err("rod and slider are in line");
+    /// let motion = error.motion().expect("a motion");
+    /// let toggle = motion.singular_positions().last().expect("a toggle");
     /// let by_rod = system.toggle_by(toggle, ["rod"])?[0];
     /// assert!((toggle.t - 2.0).abs() < 1e-9 && (by_rod - 10.0).abs() < 1e-9); // 0.3 + 0.1 t = rod
     /// # Ok(())
@@ -55,8 +56,8 @@ impl System {
     /// ```
     ///
     /// Errors, each by name: a change point, whose branches cross at this value only; a redundant
-    /// mechanism; several parts that are singular at once; and those of [`System::sensitivities`] but the
-    /// first one.
+    /// mechanism; several parts that are singular at once; and those of [`System::sensitivities`]
+    /// but the first one.
     pub fn toggle_by(
         &self,
         toggle: &SingularPosition,
@@ -64,7 +65,9 @@ impl System {
     ) -> Result<Vec<f64>> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let by = names.first().map_or("", String::as_str);
-        let (t, q, s) = (toggle.t, &toggle.q[..], self.unit_words().time());
+        let t = toggle.t;
+        let q = &toggle.q[..];
+        let s = self.unit_words().time();
         self.check(q, "position")?;
         let refused = |reason: String| Err(NoDerivative::error(by, reason));
         if toggle.kind != SingularKind::TurningPoint {
@@ -86,8 +89,11 @@ impl System {
         let c_t = self.c_t(q, t)?;
         // In rows of order 1 no entry of λ is above 1.
         let [mut pushes, mut could] = [0.0; 2];
-        for ((l, norm), x) in
-            lambda.iter().zip(&norms).zip(&c_t).filter(|((l, norm), _)| (*l * **norm).abs() > PUSHES)
+        for ((l, norm), x) in lambda
+            .iter()
+            .zip(&norms)
+            .zip(&c_t)
+            .filter(|((l, norm), _)| (*l * **norm).abs() > PUSHES)
         {
             pushes += l * x;
             could += (x / norm).abs();

@@ -1,9 +1,9 @@
 //! Emitted code comes in two parts: one for the compiler, and one for an editor that reads along
-//! (rust-analyzer sets `cfg(rust_analyzer)`). An editor needs the function as the user wrote it, and neither
-//! its derivatives nor its copies.
+//! (rust-analyzer sets `cfg(rust_analyzer)`). An editor needs the function as the user wrote it,
+//! and neither its derivatives nor its copies.
 //!
-//! The choice is made here and not by attributes in emitted code, because `cfg(rust_analyzer)` is unknown to
-//! the user's crate.
+//! The choice is made here and not by attributes in emitted code, because `cfg(rust_analyzer)` is
+//! unknown to the user's crate.
 
 /// Items for the compiler alone.
 #[cfg(not(rust_analyzer))]
@@ -37,7 +37,8 @@ macro_rules! __inside_editor {
     ($($items:tt)*) => { $($items)* };
 }
 
-/// The traits of a constraint for a struct that cannot be computed with, after a mistake or in an editor.
+/// The traits of a constraint for a struct that cannot be computed with, after a mistake or in an
+/// editor.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __stand_in {

@@ -1,5 +1,5 @@
-//! Functions of f64, which emitted code calls by these names: it names nothing of the standard library
-//! itself.
+//! Functions of f64, which emitted code calls by these names: it names nothing of the standard
+//! library itself.
 
 macro_rules! of_one {
     ($(

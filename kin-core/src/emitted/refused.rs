@@ -27,7 +27,9 @@ impl Refuses for Axis {
 
 /// The first of these parameters that is wrong by itself, and why.
 pub fn refusal(parameters: &[(&str, &dyn Refuses)]) -> Option<String> {
-    parameters.iter().find_map(|(name, parameter)| Some(format!("{name}: {}", parameter.refusal()?)))
+    parameters
+        .iter()
+        .find_map(|(name, parameter)| Some(format!("{name}: {}", parameter.refusal()?)))
 }
 
 /// The text of a requirement that does not hold, and the numbers in it.

@@ -3,7 +3,10 @@
 use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 
 /// A value whose numbers are rows.
-#[diagnostic::on_unimplemented(message = "`{Self}` cannot be the value of an equation", label = "not rows")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be the value of an equation",
+    label = "not rows"
+)]
 pub trait Rows<T> {
     /// Hands over row by row.
     fn each(self, row: &mut dyn FnMut(T));

@@ -1,8 +1,8 @@
-//! One slip, one message: what rustc finds wrong in the user's own function it does not say again of the
-//! copies made of it.
+//! One slip, one message: what rustc finds wrong in the user's own function it does not say again
+//! of the copies made of it.
 //!
-//! A constant that does not compile makes [`If`] an unknown type, and rustc is silent about whatever is made
-//! of an unknown type.
+//! A constant that does not compile makes [`If`] an unknown type, and rustc is silent about
+//! whatever is made of an unknown type.
 
 /// Marks with `YES` whether something compiles.
 pub struct Sound<const YES: bool>;
@@ -26,8 +26,8 @@ impl Then for Sound<true> {
 /// `T`, if the constant `SOUND` compiles.
 pub type If<const SOUND: bool, T> = <Sound<SOUND> as Then>::Type<T>;
 
-/// The user's function, if the constant `SOUND` compiles: rustc is silent about calls of something of an
-/// unknown type.
+/// The user's function, if the constant `SOUND` compiles: rustc is silent about calls of something
+/// of an unknown type.
 #[inline(always)]
 pub fn callee<const SOUND: bool, F>(function: F) -> If<SOUND, F>
 where

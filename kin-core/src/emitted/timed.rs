@@ -1,5 +1,5 @@
-//! Values that a constraint computes from the time alone, for a caller that has not asked for them once a
-//! time.
+//! Values that a constraint computes from the time alone, for a caller that has not asked for them
+//! once a time.
 
 use crate::model::constraint::Constraint;
 

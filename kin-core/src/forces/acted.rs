@@ -11,12 +11,12 @@ use crate::model::motion::Series;
 use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
 
-/// Force and torque on a body over time, about a point and in axes that can be chosen: first about the
-/// constraint's point on that body (where it has none there, its point on the other body, else the body's
-/// origin; on the ground the global origin), in global axes.
+/// Force and torque on a body over time, about a point and in axes that can be chosen: first about
+/// the constraint's point on that body (where it has none there, its point on the other body, else
+/// the body's origin; on the ground the global origin), in global axes.
 ///
-/// A component that is not unique, because equations are redundant, is not given as a number: methods that
-/// would give it have an error by name.
+/// A component that is not unique, because equations are redundant, is not given as a number:
+/// methods that would give it have an error by name.
 #[derive(Clone)]
 pub struct Acted<'f, V: Turning> {
     pub(super) forces: &'f Forces<'f>,
@@ -33,8 +33,8 @@ pub struct Acted<'f, V: Turning> {
 }
 
 impl<'f, V: Turning> Acted<'f, V> {
-    /// The same about another point of the body, ū: the force's moment is moved too. On the ground this is
-    /// a global point.   \[m\]
+    /// The same about another point of the body, ū: the force's moment is moved too. On the ground
+    /// this is a global point.   \[m\]
     #[must_use]
     pub fn at(self, u: impl Into<V>) -> Self {
         let u = u.into().lifted();
@@ -85,8 +85,8 @@ impl<'f, V: Turning> Acted<'f, V> {
         Ok(self.wrenches.iter().map(|wrench| V::vector(wrench.force)).collect())
     }
 
-    /// The torque about the point, one a time: a number in the plane, a vector in space. Errors: a component
-    /// that is not unique.   \[N m\]
+    /// The torque about the point, one a time: a number in the plane, a vector in space. Errors: a
+    /// component that is not unique.   \[N m\]
     pub fn torque(&self) -> Result<Vec<V::Torque>> {
         self.all(3..6)?;
         Ok(self.wrenches.iter().map(|wrench| V::torque(wrench.torque)).collect())
@@ -104,8 +104,9 @@ impl<'f, V: Turning> Acted<'f, V> {
         Ok(self.series("torque", 3, |wrench| wrench.torque.norm()))
     }
 
-    /// One component over time, by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, `F_y`, `F_z`, `T_x`,
-    /// `T_y`, `T_z` in space. Errors: another name; a component that is not unique.   \[N, N m\]
+    /// One component over time, by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, `F_y`, `F_z`,
+    /// `T_x`, `T_y`, `T_z` in space. Errors: another name; a component that is not unique.   \[N, N
+    /// m\]
     pub fn component(&self, name: &str) -> Result<Series> {
         let Some((name, number)) = V::COMPONENTS.iter().find(|(known, _)| *known == name) else {
             return Err(Error::UnknownName {
@@ -123,8 +124,8 @@ impl<'f, V: Turning> Acted<'f, V> {
         V::COMPONENTS.iter().filter_map(|(name, _)| self.component(name).ok()).collect()
     }
 
-    /// Names of the components that are not unique, because equations are redundant: at some time something
-    /// can be added to them that no balance notices.
+    /// Names of the components that are not unique, because equations are redundant: at some time
+    /// something can be added to them that no balance notices.
     pub fn not_unique(&self) -> Vec<&'static str> {
         let open = |number: usize| self.first_open(number).is_some();
         V::COMPONENTS.iter().filter(|(_, number)| open(*number)).map(|(name, _)| *name).collect()
@@ -137,14 +138,16 @@ impl<'f, V: Turning> Acted<'f, V> {
 
     fn one(&self, number: usize) -> Result<()> {
         let Some(k) = self.first_open(number) else { return Ok(()) };
-        let name = V::COMPONENTS.iter().find(|(_, known)| *known == number).map_or("", |(name, _)| *name);
+        let name =
+            V::COMPONENTS.iter().find(|(_, known)| *known == number).map_or("", |(name, _)| *name);
         let sharing = self.forces.sharing(k, |open| self.is_loose(k, number, open));
         Err(NotUnique::error(&self.name, &format!("{name} on {}", self.on), sharing))
     }
 
     /// The first time at which one of the six components is not unique.
     fn first_open(&self, number: usize) -> Option<usize> {
-        let is_open = |k: &usize| (0..self.open[*k].len()).any(|open| self.is_loose(*k, number, open));
+        let is_open =
+            |k: &usize| (0..self.open[*k].len()).any(|open| self.is_loose(*k, number, open));
         (0..self.open.len()).find(is_open)
     }
 

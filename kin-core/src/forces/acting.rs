@@ -60,7 +60,8 @@ impl<'a> Beside<'a> {
 
     pub(super) fn new(layout: &Layout, constraint: &'a dyn Constraint) -> Self {
         let arguments = constraint.arguments();
-        let (mut columns, mut ground) = (Vec::new(), Vec::new());
+        let mut columns = Vec::new();
+        let mut ground = Vec::new();
         for argument in &arguments {
             let own = layout.columns(argument);
             let value = |k: usize| match (layout.place(&argument.target), argument.target) {
@@ -86,14 +87,19 @@ impl<'a> Beside<'a> {
 
     pub(super) fn valued(&self, now: Now<'_>) -> Valued {
         let facts = self.constraint.facts();
-        let (m, pattern) = (facts.rows.len(), facts.pattern);
-        let (q, qd, qdd) = (self.local(now.q, true), self.local(now.qd, false), self.local(now.qdd, false));
+        let m = facts.rows.len();
+        let pattern = facts.pattern;
+        let q = self.local(now.q, true);
+        let qd = self.local(now.qd, false);
+        let qdd = self.local(now.qdd, false);
         let local = Local::new(&self.arguments, &q, &qd);
         let at = local.at(now.t);
-        let (mut c, mut c_q) = (vec![0.0; m], vec![0.0; pattern.len()]);
+        let mut c = vec![0.0; m];
+        let mut c_q = vec![0.0; pattern.len()];
         self.constraint.residual(&at, &mut c);
         self.constraint.jacobian(&at, &mut c_q);
-        let (mut minus_c_t, mut q_d) = (vec![0.0; m], vec![0.0; m]);
+        let mut minus_c_t = vec![0.0; m];
+        let mut q_d = vec![0.0; m];
         self.constraint.velocity_rhs(&at, &mut minus_c_t);
         self.constraint.acceleration_rhs(&at, &local.rates(), 1.0, &mut q_d);
         let mut rate: Vec<f64> = minus_c_t.iter().map(|x| -x).collect();
@@ -112,10 +118,11 @@ impl<'a> Beside<'a> {
 
     /// Its arguments, and the points of them.
     pub(super) fn own_points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
-        let points = self.constraint.attachments().into_iter().filter_map(|found| match found.what {
-            Attached::Point(u) => Some((found.argument, u)),
-            Attached::Direction(_) => None,
-        });
+        let points =
+            self.constraint.attachments().into_iter().filter_map(|found| match found.what {
+                Attached::Point(u) => Some((found.argument, u)),
+                Attached::Direction(_) => None,
+            });
         (self.arguments.clone(), points.collect())
     }
 
@@ -142,21 +149,26 @@ pub(super) struct Laid<'a> {
 }
 
 impl<'a> Laid<'a> {
-    /// All loads of a system along a motion, by their names. Errors: an angle of a joint that is not finite.
+    /// All loads of a system along a motion, by their names. Errors: an angle of a joint that is
+    /// not finite.
     pub(super) fn all(system: &'a System, motion: &Motion) -> Result<Vec<(&'a str, Laid<'a>)>> {
         let loads = system.loads.loads.iter();
         loads.map(|(name, load)| Ok((name.as_str(), Laid::new(system, motion, load)?))).collect()
     }
 
     fn new(system: &'a System, motion: &Motion, load: &'a Load) -> Result<Self> {
-        let (layout, mut all, mut parts) = (system.layout(), Vec::new(), Vec::new());
+        let layout = system.layout();
+        let mut all = Vec::new();
+        let mut parts = Vec::new();
         load.parts(&mut |part| all.push(part));
         for part in all {
             match part {
                 Acting::Potential(energy) => {
                     parts.push(Part::Potential(Beside::new(layout, energy.as_ref())));
                 }
-                Acting::Along(x, force) => parts.push(Part::Along(Way::new(system, motion, x)?, force)),
+                Acting::Along(x, force) => {
+                    parts.push(Part::Along(Way::new(system, motion, x)?, force))
+                }
                 Acting::OnBody(on) => {
                     if let Some(Place::Own { first, .. }) = layout.place(&on.target) {
                         parts.push(Part::OnBody { on, first });
@@ -204,9 +216,10 @@ impl<'a> Laid<'a> {
         match self.parts.first() {
             Some(Part::Potential(beside)) => beside.own_points(),
             Some(Part::Along(x, _)) => x.points(),
-            Some(Part::OnBody { on, .. }) => {
-                (vec![Argument { name: "body", target: on.target }], vec![(0, Vec3::from(on.point))])
-            }
+            Some(Part::OnBody { on, .. }) => (
+                vec![Argument { name: "body", target: on.target }],
+                vec![(0, Vec3::from(on.point))],
+            ),
             None => (Vec::new(), Vec::new()),
         }
     }
@@ -232,14 +245,19 @@ pub(super) fn scatter(columns: &[Option<usize>], by_q: &[f64], all: &mut [f64]) 
 
 /// Q of a force at a point and a torque.
 fn on_body(on: &OnBody, t: f64, q: &[f64]) -> Vec<f64> {
-    let at = |laws: &[crate::model::law::Law; 3]| Vec3::new(laws[0].at(t), laws[1].at(t), laws[2].at(t));
-    let (stand, mut force, mut torque) = (Stand::of(q), at(&on.force), at(&on.torque));
+    let at =
+        |laws: &[crate::model::law::Law; 3]| Vec3::new(laws[0].at(t), laws[1].at(t), laws[2].at(t));
+    let stand = Stand::of(q);
+    let mut force = at(&on.force);
+    let mut torque = at(&on.torque);
     if on.fixed {
         (force, torque) = (stand.a * force, stand.a * torque);
     }
     let torque = torque + (stand.a * Vec3::from(on.point)).cross(force);
     match q.first_chunk::<7>() {
-        Some(q) => generalised(SpatialState::new(*q).p, force, stand.a.transpose() * torque).to_vec(),
+        Some(q) => {
+            generalised(SpatialState::new(*q).p, force, stand.a.transpose() * torque).to_vec()
+        }
         None => vec![force.x, force.y, torque.z],
     }
 }

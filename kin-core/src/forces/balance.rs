@@ -20,8 +20,8 @@ pub struct Energy {
     pub potential: Series,
 }
 
-/// The balance of powers over time: what constraints and loads put in, weight among them, and what is left of
-/// it beyond dT/dt.
+/// The balance of powers over time: what constraints and loads put in, weight among them, and what
+/// is left of it beyond dT/dt.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Balance {
@@ -35,8 +35,8 @@ pub struct Balance {
     pub kinetic: Series,
     /// Power of drives, loads and friction less dT/dt.   \[W\]
     pub left: Series,
-    /// The largest power that any force (of a drive, a load, weight, inertia) has on any coordinate at any
-    /// time: rounding is a share of that.   \[W\]
+    /// The largest power that any force (of a drive, a load, weight, inertia) has on any coordinate
+    /// at any time: rounding is a share of that.   \[W\]
     pub largest: f64,
 }
 
@@ -51,12 +51,14 @@ pub(super) struct Powers {
 
 impl Powers {
     pub(super) fn new(times: usize) -> Self {
-        // Numbers come for all times, but for friction, which the program of a mechanism does not have.
+        // Numbers come for all times, but for friction, which the program of a mechanism does not
+        // have.
         let [rate, drives, loads, largest] = [(); 4].map(|()| not_numbers(times));
         Powers { rate, drives, loads, friction: vec![0.0; times], largest }
     }
 
-    /// The lists that a program fills: dT/dt, powers of drives, of loads with weight, the largest one.
+    /// The lists that a program fills: dT/dt, powers of drives, of loads with weight, the largest
+    /// one.
     pub(super) fn of_tape(&mut self) -> [&mut Vec<f64>; 4] {
         let Powers { rate, drives, loads, largest, .. } = self;
         [rate, drives, loads, largest]
@@ -73,8 +75,10 @@ impl Powers {
         let Powers { rate, drives, loads, friction, largest } = self;
         let largest = f64::max(largest_of(&largest), largest_of(&drives));
         let given = drives.iter().zip(&loads).zip(&friction);
-        let left: Vec<f64> =
-            given.zip(&rate).map(|(((drives, loads), lost), rate)| drives + loads + lost - rate).collect();
+        let left: Vec<f64> = given
+            .zip(&rate)
+            .map(|(((drives, loads), lost), rate)| drives + loads + lost - rate)
+            .collect();
         let unit = motion.unit_words().power();
         let left = Series::new("left", unit.clone(), motion.clock(), left);
         let power = |name: &str, list| left.beside(name, unit.clone(), list);
@@ -104,12 +108,18 @@ fn largest_of(list: &[f64]) -> f64 {
 impl Energy {
     /// Along a motion of a system: by a tape where one pays, else time by time.
     pub(super) fn along(system: &System, motion: &Motion, loads: &[(&str, Laid<'_>)]) -> Energy {
-        let tape = inverse::pays(motion).then(|| inverse::energies(system, motion, loads)).flatten();
+        let tape =
+            inverse::pays(motion).then(|| inverse::energies(system, motion, loads)).flatten();
         let [kinetic, potential] = tape.unwrap_or_else(|| {
             let points = Beside::points(system);
             let mut sum = Sum::new(system, loads, &points);
             let at = |k: usize| {
-                let now = Now { t: motion.times()[k], q: motion.q(k), qd: motion.qd(k), qdd: motion.qdd(k) };
+                let now = Now {
+                    t: motion.times()[k],
+                    q: motion.q(k),
+                    qd: motion.qd(k),
+                    qdd: motion.qdd(k),
+                };
                 // Forces of the same time have been found: there is no error.
                 sum.at(now).map_or([f64::NAN; 2], |at| [at.kinetic, at.potential])
             };

@@ -33,15 +33,20 @@ pub(super) struct Body<const N: usize> {
 /// A planar body: m a_c acts at the centre, J θ̈ about it.
 pub(super) fn planar(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 3>) -> Body<3> {
     let Moved { q, qd, qdd } = moved;
-    let (c, m, j) = (Vec2::new(solid.centre.x, solid.centre.y), solid.mass, solid.inertia.m33);
-    let (state, [vx, vy, w], [ax, ay, alpha]) = (PlanarState::new(*q), *qd, *qdd);
+    let c = Vec2::new(solid.centre.x, solid.centre.y);
+    let m = solid.mass;
+    let j = solid.inertia.m33;
+    let state = PlanarState::new(*q);
+    let [vx, vy, w] = *qd;
+    let [ax, ay, alpha] = *qdd;
     let arm = state.direction(c);
     let a = Vec2::new(ax - alpha * arm.y - w * w * arm.x, ay + alpha * arm.x - w * w * arm.y);
     let generalised = |f: Vec2, torque: f64| [f.x, f.y, torque + arm.x * f.y - arm.y * f.x];
     let g = Vec2::new(gravity[0], gravity[1]);
     let dual: [Real<Dual64>; 3] = std::array::from_fn(|k| moving(q[k], qd[k]));
     let turn = PlanarState::new(dual).direction(c);
-    let ([vx, vy], w) = ([moving(vx, ax), moving(vy, ay)], moving(w, alpha));
+    let [vx, vy] = [moving(vx, ax), moving(vy, ay)];
+    let w = moving(w, alpha);
     let v = Vec2::new(vx - w * turn.y, vy + w * turn.x);
     let kinetic = v.dot(v) * (0.5 * m) + w * w * (0.5 * j);
     let centre = state.point(c);
@@ -56,10 +61,14 @@ pub(super) fn planar(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 3>) -> B
 /// A spatial body: m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it, in the body's axes.
 pub(super) fn spatial(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 7>) -> Body<7> {
     let Moved { q, qd, qdd } = moved;
-    let (c, m, j) = (solid.centre, solid.mass, solid.inertia);
-    let (state, g) = (SpatialState::new(*q), Vec3::from(gravity));
+    let c = solid.centre;
+    let m = solid.mass;
+    let j = solid.inertia;
+    let state = SpatialState::new(*q);
+    let g = Vec3::from(gravity);
     let [rate, second] = [qd, qdd].map(|x| EulerParameters::new(x[3], x[4], x[5], x[6]));
-    let (w, alpha) = (omega(state.p, rate), omega(state.p, second));
+    let w = omega(state.p, rate);
+    let alpha = omega(state.p, second);
     let arm = alpha.cross(c) + w.cross(w.cross(c));
     let a = Vec3::new(qdd[0], qdd[1], qdd[2]) + state.a * arm;
     let torque = j * alpha + w.cross(j * w);
@@ -84,11 +93,15 @@ pub(super) fn spatial(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 7>) -> 
     }
 }
 
-/// ω̄ = 2 Ḡ ṗ, the angular velocity in the body's axes: twice the vector of p* ṗ. By p̈ it is ω̄̇, Ḡ̇ ṗ being
-/// zero.
+/// ω̄ = 2 Ḡ ṗ, the angular velocity in the body's axes: twice the vector of p* ṗ. By p̈ it is ω̄̇,
+/// Ḡ̇ ṗ being zero.
 pub(super) fn omega<T: Scalar>(p: EulerParameters<T>, rate: EulerParameters<T>) -> Vec3<T> {
-    let (e0, e, f0, f) = (p.e0, p.vector(), rate.e0, rate.vector());
-    let cross = Vec3 { x: e.y * f.z - e.z * f.y, y: e.z * f.x - e.x * f.z, z: e.x * f.y - e.y * f.x };
+    let e0 = p.e0;
+    let e = p.vector();
+    let f0 = rate.e0;
+    let f = rate.vector();
+    let cross =
+        Vec3 { x: e.y * f.z - e.z * f.y, y: e.z * f.x - e.x * f.z, z: e.x * f.y - e.y * f.x };
     let part = |e: T, f: T, cross: T| {
         let half = e0 * f - f0 * e - cross;
         half + half
@@ -117,7 +130,8 @@ mod tests {
 
     #[test]
     fn the_power_of_a_torque_is_that_of_its_generalised_force() {
-        let (p, rate) = (P.normalize(), EulerParameters::new(0.3, -2.0, 0.4, 1.1));
+        let p = P.normalize();
+        let rate = EulerParameters::new(0.3, -2.0, 0.4, 1.1);
         let t = vec3(0.2, -1.4, 3.0);
         let q = generalised(p, Vec3::zeros(), t);
         let power = q[3] * rate.e0 + q[4] * rate.e1 + q[5] * rate.e2 + q[6] * rate.e3;

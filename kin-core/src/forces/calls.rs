@@ -18,8 +18,8 @@ use crate::solve::motion::{EngineCounts, Motion};
 use crate::solve::newton::Engine;
 use crate::system::System;
 
-/// The forces of a motion: of each constraint the force and torque that it puts on its bodies, of each driver
-/// what it must give, of each load what it does; energies, and the balance of powers.
+/// The forces of a motion: of each constraint the force and torque that it puts on its bodies, of
+/// each driver what it must give, of each load what it does; energies, and the balance of powers.
 pub struct Forces<'a> {
     pub(super) system: &'a System,
     pub(super) motion: &'a Motion,
@@ -44,21 +44,22 @@ impl System {
         !self.loads.is_empty()
     }
 
-    /// The forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, one transposed solve a time. Masses
-    /// are given by [`crate::Mechanism::mass`], weight by [`crate::Mechanism::gravity`], other loads by
-    /// [`crate::Mechanism::load`]. Those of many times are computed by a program where there can be one
-    /// ([`Forces::engine`]).
+    /// The forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, one transposed solve a
+    /// time. Masses are given by [`crate::Mechanism::mass`], weight by
+    /// [`crate::Mechanism::gravity`], other loads by [`crate::Mechanism::load`]. Those of many
+    /// times are computed by a program where there can be one ([`Forces::engine`]).
     ///
-    /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system; a singular
-    /// position, where forces have no bound; a load that is not finite; a mechanism that is jammed by
-    /// friction ([`crate::Jammed`]), friction on a force that is not unique.
+    /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system;
+    /// a singular position, where forces have no bound; a load that is not finite; a mechanism that
+    /// is jammed by friction ([`crate::Jammed`]), friction on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
         self.forces_by(motion, Engine::Auto)
     }
 
-    /// The same by an engine: [`Engine::Plain`] assembles and solves time by time; [`Engine::Compiled`] makes
-    /// one program of masses, loads and the transposed solve, and replays it over several times at once;
-    /// [`Engine::Auto`] does that where it pays. Numbers differ in the last digits.
+    /// The same by an engine: [`Engine::Plain`] assembles and solves time by time;
+    /// [`Engine::Compiled`] makes one program of masses, loads and the transposed solve, and
+    /// replays it over several times at once; [`Engine::Auto`] does that where it pays. Numbers
+    /// differ in the last digits.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -78,9 +79,9 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors: those of [`System::forces`]; asked for by [`Engine::Compiled`], what stands in the way of a
-    /// program, by name: friction, redundant equations, a load that is a closure, a constraint that is not
-    /// known as a formula.
+    /// Errors: those of [`System::forces`]; asked for by [`Engine::Compiled`], what stands in the
+    /// way of a program, by name: friction, redundant equations, a load that is a closure, a
+    /// constraint that is not known as a formula.
     pub fn forces_by<'a>(&'a self, motion: &'a Motion, engine: Engine) -> Result<Forces<'a>> {
         self.own_as_it_is(motion)?;
         if !self.has_forces() {
@@ -121,17 +122,28 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(system: &'a System, motion: &'a Motion) -> Result<Self> {
-        let (loads, frictions) = (Laid::all(system, motion)?, Frictions::new(system)?);
+        let loads = Laid::all(system, motion)?;
+        let frictions = Frictions::new(system)?;
         let multipliers = AllMultipliers::new(system.n_equations(), motion.len());
-        Ok(Walk { system, motion, loads, frictions, multipliers, powers: Powers::new(motion.len()) })
+        Ok(Walk {
+            system,
+            motion,
+            loads,
+            frictions,
+            multipliers,
+            powers: Powers::new(motion.len()),
+        })
     }
 
     /// By a program where that is asked for or pays, and time by time where it does not have them.
     fn by(mut self, engine: Engine) -> Result<Forces<'a>> {
-        let (system, motion) = (self.system, self.motion);
-        let (mut counts, mut plain) = (EngineCounts::default(), None);
+        let system = self.system;
+        let motion = self.motion;
+        let mut counts = EngineCounts::default();
+        let mut plain = None;
         let pays = engine == Engine::Auto && inverse::pays(motion);
-        let found = if pays || engine == Engine::Compiled { self.compiled()? } else { Err(String::new()) };
+        let found =
+            if pays || engine == Engine::Compiled { self.compiled()? } else { Err(String::new()) };
         match found {
             Ok(left) => {
                 counts.compiled = motion.len() - left.len();
@@ -148,12 +160,24 @@ impl<'a> Walk<'a> {
             }
         }
         let Walk { loads, frictions, multipliers, powers, .. } = self;
-        let (energy, balance) = (OnceLock::new(), powers.balance(motion));
-        Ok(Forces { system, motion, multipliers, loads, frictions, energy, balance, engine: counts, plain })
+        let energy = OnceLock::new();
+        let balance = powers.balance(motion);
+        Ok(Forces {
+            system,
+            motion,
+            multipliers,
+            loads,
+            frictions,
+            energy,
+            balance,
+            engine: counts,
+            plain,
+        })
     }
 
-    /// By a program; gives the times that are left to the walk, and the first one, which is there already: of
-    /// it the program has to have the same λ. Gives the reason where there is no program.
+    /// By a program; gives the times that are left to the walk, and the first one, which is there
+    /// already: of it the program has to have the same λ. Gives the reason where there is no
+    /// program.
     fn compiled(&mut self) -> Result<std::result::Result<Vec<usize>, String>> {
         let found = (self.multipliers.all(), &mut self.powers);
         let left = match inverse::fill(self.system, self.motion, &self.loads, found) {
@@ -173,7 +197,9 @@ impl<'a> Walk<'a> {
 
     /// Some times, one after the other.
     fn walk(&mut self, times: &[usize]) -> Result<()> {
-        let (system, motion, points) = (self.system, self.motion, Beside::points(self.system));
+        let system = self.system;
+        let motion = self.motion;
+        let points = Beside::points(self.system);
         let mut solver = Solver::new(system);
         let mut sum = Sum::new(system, &self.loads, &points);
         for &k in times {
@@ -210,14 +236,14 @@ impl<'a> Forces<'a> {
         self.motion
     }
 
-    /// How many times a program has computed ([`Engine::Compiled`]), and how many of a program's times were
-    /// handed back, because a pivot was small there or something was not finite.
+    /// How many times a program has computed ([`Engine::Compiled`]), and how many of a program's
+    /// times were handed back, because a pivot was small there or something was not finite.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
 
-    /// Why all times were computed one by one, where a program would have paid: what stands in the way, by
-    /// name. `None` where a program was used or not looked for.
+    /// Why all times were computed one by one, where a program would have paid: what stands in the
+    /// way, by name. `None` where a program was used or not looked for.
     pub fn why_plain(&self) -> Option<&str> {
         self.plain.as_deref()
     }
@@ -234,12 +260,16 @@ impl<'a> Forces<'a> {
         Ok(Reaction::new(self, constraint, vec![Source::Constraint(self.block(constraint)?)]))
     }
 
-    /// Force and torque of several constraints together, about a body's origin: of redundant ones the sum can
-    /// be unique where none of them is.
+    /// Force and torque of several constraints together, about a body's origin: of redundant ones
+    /// the sum can be unique where none of them is.
     ///
     /// Errors: a name that no constraint has; no name at all.
-    pub fn sum(&self, constraints: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Reaction<'_>> {
-        let names: Vec<String> = constraints.into_iter().map(|name| name.as_ref().to_string()).collect();
+    pub fn sum(
+        &self,
+        constraints: impl IntoIterator<Item = impl AsRef<str>>,
+    ) -> Result<Reaction<'_>> {
+        let names: Vec<String> =
+            constraints.into_iter().map(|name| name.as_ref().to_string()).collect();
         let sources: Result<Vec<Source>> =
             names.iter().map(|name| Ok(Source::Constraint(self.block(name)?))).collect();
         if names.is_empty() {
@@ -248,9 +278,9 @@ impl<'a> Forces<'a> {
         Ok(Reaction::new(self, &names.join(" + "), sources?))
     }
 
-    /// Force and torque of all constraints, drivers among them, on the ground: asked on a planar or spatial
-    /// body that is the ground, the shaking force, and the shaking moment about the origin. Friction in
-    /// joints is in it, loads between a body and the ground are not.
+    /// Force and torque of all constraints, drivers among them, on the ground: asked on a planar or
+    /// spatial body that is the ground, the shaking force, and the shaking moment about the origin.
+    /// Friction in joints is in it, loads between a body and the ground are not.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -275,8 +305,9 @@ impl<'a> Forces<'a> {
         Reaction::new(self, "all constraints", all.chain(friction).collect())
     }
 
-    /// Force and torque of the friction in a joint on its bodies, about the joint's point; its power is what
-    /// is lost as heat, negative. [`Forces::reaction`] of the joint is without it: the normal forces.
+    /// Force and torque of the friction in a joint on its bodies, about the joint's point; its
+    /// power is what is lost as heat, negative. [`Forces::reaction`] of the joint is without it:
+    /// the normal forces.
     ///
     /// Errors: a name that no joint with friction has.
     pub fn friction(&self, joint: &str) -> Result<Reaction<'_>> {
@@ -304,13 +335,15 @@ impl<'a> Forces<'a> {
 
     /// The force or torque that a driving constraint must give, and its power.
     ///
-    /// Errors: a name that no constraint has, a constraint that drives nothing; an effort that is not unique.
+    /// Errors: a name that no constraint has, a constraint that drives nothing; an effort that is
+    /// not unique.
     pub fn drive(&self, name: &str) -> Result<Drive> {
         effort::drive(self, self.block(name)?)
     }
 
-    /// Names of all constraints, drivers among them, in the order of adding; of each spatial body the row by
-    /// which its Euler parameters stay normalised, which holds nothing, is not one of them.
+    /// Names of all constraints, drivers among them, in the order of adding; of each spatial body
+    /// the row by which its Euler parameters stay normalised, which holds nothing, is not one of
+    /// them.
     pub fn constraints(&self) -> Vec<&str> {
         let blocks = self.system.equations().blocks.iter();
         let told = blocks.filter(|block| block.constraint.facts().kind != "euler_norm");
@@ -333,8 +366,8 @@ impl<'a> Forces<'a> {
         self.energy.get_or_init(|| Energy::along(self.system, self.motion, &self.loads))
     }
 
-    /// The balance of powers, which is always made: drives and loads against the rate of the kinetic energy,
-    /// differentiated from T.
+    /// The balance of powers, which is always made: drives and loads against the rate of the
+    /// kinetic energy, differentiated from T.
     pub fn balance(&self) -> &Balance {
         &self.balance
     }
@@ -348,17 +381,21 @@ impl<'a> Forces<'a> {
         })
     }
 
-    /// The constraints that share what is not unique at time k, by the vectors of the null space in it.
+    /// The constraints that share what is not unique at time k, by the vectors of the null space in
+    /// it.
     pub(super) fn sharing(&self, k: usize, is_in_it: impl Fn(usize) -> bool) -> Vec<String> {
         self.multipliers.beside(k).sharing(self.system, is_in_it)
     }
 
     /// The values of C_q of one constraint at time k.
     pub(super) fn jacobian(&self, block: usize, k: usize) -> Vec<f64> {
-        let (equations, motion) = (self.system.equations(), self.motion);
+        let equations = self.system.equations();
+        let motion = self.motion;
         let block = &equations.blocks[block];
-        let mut values: Vec<f64> =
-            equations.constants[block.values()].iter().map(|constant| constant.unwrap_or(0.0)).collect();
+        let mut values: Vec<f64> = equations.constants[block.values()]
+            .iter()
+            .map(|constant| constant.unwrap_or(0.0))
+            .collect();
         let instant = equations.instant_at(motion.times()[k], motion.q(k));
         block.constraint.jacobian(&equations.at(block, &instant), &mut values);
         values

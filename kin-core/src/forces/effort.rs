@@ -16,13 +16,13 @@ use crate::system::System;
 use crate::system::evaluate::Block;
 use by_law::{Led, Share};
 
-/// Efforts and power of a driving constraint: for each of its laws f the generalised force λ · ∂C/∂f that
-/// belongs to it, so that effort · ḟ is the power that the law puts into the mechanism. Of a driver whose
-/// rows are x(q) − f(t) = 0 that is −λ, row by row.
+/// Efforts and power of a driving constraint: for each of its laws f the generalised force λ ·
+/// ∂C/∂f that belongs to it, so that effort · ḟ is the power that the law puts into the mechanism.
+/// Of a driver whose rows are x(q) − f(t) = 0 that is −λ, row by row.
 ///
-/// Of a driver whose laws do not stand in its formula by their values, because it takes the dual route, or
-/// asks a law for its slope or at several times, there is −λ for each row, and the power alone says what it
-/// gives.
+/// Of a driver whose laws do not stand in its formula by their values, because it takes the dual
+/// route, or asks a law for its slope or at several times, there is −λ for each row, and the power
+/// alone says what it gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive {
     efforts: Vec<Series>,
@@ -46,7 +46,8 @@ impl Peak {
     /// Of a series; NaN of an empty one.
     fn of(series: &Series) -> Peak {
         let first = series.best(|a, b| a.abs() > b.abs());
-        let [value, t] = [series.values(), series.times()].map(|all| first.map_or(f64::NAN, |k| all[k]));
+        let [value, t] =
+            [series.values(), series.times()].map(|all| first.map_or(f64::NAN, |k| all[k]));
         Peak { value, t, unit: series.unit().to_string(), units: series.unit_words().clone() }
     }
 }
@@ -55,7 +56,14 @@ impl fmt::Display for Peak {
     /// "4.31 N m at 0.212 s"
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = |x: f64| format!("{x:.4e}").parse::<f64>().unwrap_or(x);
-        write!(f, "{} {} at {} {}", digits(self.value), self.unit, digits(self.t), self.units.time())
+        write!(
+            f,
+            "{} {} at {} {}",
+            digits(self.value),
+            self.unit,
+            digits(self.t),
+            self.units.time()
+        )
     }
 }
 
@@ -67,16 +75,17 @@ impl Series {
 }
 
 impl Drive {
-    /// The generalised force that belongs to its law: a torque where the law is an angle, a force where it is
-    /// a length. Power put into the mechanism = effort · ḟ; positive the way the law grows. Of a driver with
-    /// several laws that of the first; [`Drive::efforts`] has all.   \[N m, N\]
+    /// The generalised force that belongs to its law: a torque where the law is an angle, a force
+    /// where it is a length. Power put into the mechanism = effort · ḟ; positive the way the law
+    /// grows. Of a driver with several laws that of the first; [`Drive::efforts`] has all.   \[N m,
+    /// N\]
     pub fn effort(&self) -> &Series {
         &self.efforts[0]
     }
 
-    /// One for each law: `motor`, `hand.x` of a driver with a row for each, `tip.x_i` by the names of laws of
-    /// another one. Where formulas do not tell whether a law is a length or an angle, the unit is that of
-    /// energy, a unit of the law.
+    /// One for each law: `motor`, `hand.x` of a driver with a row for each, `tip.x_i` by the names
+    /// of laws of another one. Where formulas do not tell whether a law is a length or an angle,
+    /// the unit is that of energy, a unit of the law.
     pub fn efforts(&self) -> &[Series] {
         &self.efforts
     }
@@ -97,7 +106,8 @@ impl Drive {
 
 /// Of one constraint that drives.
 pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
-    let (system, motion) = (forces.system, forces.motion);
+    let system = forces.system;
+    let motion = forces.motion;
     let equations = system.equations();
     let block = &equations.blocks[number];
     if !block.drives {
@@ -113,7 +123,11 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
             let scale = if is_length { at.length } else { 1.0 };
             let is_loose = |open: usize| led.of(block, &at.open[open], time).abs() * scale > LOOSE;
             if (0..at.open.len()).any(is_loose) {
-                return Err(NotUnique::error(&led.name, "its effort", forces.sharing(time, is_loose)));
+                return Err(NotUnique::error(
+                    &led.name,
+                    "its effort",
+                    forces.sharing(time, is_loose),
+                ));
             }
         }
         let unit = match (led.unit.as_deref(), &led.share) {
@@ -123,7 +137,8 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
             (None, Share::Row(_)) => format!("{} a unit of its row", units.energy()),
             (None, Share::Law(_)) => format!("{} a unit of its law", units.energy()),
         };
-        let values = (0..motion.len()).map(|k| led.of(block, forces.multipliers.at(k), k)).collect();
+        let values =
+            (0..motion.len()).map(|k| led.of(block, forces.multipliers.at(k), k)).collect();
         efforts.push(Series::new(led.name, unit, motion.clock(), values));
     }
     let power = |k: usize| -> f64 {
@@ -136,7 +151,8 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     Ok(Drive { efforts, power })
 }
 
-/// The unit of a row as its documentation says (`[m]`, `[rad, m]`), or of the coordinate that it drives.
+/// The unit of a row as its documentation says (`[m]`, `[rad, m]`), or of the coordinate that it
+/// drives.
 fn unit_of_row(system: &System, block: &Block, k: usize) -> Option<String> {
     if let [only] = block.constraint.arguments().as_slice()
         && let Target::Coord(..) = only.target

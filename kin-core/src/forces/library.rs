@@ -1,7 +1,7 @@
 //! The library of loads: springs, dampers, struts, written with the compiler as joints are.
 //!
-//! Those of planar bodies and coordinates are here, those of spatial bodies in [`spatial`]. A load acts on
-//! both of its bodies, and on the ground where one of them is the ground.
+//! Those of planar bodies and coordinates are here, those of spatial bodies in [`spatial`]. A load
+//! acts on both of its bodies, and on the ground where one of them is the ground.
 
 use crate::model::coordinates::{IntoCoordinate, IntoPlanarBody};
 use crate::model::law::Law;
@@ -29,8 +29,8 @@ pub fn turn(i: Planar, j: Planar) -> f64 {
     i.theta - j.theta
 }
 
-/// How far P_i is along a direction of body j: h_j · (Aⱼᵀ(r_Pi − r_j) − ū_j)/|h_j|, a length to act along.
-/// \[m\]
+/// How far P_i is along a direction of body j: h_j · (Aⱼᵀ(r_Pi − r_j) − ū_j)/|h_j|, a length to act
+/// along. \[m\]
 ///
 /// `u_i`, `u_j`: the points; `h_j`: the direction in body j, such as the axis of a cylinder.
 ///
@@ -51,8 +51,8 @@ pub fn along(q: Coord) -> f64 {
 
 /// A spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)².      \[J\]
 ///
-/// `u_i`, `u_j`: the points; `stiffness`: k, `free`: l0, its length without force. Shabana, *Computational
-/// Dynamics*, section 5.2.
+/// `u_i`, `u_j`: the points; `stiffness`: k, `free`: l0, its length without force. Shabana,
+/// *Computational Dynamics*, section 5.2.
 ///
 /// Signs: longer than l0 it pulls the points together.
 #[potential]
@@ -82,14 +82,22 @@ pub fn coordinate_spring(q: Coord, stiffness: f64, free: f64) -> f64 {
     0.5 * stiffness * (q - free) * (q - free)
 }
 
-/// An elastic bushing: V = ½ (k_x d_x² + k_y d_y² + k_θ φ²), d the way from P_j to P_i as body j sees it, φ =
-/// θ_i − θ_j − θ0.      \[J\]
+/// An elastic bushing: V = ½ (k_x d_x² + k_y d_y² + k_θ φ²), d the way from P_j to P_i as body j
+/// sees it, φ = θ_i − θ_j − θ0.   \[J\]
 ///
 /// `u_i`, `u_j`: the points; `stiffness`: (k_x, k_y), `torsion`: k_θ, `free`: θ0.
 ///
 /// Signs: it pulls P_i back to P_j and turns i back.
 #[potential]
-pub fn bushing(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, stiffness: Vec2, torsion: f64, free: f64) -> f64 {
+pub fn bushing(
+    i: Planar,
+    j: Planar,
+    u_i: Vec2,
+    u_j: Vec2,
+    stiffness: Vec2,
+    torsion: f64,
+    free: f64,
+) -> f64 {
     let d = j.local(i.point(u_i)) - u_j;
     let turn = i.theta - j.theta - free;
     0.5 * (stiffness.x * d.x * d.x + stiffness.y * d.y * d.y + torsion * turn * turn)
@@ -137,8 +145,8 @@ pub fn force_in_time(_x: Coord, t: Time, law: Law) -> f64 {
 
 /// Pressure in a cylinder along the length of its chamber: f = p(x) A.      \[N\]
 ///
-/// `x`: the length of the chamber; `table`: p by that length, such as `Law::spline` of an indicator diagram
-/// \[Pa\]; `area`: A of the piston \[m²\].
+/// `x`: the length of the chamber; `table`: p by that length, such as `Law::spline` of an indicator
+/// diagram \[Pa\]; `area`: A of the piston \[m²\].
 ///
 /// Signs: pressure above that outside makes the chamber longer.
 #[force]
@@ -149,8 +157,8 @@ pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
 
 /// The gas in a closed chamber along a length x: f = F (a/(a + x − x0))ⁿ.      \[N\]
 ///
-/// `push`: F, its force at x0 = `there`; `column`: a, the length of the column of gas there; `exponent`: n of
-/// the gas, 1 slow, 1.4 fast.
+/// `push`: F, its force at x0 = `there`; `column`: a, the length of the column of gas there;
+/// `exponent`: n of the gas, 1 slow, 1.4 fast.
 ///
 /// Signs: F above zero makes x longer.
 #[force]
@@ -159,7 +167,8 @@ pub fn gas(x: Coord, push: f64, there: f64, column: f64, exponent: f64) -> f64 {
     push * (column / (column + x - there)).powf(exponent)
 }
 
-/// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart positive.   \[N s/m\]
+/// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart
+/// positive.   \[N s/m\]
 pub fn damper(
     i: impl IntoPlanarBody,
     j: impl IntoPlanarBody,
@@ -175,8 +184,8 @@ pub fn torsion_damper(i: impl IntoPlanarBody, j: impl IntoPlanarBody, damping: f
     viscous(turn(i, j), damping)
 }
 
-/// A bushing with damping: the energy of [`bushing`](fn@bushing), and −c_x ḋ_x, −c_y ḋ_y, −c_θ φ̇ along the
-/// same way and turn.   \[N, N m\]
+/// A bushing with damping: the energy of [`bushing`](fn@bushing), and −c_x ḋ_x, −c_y ḋ_y, −c_θ φ̇
+/// along the same way and turn.   \[N, N m\]
 ///
 /// `u`: P_i and P_j; `stiffness`, `damping`: along x and y of body j and about z; `free`: θ0.
 pub fn damped_bushing(
@@ -187,7 +196,9 @@ pub fn damped_bushing(
     damping: [f64; 3],
     free: f64,
 ) -> Load {
-    let (i, j, [u_i, u_j]) = (i.into_planar_body(), j.into_planar_body(), u);
+    let i = i.into_planar_body();
+    let j = j.into_planar_body();
+    let [u_i, u_j] = u;
     let along = |h: Vec2| slide(i, j, u_i, u_j, h);
     let [k_x, k_y, k_turn] = stiffness;
     viscous(along(Vec2::new(1.0, 0.0)), damping[0])
@@ -201,8 +212,8 @@ pub fn force_along(q: impl IntoCoordinate, force: Law) -> Load {
     force_in_time(along(q), force)
 }
 
-/// A strut or cylinder between two points whose force is a law of its length, such as a table of pressures
-/// times the area of its piston: positive pushes the points apart.   \[N\]
+/// A strut or cylinder between two points whose force is a law of its length, such as a table of
+/// pressures times the area of its piston: positive pushes the points apart.   \[N\]
 ///
 /// ```
 /// use kin::{Ends, Law, loads};
@@ -213,7 +224,8 @@ pub fn force_along(q: impl IntoCoordinate, force: Law) -> Load {
 /// // by the length of the chamber
 /// let pressure = Law::spline(&[(0.10, 2.0e6), (0.15, 1.1e6), (0.20, 0.7e6)], Ends::Natural);
 /// let area = 0.004;
-/// m.load("gas", loads::strut(piston, m.ground(), vec2(0.0, 0.0), vec2(0.5, 0.0), pressure * area))?;
+/// let (on_piston, on_ground) = (vec2(0.0, 0.0), vec2(0.5, 0.0));
+/// m.load("gas", loads::strut(piston, m.ground(), on_piston, on_ground, pressure * area))?;
 /// # Ok(())
 /// # }
 /// ```
@@ -227,9 +239,9 @@ pub fn strut(
     force_by(length(i, j, u_i.into(), u_j.into()), force)
 }
 
-/// A gas spring between two points: it pushes them apart with F (a/(a − (l0 − l)))ⁿ, F being its force at the
-/// length l0, a the length of its column of gas there, n the exponent of the gas (1 slow, 1.4 fast).   \[N,
-/// m\]
+/// A gas spring between two points: it pushes them apart with F (a/(a − (l0 − l)))ⁿ, F being its
+/// force at the length l0, a the length of its column of gas there, n the exponent of the gas (1
+/// slow, 1.4 fast).   \[N, m\]
 pub fn gas_spring(
     i: impl IntoPlanarBody,
     j: impl IntoPlanarBody,

@@ -6,11 +6,12 @@
 //! C_qᵀ λ = Q_e + Q_v − M q̈
 //! ```
 //!
-//! (A. A. Shabana, *Computational Dynamics*, 3rd ed., section 6.7: kinematically driven systems), where Q_e
-//! are the generalised forces of weight and loads, and M q̈ − Q_v is what moves the masses. It is taken from
-//! the balance of each body (`body.rs`) with ω̄ = 2 Ḡ ṗ, so that nothing acts along p. A constraint puts the
-//! generalised force −C_qᵀ λ on the coordinates of each of its bodies, which is a force −C_Rᵀ λ and a torque
-//! −C_θᵀ λ, in space −½ Ḡ C_pᵀ λ in the body's axes (`wrench.rs`).
+//! (A. A. Shabana, *Computational Dynamics*, 3rd ed., section 6.7: kinematically driven systems),
+//! where Q_e are the generalised forces of weight and loads, and M q̈ − Q_v is what moves the
+//! masses. It is taken from the balance of each body (`body.rs`) with ω̄ = 2 Ḡ ṗ, so that nothing
+//! acts along p. A constraint puts the generalised force −C_qᵀ λ on the coordinates of each of its
+//! bodies, which is a force −C_Rᵀ λ and a torque −C_θᵀ λ, in space −½ Ḡ C_pᵀ λ in the body's axes
+//! (`wrench.rs`).
 
 mod acted;
 mod acting;

@@ -9,8 +9,8 @@ use crate::system::System;
 use crate::system::evaluate::Instant;
 use crate::system::scaled::{Measures, Point};
 
-/// A component is unique if what can be added without changing any balance changes it by less than this,
-/// where it changes something by 1.   \[-\]
+/// A component is unique if what can be added without changing any balance changes it by less than
+/// this, where it changes something by 1.   \[-\]
 pub(super) const LOOSE: f64 = 1e-7;
 
 /// λ at one time, and what belongs to it.
@@ -23,8 +23,9 @@ pub(super) struct Multipliers {
 /// The part of multipliers that only redundant mechanisms and those with friction have.
 #[derive(Default)]
 pub(super) struct BesideThem {
-    /// Vectors of the null space of C_qᵀ, none of a mechanism without redundant equations: the largest
-    /// generalised force times the size of its coordinate that one of their entries makes is 1.
+    /// Vectors of the null space of C_qᵀ, none of a mechanism without redundant equations: the
+    /// largest generalised force times the size of its coordinate that one of their entries makes
+    /// is 1.
     pub open: Vec<Vec<f64>>,
     /// By which factor entries of a row are in units of order 1, where there are such vectors.
     norms: Vec<f64>,
@@ -38,12 +39,19 @@ impl BesideThem {
     const NOTHING: BesideThem =
         BesideThem { open: Vec::new(), norms: Vec::new(), length: 1.0, rubs: Vec::new() };
 
-    /// The constraints that share what is not unique, by the vectors of the null space that are in it.
+    /// The constraints that share what is not unique, by the vectors of the null space that are in
+    /// it.
     pub(super) fn sharing(&self, system: &System, is_in_it: impl Fn(usize) -> bool) -> Vec<String> {
-        let own: Vec<&Vec<f64>> =
-            self.open.iter().enumerate().filter(|(number, _)| is_in_it(*number)).map(|(_, y)| y).collect();
-        let shares =
-            |row: usize| own.iter().any(|y| (y[row] * self.norms.get(row).unwrap_or(&1.0)).abs() > LOOSE);
+        let own: Vec<&Vec<f64>> = self
+            .open
+            .iter()
+            .enumerate()
+            .filter(|(number, _)| is_in_it(*number))
+            .map(|(_, y)| y)
+            .collect();
+        let shares = |row: usize| {
+            own.iter().any(|y| (y[row] * self.norms.get(row).unwrap_or(&1.0)).abs() > LOOSE)
+        };
         let blocks = system.equations().blocks.iter();
         blocks.filter(|block| block.rows().any(shares)).map(|block| block.name.clone()).collect()
     }
@@ -106,7 +114,8 @@ impl AllMultipliers {
     }
 }
 
-/// Solves C_qᵀ λ = Q at one time after the other: the elimination of the time before is tried first.
+/// Solves C_qᵀ λ = Q at one time after the other: the elimination of the time before is tried
+/// first.
 pub(super) struct Solver<'a> {
     system: &'a System,
     instant: Instant,
@@ -122,7 +131,8 @@ enum Kind {
 impl<'a> Solver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
         let equations = system.equations();
-        let (m, n) = (system.n_equations(), system.n_coordinates());
+        let m = system.n_equations();
+        let n = system.n_coordinates();
         let kind = if system.is_redundant() {
             let rows = Box::new(Independent::new(m, n, &equations.entries));
             Kind::Redundant { rows, values: vec![0.0; equations.entries.len()], measures: None }
@@ -146,7 +156,8 @@ impl<'a> Solver<'a> {
             Kind::Square(linear) => linear.solved_transposed(by_q),
             Kind::Redundant { rows, measures, .. } => {
                 let Some(measures) = measures else { return vec![0.0; self.system.n_equations()] };
-                let scaled: Vec<f64> = by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
+                let scaled: Vec<f64> =
+                    by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
                 let mut lambda = rows.solved_transposed(&scaled);
                 lambda.iter_mut().zip(&measures.norms).for_each(|(lambda, norm)| *lambda /= norm);
                 lambda
@@ -161,7 +172,8 @@ impl<'a> Solver<'a> {
             Kind::Square(linear) => linear.values(),
             Kind::Redundant { values, .. } => values,
         };
-        let (mut by_q, own) = (vec![0.0; self.system.n_coordinates()], equations.blocks[block].values());
+        let mut by_q = vec![0.0; self.system.n_coordinates()];
+        let own = equations.blocks[block].values();
         for (entry, value) in equations.entries[own.clone()].iter().zip(&values[own]) {
             if let Some((row, column)) = entry {
                 by_q[*column] -= value * lambda[*row];
@@ -178,7 +190,8 @@ impl<'a> Solver<'a> {
 
     /// λ for the generalised forces Q. Errors: a singular position, terms that are not finite.
     pub(super) fn solve(&mut self, now: Now<'_>, by_q: &[f64]) -> Result<Multipliers> {
-        let (system, equations) = (self.system, self.system.equations());
+        let system = self.system;
+        let equations = self.system.equations();
         equations.set_time(now.t, &mut self.instant);
         equations.set_position(now.q, &mut self.instant);
         match &mut self.kind {
@@ -200,32 +213,42 @@ impl<'a> Solver<'a> {
                 let model = system.model();
                 let measures = measures.get_or_insert_with(|| model.measure(now.q, now.t));
                 let unit = |(entry, value): (&Option<(usize, usize)>, &f64)| {
-                    entry.map_or(0.0, |(row, column)| value * measures.sizes[column] / measures.norms[row])
+                    entry.map_or(0.0, |(row, column)| {
+                        value * measures.sizes[column] / measures.norms[row]
+                    })
                 };
-                let scaled_values: Vec<f64> = equations.entries.iter().zip(values.iter()).map(unit).collect();
+                let scaled_values: Vec<f64> =
+                    equations.entries.iter().zip(values.iter()).map(unit).collect();
                 if !rows.factor(scaled_values.iter().copied()) {
                     return Err(system.singular(now.t, now.q, None));
                 }
-                let scaled: Vec<f64> = by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
+                let scaled: Vec<f64> =
+                    by_q.iter().zip(&measures.sizes).map(|(q, size)| q * size).collect();
                 let mut lambda = rows.solved_transposed(&scaled);
                 let point = Point { c: Vec::new(), values: values.clone() };
                 let mut open = null_space(system, &point, measures);
                 for y in &mut open {
-                    // Entries that are all but zero were left out: their part of the balance comes back.
+                    // Entries that are all but zero were left out: their part of the balance comes
+                    // back.
                     let mut left = vec![0.0; system.n_coordinates()];
                     for (entry, value) in equations.entries.iter().zip(&scaled_values) {
                         if let Some((row, column)) = entry {
                             left[*column] += value * y[*row];
                         }
                     }
-                    y.iter_mut().zip(rows.solved_transposed(&left)).for_each(|(y, part)| *y -= part);
+                    y.iter_mut()
+                        .zip(rows.solved_transposed(&left))
+                        .for_each(|(y, part)| *y -= part);
                 }
                 for y in open.iter_mut().chain([&mut lambda]) {
                     y.iter_mut().zip(&measures.norms).for_each(|(y, norm)| *y /= norm);
                 }
                 let length = length(system, &measures.sizes);
                 let norms = measures.norms.to_vec();
-                Ok(Multipliers { lambda, beside: BesideThem { open, norms, length, rubs: Vec::new() } })
+                Ok(Multipliers {
+                    lambda,
+                    beside: BesideThem { open, norms, length, rubs: Vec::new() },
+                })
             }
         }
     }
@@ -233,7 +256,8 @@ impl<'a> Solver<'a> {
 
 /// Orthonormal vectors y with yᵀ C_q = 0, rows in units of order 1.
 fn null_space(system: &System, point: &Point, measures: &Measures) -> Vec<Vec<f64>> {
-    let (model, m) = (system.model(), system.n_equations());
+    let model = system.model();
+    let m = system.n_equations();
     let rows = model.scaled(&point.values, measures, &|_| true);
     let found = Echelon::new(rows, system.n_coordinates(), RANK).left_null_space();
     let mut basis: Vec<Vec<f64>> = Vec::new();

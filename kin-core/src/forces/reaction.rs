@@ -34,16 +34,18 @@ impl<'f> Reaction<'f> {
         Reaction { forces, name: name.to_string(), sources }
     }
 
-    /// Force and torque on one body. The ground is `PlanarBody::from(ground)` or `SpatialBody::from(ground)`,
-    /// and takes the opposite of all that is put on bodies.
+    /// Force and torque on one body. The ground is `PlanarBody::from(ground)` or
+    /// `SpatialBody::from(ground)`, and takes the opposite of all that is put on bodies.
     ///
     /// Errors: a body of another mechanism, one that it does not act on.
     pub fn on<B: Body>(&self, body: B) -> Result<Acted<'f, B::Vector>>
     where
         B::Vector: Turning,
     {
-        let (forces, target) = (self.forces, body.target());
-        let (layout, motion) = (forces.system.layout(), forces.motion);
+        let forces = self.forces;
+        let target = body.target();
+        let layout = forces.system.layout();
+        let motion = forces.motion;
         let place = layout.place(&target).ok_or_else(|| Error::ForeignBody {
             mechanism: forces.system.name().to_string(),
             place: self.name.clone(),
@@ -53,12 +55,14 @@ impl<'f> Reaction<'f> {
             Place::Own { item, .. } => Some(item),
             Place::Ground(_) => None,
         };
-        let on = item.map_or("the ground".to_string(), |item| format!("`{}`", layout.items[item].name));
+        let on =
+            item.map_or("the ground".to_string(), |item| format!("`{}`", layout.items[item].name));
         let touched = self.touched();
         if let Some(item) = item
             && !touched.contains(&item)
         {
-            let bodies: Vec<&str> = touched.iter().map(|item| layout.items[*item].name.as_str()).collect();
+            let bodies: Vec<&str> =
+                touched.iter().map(|item| layout.items[*item].name.as_str()).collect();
             let bodies = if bodies.is_empty() { "no body".to_string() } else { bodies.join(", ") };
             let reason = format!("it does not act on {on}; it acts on {bodies}");
             return Err(Error::InvalidParameters {
@@ -67,12 +71,16 @@ impl<'f> Reaction<'f> {
                 reason,
             });
         }
-        let (mut wrenches, mut open, mut stands, mut points) = (vec![], vec![], vec![], vec![]);
+        let mut wrenches = vec![];
+        let mut open = vec![];
+        let mut stands = vec![];
+        let mut points = vec![];
         let point = self.point(&target);
         for k in 0..motion.len() {
             let all = self.generalised(k);
             let mut all = all.iter().map(|by_q| wrench(forces, item, &touched, k, by_q));
-            let (stand, own) = (stand(forces, item, k), all.next().unwrap_or_default());
+            let stand = stand(forces, item, k);
+            let own = all.next().unwrap_or_default();
             let at = match &point {
                 Some((holder, u)) => self::stand(forces, *holder, k).point(*u),
                 None => stand.r,
@@ -82,7 +90,8 @@ impl<'f> Reaction<'f> {
             stands.push(stand);
             points.push(at);
         }
-        let (name, kind) = (self.name.clone(), Default::default());
+        let name = self.name.clone();
+        let kind = Default::default();
         Ok(Acted { forces, name, on, wrenches, open, stands, points, fixed: false, kind })
     }
 
@@ -91,17 +100,19 @@ impl<'f> Reaction<'f> {
         let motion = self.forces.motion;
         let at = |k: usize| -> f64 {
             let all = self.generalised(k);
-            all.first().map_or(0.0, |by_q| by_q.iter().zip(motion.qd(k)).map(|(q, qd)| q * qd).sum())
+            all.first()
+                .map_or(0.0, |by_q| by_q.iter().zip(motion.qd(k)).map(|(q, qd)| q * qd).sum())
         };
         let values = (0..motion.len()).map(at).collect();
         let unit = motion.unit_words().power();
         Series::new(format!("{}.power", self.name), unit, motion.clock(), values)
     }
 
-    /// Force and torque on the first of its bodies about its point at time k, and those of the vectors of the
-    /// null space; nothing where it acts on no body.
+    /// Force and torque on the first of its bodies about its point at time k, and those of the
+    /// vectors of the null space; nothing where it acts on no body.
     pub(super) fn at_its_point(&self, k: usize) -> Vec<Wrench> {
-        let (forces, touched) = (self.forces, self.touched());
+        let forces = self.forces;
+        let touched = self.touched();
         let Some(item) = touched.first().copied() else { return Vec::new() };
         let layout = forces.system.layout();
         let target = layout.target(item);
@@ -111,7 +122,9 @@ impl<'f> Reaction<'f> {
             None => stand.r,
         };
         let all = self.generalised(k);
-        all.iter().map(|by_q| wrench(forces, Some(item), &touched, k, by_q).moved(stand.r, at)).collect()
+        all.iter()
+            .map(|by_q| wrench(forces, Some(item), &touched, k, by_q).moved(stand.r, at))
+            .collect()
     }
 
     /// The bodies that it acts on, by their items.
@@ -120,19 +133,28 @@ impl<'f> Reaction<'f> {
         let mut found = Vec::new();
         let mut touch = |target: &Target| {
             let item = match layout.place(target) {
-                Some(Place::Own { first, .. }) => layout.items.iter().rposition(|item| item.first <= first),
+                Some(Place::Own { first, .. }) => {
+                    layout.items.iter().rposition(|item| item.first <= first)
+                }
                 _ => None,
             };
-            let is_body = |item: &usize| matches!(layout.items[*item].kind, Kind::Planar | Kind::Spatial);
+            let is_body =
+                |item: &usize| matches!(layout.items[*item].kind, Kind::Planar | Kind::Spatial);
             found.extend(item.filter(is_body).filter(|item| !found.contains(item)));
         };
         for source in &self.sources {
             match source {
                 Source::Constraint(block) => {
                     let block = &self.forces.system.equations().blocks[*block];
-                    block.constraint.arguments().iter().for_each(|argument| touch(&argument.target));
+                    block
+                        .constraint
+                        .arguments()
+                        .iter()
+                        .for_each(|argument| touch(&argument.target));
                 }
-                Source::Load(load) => self.forces.loads[*load].1.targets().iter().for_each(&mut touch),
+                Source::Load(load) => {
+                    self.forces.loads[*load].1.targets().iter().for_each(&mut touch)
+                }
                 Source::Friction(number) => {
                     self.forces.frictions.all[*number].bodies().iter().for_each(&mut touch)
                 }
@@ -152,10 +174,11 @@ impl<'f> Reaction<'f> {
         let (arguments, points) = match source {
             Source::Constraint(block) => {
                 let constraint = &self.forces.system.equations().blocks[*block].constraint;
-                let points = constraint.attachments().into_iter().filter_map(|found| match found.what {
-                    Attached::Point(u) => Some((found.argument, u)),
-                    Attached::Direction(_) => None,
-                });
+                let points =
+                    constraint.attachments().into_iter().filter_map(|found| match found.what {
+                        Attached::Point(u) => Some((found.argument, u)),
+                        Attached::Direction(_) => None,
+                    });
                 (constraint.arguments(), points.collect::<Vec<_>>())
             }
             Source::Load(load) => self.forces.loads[*load].1.points(),
@@ -172,16 +195,21 @@ impl<'f> Reaction<'f> {
 
     /// Generalised forces at time k on all coordinates, and of each vector of the null space.
     fn generalised(&self, k: usize) -> Vec<Vec<f64>> {
-        let (forces, motion) = (self.forces, self.forces.motion);
-        let (equations, n) = (forces.system.equations(), forces.system.n_coordinates());
-        let (lambda, beside) = (forces.multipliers.at(k), forces.multipliers.beside(k));
+        let forces = self.forces;
+        let motion = self.forces.motion;
+        let equations = forces.system.equations();
+        let n = forces.system.n_coordinates();
+        let lambda = forces.multipliers.at(k);
+        let beside = forces.multipliers.beside(k);
         let mut all = vec![vec![0.0; n]; 1 + beside.open.len()];
         for source in &self.sources {
             match source {
                 Source::Constraint(number) => {
-                    let (block, values) = (&equations.blocks[*number], forces.jacobian(*number, k));
+                    let block = &equations.blocks[*number];
+                    let values = forces.jacobian(*number, k);
                     let entries = &equations.entries[block.values()];
-                    let vectors = std::iter::once(lambda).chain(beside.open.iter().map(Vec::as_slice));
+                    let vectors =
+                        std::iter::once(lambda).chain(beside.open.iter().map(Vec::as_slice));
                     for (by_q, y) in all.iter_mut().zip(vectors) {
                         for (entry, value) in entries.iter().zip(&values) {
                             if let Some((row, column)) = entry {
@@ -191,7 +219,9 @@ impl<'f> Reaction<'f> {
                     }
                 }
                 Source::Load(load) => {
-                    let (q, qd, qdd) = (motion.q(k), motion.qd(k), motion.qdd(k));
+                    let q = motion.q(k);
+                    let qd = motion.qd(k);
+                    let qdd = motion.qdd(k);
                     let now = Now { t: motion.times()[k], q, qd, qdd };
                     forces.loads[*load].1.add(now, &mut all[0]);
                 }
@@ -213,9 +243,15 @@ fn columns<'q>(forces: &Forces<'_>, item: usize, all: &'q [f64]) -> &'q [f64] {
     all.get(item.first..item.first + item.kind.coordinates().len()).unwrap_or_default()
 }
 
-/// Force and torque on a body about its origin; on the ground the opposite of all others, about the global
-/// origin.
-fn wrench(forces: &Forces<'_>, item: Option<usize>, touched: &[usize], k: usize, by_q: &[f64]) -> Wrench {
+/// Force and torque on a body about its origin; on the ground the opposite of all others, about the
+/// global origin.
+fn wrench(
+    forces: &Forces<'_>,
+    item: Option<usize>,
+    touched: &[usize],
+    k: usize,
+    by_q: &[f64],
+) -> Wrench {
     let own = |item: usize| {
         let q = columns(forces, item, forces.motion.q(k));
         Wrench::of(q, columns(forces, item, by_q))
@@ -223,7 +259,8 @@ fn wrench(forces: &Forces<'_>, item: Option<usize>, touched: &[usize], k: usize,
     match item {
         Some(item) => own(item),
         None => {
-            let at_origin = |item: &usize| own(*item).moved(stand(forces, Some(*item), k).r, Vec3::zeros());
+            let at_origin =
+                |item: &usize| own(*item).moved(stand(forces, Some(*item), k).r, Vec3::zeros());
             touched.iter().map(at_origin).fold(Wrench::default(), Wrench::plus).times(-1.0)
         }
     }

@@ -26,7 +26,8 @@ use crate::model::error::{Error, Result};
 /// let motion = system.run([0.0, 0.5])?;
 ///
 /// let forces = system.forces(&motion)?;
-/// assert!(forces.reaction("hinge 1")?.on(door)?.component("F_z").is_err()); // which hinge carries the door?
+/// // Which hinge carries the door?
+/// assert!(forces.reaction("hinge 1")?.on(door)?.component("F_z").is_err());
 /// let both = forces.sum(["hinge 1", "hinge 2"])?.on(door)?.component("F_z")?;
 /// assert!((both.max() - 196.2).abs() < 1e-9);
 ///
@@ -41,11 +42,11 @@ pub enum Sharing {
     /// No number is given for what is not unique.
     #[default]
     NotGiven,
-    /// The sum of the squares of the forces and torques of all constraints, each about its own point, is
-    /// least: one newton counts as one newton metre, in the units of the mechanism.
+    /// The sum of the squares of the forces and torques of all constraints, each about its own
+    /// point, is least: one newton counts as one newton metre, in the units of the mechanism.
     LeastNorm,
-    /// These equations, by name (`hinge 2.z`), hold nothing. There must be as many of them as are redundant,
-    /// and the others must still be independent.
+    /// These equations, by name (`hinge 2.z`), hold nothing. There must be as many of them as are
+    /// redundant, and the others must still be independent.
     LeftOut(Vec<String>),
 }
 
@@ -78,8 +79,10 @@ impl Forces<'_> {
 
     /// The shares of the vectors of the null space with which the norm is least.
     fn least(&self, k: usize) -> Result<DVector<f64>> {
-        let (lambda, at) = (self.multipliers.at(k), self.multipliers.beside(k));
-        let (mut own, mut open) = (Vec::new(), vec![Vec::new(); at.open.len()]);
+        let lambda = self.multipliers.at(k);
+        let at = self.multipliers.beside(k);
+        let mut own = Vec::new();
+        let mut open = vec![Vec::new(); at.open.len()];
         if open.is_empty() {
             return Ok(DVector::zeros(0));
         }
@@ -89,13 +92,17 @@ impl Forces<'_> {
             match all.next() {
                 Some(wrench) => {
                     own.extend(wrench.components());
-                    open.iter_mut().zip(all).for_each(|(open, wrench)| open.extend(wrench.components()));
+                    open.iter_mut()
+                        .zip(all)
+                        .for_each(|(open, wrench)| open.extend(wrench.components()));
                 }
                 // Bare coordinates have no point: their multipliers count.
                 None => {
                     own.extend(block.rows().map(|row| lambda[row]));
                     let rows = || block.rows();
-                    open.iter_mut().zip(&at.open).for_each(|(open, y)| open.extend(rows().map(|row| y[row])));
+                    open.iter_mut()
+                        .zip(&at.open)
+                        .for_each(|(open, y)| open.extend(rows().map(|row| y[row])));
                 }
             }
         }
@@ -106,7 +113,8 @@ impl Forces<'_> {
 
     /// The shares with which the multipliers of these equations are zero.
     fn left_out(&self, names: &[String], k: usize) -> Result<DVector<f64>> {
-        let (lambda, at) = (self.multipliers.at(k), self.multipliers.beside(k));
+        let lambda = self.multipliers.at(k);
+        let at = self.multipliers.beside(k);
         let equations = self.system.equations();
         let mut rows = Vec::new();
         for name in names {
@@ -143,14 +151,14 @@ impl Forces<'_> {
             let reason = format!("without `{}` something is free", names.join("`, `"));
             return Err(invalid(self.system.name(), &reason));
         }
-        matrix
-            .lu()
-            .solve(&rhs)
-            .ok_or_else(|| invalid(self.system.name(), "the equations left out depend on one another"))
+        matrix.lu().solve(&rhs).ok_or_else(|| {
+            invalid(self.system.name(), "the equations left out depend on one another")
+        })
     }
 }
 
 fn invalid(name: &str, reason: &str) -> Error {
-    let (constraint, kind) = (name.to_string(), "sharing of forces".to_string());
+    let constraint = name.to_string();
+    let kind = "sharing of forces".to_string();
     Error::InvalidParameters { constraint, kind, reason: reason.to_string() }
 }

@@ -69,7 +69,8 @@ impl<'a> Sum<'a> {
         self.bodies(now, &mut at);
         self.weigh_points(now, &mut at)?;
         for (name, load) in self.loads {
-            let (own, qd) = (&mut self.own, now.qd);
+            let own = &mut self.own;
+            let qd = now.qd;
             own.clear();
             own.resize(qd.len(), 0.0);
             load.add(now, own);
@@ -104,7 +105,13 @@ impl<'a> Sum<'a> {
         }
     }
 
-    fn take<const N: usize>(&mut self, first: usize, body: &body::Body<N>, now: Now<'_>, at: &mut At) {
+    fn take<const N: usize>(
+        &mut self,
+        first: usize,
+        body: &body::Body<N>,
+        now: Now<'_>,
+        at: &mut At,
+    ) {
         for k in 0..N {
             self.by_q[first + k] += body.weight[k] - body.inertial[k];
             let rate = now.qd[first + k];

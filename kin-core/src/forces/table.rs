@@ -16,9 +16,10 @@ use crate::system::System;
 const NOTHING: f64 = 1e-9;
 
 impl System {
-    /// An error for the first of these names that is no measure, no coordinate and no column of forces
-    /// ([`Forces::columns`]): for what is to be kept of many cases, before any of them is computed. Columns
-    /// are those at time t; where there are no forces then, nothing is said of names that may be theirs.
+    /// An error for the first of these names that is no measure, no coordinate and no column of
+    /// forces ([`Forces::columns`]): for what is to be kept of many cases, before any of them is
+    /// computed. Columns are those at time t; where there are no forces then, nothing is said of
+    /// names that may be theirs.
     ///
     /// Errors: [`Error::UnknownName`], with the names that there are.
     pub fn check_columns(&self, names: &[impl AsRef<str>], t: f64) -> Result<()> {
@@ -43,10 +44,11 @@ impl System {
 }
 
 impl Forces<'_> {
-    /// Everything that is unique as numbers over time: of each drive effort and power, of each constraint the
-    /// components on each of its bodies about its point in global axes (`A on crank.F_x`), of friction the
-    /// same and its power (`A.friction on crank.T`), both energies. The rows by which Euler parameters stay
-    /// normalised hold nothing and have no columns.
+    /// Everything that is unique as numbers over time: of each drive effort and power, of each
+    /// constraint the components on each of its bodies about its point in global axes
+    /// (`A on crank.F_x`), of friction the same and its power (`A.friction on crank.T`), both
+    /// energies. The rows by which Euler parameters stay normalised hold nothing and have no
+    /// columns.
     pub fn columns(&self) -> Vec<Series> {
         let mut all = Vec::new();
         for name in self.drives() {
@@ -74,7 +76,8 @@ impl Forces<'_> {
 
     /// The column of this name, such as `motor` or `A on crank.F_x`.
     ///
-    /// Errors: a name that no column has, with those that there are; a component that is not unique has none.
+    /// Errors: a name that no column has, with those that there are; a component that is not unique
+    /// has none.
     pub fn named(&self, name: &str) -> Result<Series> {
         let mut all = self.columns();
         if let Some(found) = all.iter().position(|column| column.name() == name) {
@@ -84,16 +87,20 @@ impl Forces<'_> {
         Err(Error::UnknownName { what: "column of forces", name: name.to_string(), known })
     }
 
-    /// |F| of each constraint that does not drive, on the first of its bodies (`A on crank.force`), where it is
-    /// unique and not zero at all times.
+    /// |F| of each constraint that does not drive, on the first of its bodies (`A on crank.force`),
+    /// where it is unique and not zero at all times.
     pub fn magnitudes(&self) -> Vec<Series> {
-        let (layout, drives) = (self.system.layout(), self.drives());
+        let layout = self.system.layout();
+        let drives = self.drives();
         let of = |name: &&str| {
             let reaction = self.reaction(name).ok()?;
             let item = *reaction.touched().first()?;
-            let (mechanism, index) = (layout.mechanism, Some(item));
+            let mechanism = layout.mechanism;
+            let index = Some(item);
             let found = match layout.items[item].kind {
-                Kind::Planar => reaction.on(PlanarBody { mechanism, index }).and_then(|on| on.magnitude()),
+                Kind::Planar => {
+                    reaction.on(PlanarBody { mechanism, index }).and_then(|on| on.magnitude())
+                }
                 _ => reaction.on(SpatialBody { mechanism, index }).and_then(|on| on.magnitude()),
             };
             found.ok()
@@ -107,11 +114,15 @@ impl Forces<'_> {
 
     /// The components of a reaction that are unique, on each of its bodies.
     fn on_bodies(&self, reaction: &Reaction<'_>) -> Vec<Series> {
-        let (layout, mut all) = (self.system.layout(), Vec::new());
+        let layout = self.system.layout();
+        let mut all = Vec::new();
         for item in reaction.touched() {
-            let (mechanism, index) = (layout.mechanism, Some(item));
+            let mechanism = layout.mechanism;
+            let index = Some(item);
             let components = match layout.items[item].kind {
-                Kind::Planar => reaction.on(PlanarBody { mechanism, index }).map(|on| on.components()),
+                Kind::Planar => {
+                    reaction.on(PlanarBody { mechanism, index }).map(|on| on.components())
+                }
                 _ => reaction.on(SpatialBody { mechanism, index }).map(|on| on.components()),
             };
             all.extend(components.unwrap_or_default());
@@ -119,8 +130,8 @@ impl Forces<'_> {
         all
     }
 
-    /// Writes [`Forces::columns`] as CSV, making folders that are missing: t, then a column each, with
-    /// headers such as `A on crank.F_x [N]`; 17 significant digits.
+    /// Writes [`Forces::columns`] as CSV, making folders that are missing: t, then a column each,
+    /// with headers such as `A on crank.F_x [N]`; 17 significant digits.
     ///
     /// Errors: a folder or file that cannot be written, by its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {

@@ -25,7 +25,9 @@ impl Stand {
             let state = SpatialState::new(*q);
             return Stand { r: state.r, a: state.a };
         }
-        let Some(q) = q.first_chunk::<3>() else { return Stand { r: Vec3::zeros(), a: Mat3::identity() } };
+        let Some(q) = q.first_chunk::<3>() else {
+            return Stand { r: Vec3::zeros(), a: Mat3::identity() };
+        };
         let state = PlanarState::new(*q);
         let a = state.a();
         let a = Mat3::from([[a.m11, a.m12, 0.0], [a.m21, a.m22, 0.0], [0.0, 0.0, 1.0]]);
@@ -39,8 +41,8 @@ impl Stand {
 }
 
 impl Wrench {
-    /// Of the generalised forces on the coordinates of a planar or spatial body, about its origin, in global
-    /// axes.
+    /// Of the generalised forces on the coordinates of a planar or spatial body, about its origin,
+    /// in global axes.
     pub(super) fn of(q: &[f64], by_q: &[f64]) -> Wrench {
         match (q.first_chunk::<7>(), by_q.first_chunk::<7>(), by_q.first_chunk::<3>()) {
             (Some(q), Some(by_q), _) => {
@@ -69,7 +71,8 @@ impl Wrench {
 
     /// Force, then torque.
     pub(super) fn components(self) -> [f64; 6] {
-        let ([x, y, z], [a, b, c]) = (self.force.to_array(), self.torque.to_array());
+        let [x, y, z] = self.force.to_array();
+        let [a, b, c] = self.torque.to_array();
         [x, y, z, a, b, c]
     }
 

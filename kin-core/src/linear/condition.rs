@@ -1,5 +1,5 @@
-//! How near a factored matrix is to a singular one, by inverse iteration with the recorded program and its
-//! transpose.
+//! How near a factored matrix is to a singular one, by inverse iteration with the recorded program
+//! and its transpose.
 
 use super::Linear;
 use crate::numbers::random::Random;
@@ -9,21 +9,21 @@ const ROUNDS: usize = 3;
 const ROUNDS_SHOWN: usize = 30;
 
 impl Linear {
-    /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix by the
-    /// measures of its rows and columns; not finite where it overflows.   \[-\]
+    /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix
+    /// by the measures of its rows and columns; not finite where it overflows.   \[-\]
     pub(crate) fn condition(&mut self) -> f64 {
         let [largest, smallest] = self.nearly_null_after(ROUNDS).2;
         largest / smallest
     }
 
-    /// Estimates of the largest singular value of the matrix by the measures of its rows and columns (from
-    /// below), and of the smallest (from above).   \[-\]
+    /// Estimates of the largest singular value of the matrix by the measures of its rows and
+    /// columns (from below), and of the smallest (from above).   \[-\]
     pub(crate) fn singular_values(&mut self) -> [f64; 2] {
         self.nearly_null_after(ROUNDS_SHOWN).2
     }
 
-    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and columns,
-    /// and the largest and the smallest singular value.
+    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and
+    /// columns, and the largest and the smallest singular value.
     pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
         self.nearly_null_after(ROUNDS)
     }
@@ -32,8 +32,10 @@ impl Linear {
         let rhs = self.rhs_mut().to_vec();
         let mut random = Random::new(0);
         let mut left: Vec<f64> = (0..self.n).map(|_| sign_and_size(&mut random)).collect();
-        let (mut inverse, mut direct) = (0.0_f64, 0.0_f64);
-        let (mut v, mut right) = (left.clone(), Vec::new());
+        let mut inverse = 0.0_f64;
+        let mut direct = 0.0_f64;
+        let mut v = left.clone();
+        let mut right = Vec::new();
         // Each length is no less than the one before it.
         for _ in 0..rounds {
             self.apply_inverse(&mut left);
@@ -77,7 +79,8 @@ impl Linear {
     /// The solution of Aᵀ x = b with the factors at hand.
     pub(crate) fn solved_transposed(&self, b: &[f64]) -> Vec<f64> {
         let mut adjoint = vec![0.0; self.memory.len()];
-        let (rhs, solution) = (self.places.rhs as usize, self.places.solution as usize);
+        let rhs = self.places.rhs as usize;
+        let solution = self.places.solution as usize;
         adjoint[solution..][..self.n].copy_from_slice(&b[..self.n]);
         if let Some(recording) = &self.recording {
             recording.solve.run_transposed(&self.memory, &mut adjoint);
@@ -89,7 +92,8 @@ impl Linear {
     fn apply(&self, v: &[f64], transposed: bool) -> Vec<f64> {
         let mut product = vec![0.0; self.n];
         for (entry, value) in self.entries.iter().zip(self.values()) {
-            let Some((row, column)) = entry.map(|(row, column)| (row as usize, column as usize)) else {
+            let Some((row, column)) = entry.map(|(row, column)| (row as usize, column as usize))
+            else {
                 continue;
             };
             let value = self.row_units[row] * value * self.column_units[column];
@@ -102,7 +106,8 @@ impl Linear {
 
 /// Makes |v| = 1 and gives what it was; what is not finite counts as infinite.
 fn normalise(v: &mut [f64]) -> f64 {
-    let largest = v.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::INFINITY } else { m.max(x.abs()) });
+    let largest =
+        v.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::INFINITY } else { m.max(x.abs()) });
     if largest == 0.0 || !largest.is_finite() {
         return largest;
     }

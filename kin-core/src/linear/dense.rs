@@ -1,4 +1,5 @@
-//! A small matrix, eliminated at once: where each matrix is far from the one before, recording does not pay.
+//! A small matrix, eliminated at once: where each matrix is far from the one before, recording does
+//! not pay.
 
 /// A pivot below this is zero, of a matrix whose rows and columns are of order 1.   \[-\]
 const SINGULAR: f64 = 1e-13;
@@ -31,7 +32,8 @@ impl Dense {
 
     /// The solution, by elimination with row pivots; `None` of a singular matrix.
     pub(crate) fn solve(&mut self) -> Option<&[f64]> {
-        let (n, width) = (self.n, self.n + 1);
+        let n = self.n;
+        let width = self.n + 1;
         for k in 0..n {
             let size = |row: &usize| self.rows[row * width + k].abs();
             let pivot = (k..n).max_by(|a, b| size(a).total_cmp(&size(b)))?;
@@ -52,7 +54,8 @@ impl Dense {
             }
         }
         for (k, row) in self.rows.chunks_exact(width).enumerate().rev() {
-            let known: f64 = row[k + 1..n].iter().zip(&self.solution[k + 1..]).map(|(a, x)| a * x).sum();
+            let known: f64 =
+                row[k + 1..n].iter().zip(&self.solution[k + 1..]).map(|(a, x)| a * x).sum();
             self.solution[k] = (row[n] - known) / row[k];
         }
         Some(&self.solution)
@@ -65,7 +68,11 @@ mod tests {
 
     #[test]
     fn solution_is_that_of_another_elimination() {
-        let a = nalgebra::DMatrix::from_row_slice(3, 3, &[0.0, 2.0, 1.0, 1.0, -0.5, 0.0, 0.3, 1.0, -1.0]);
+        let a = nalgebra::DMatrix::from_row_slice(
+            3,
+            3,
+            &[0.0, 2.0, 1.0, 1.0, -0.5, 0.0, 0.3, 1.0, -1.0],
+        );
         let b = nalgebra::DVector::from_vec(vec![1.0, -1.0, 2.0]);
         let exact = a.clone().lu().solve(&b).unwrap();
         let entries = || (0..9).map(|k| (k / 3, k % 3, a[(k / 3, k % 3)]));

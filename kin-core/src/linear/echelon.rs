@@ -1,14 +1,16 @@
 //! Rank of a sparse matrix of any shape, and what it takes to zero from either side.
 //!
-//! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest entry of what
-//! remains: large mechanisms stay sparse, and the last pivots, which decide on the rank, are found by
-//! complete pivoting. Rows and columns must be scaled to order 1.
+//! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest
+//! entry of what remains: large mechanisms stay sparse, and the last pivots, which decide on the
+//! rank, are found by complete pivoting. Rows and columns must be scaled to order 1.
 
-/// A pivot below this counts as zero, as a rule: rounding ε of C moves q by ε / pivot, and so the pivot by
-/// about as much, which is itself at √ε = 1.5e-8. Solver and diagnosis have this cut alone.   \[-\]
+/// A pivot below this counts as zero, as a rule: rounding ε of C moves q by ε / pivot, and so the
+/// pivot by about as much, which is itself at √ε = 1.5e-8. Solver and diagnosis have this cut
+/// alone.   \[-\]
 pub(crate) const RANK: f64 = 1e-7;
 
-/// Sparse pivots are at least this, and at least [`THRESHOLD`] of the largest entry of their row.   \[-\]
+/// Sparse pivots are at least this, and at least [`THRESHOLD`] of the largest entry of their
+/// row.   \[-\]
 const SAFE: f64 = 0.02;
 const THRESHOLD: f64 = 0.1;
 
@@ -43,8 +45,8 @@ struct Step {
 }
 
 impl Echelon {
-    /// Eliminates the rows, each by its columns and values; repeated columns add up. Pivots below `least`
-    /// count as zero ([`RANK`] as a rule).
+    /// Eliminates the rows, each by its columns and values; repeated columns add up. Pivots below
+    /// `least` count as zero ([`RANK`] as a rule).
     pub(crate) fn new(rows: Vec<Sparse>, n: usize, least: f64) -> Self {
         Self::of_rank_at_most(rows, n, least, n)
     }
@@ -68,7 +70,8 @@ impl Echelon {
                 None => break 0.0,
             }
         };
-        let smallest = steps.iter().fold(f64::INFINITY, |least, step: &Step| least.min(step.pivot.abs()));
+        let smallest =
+            steps.iter().fold(f64::INFINITY, |least, step: &Step| least.min(step.pivot.abs()));
         let open = |open: &[bool]| (0..open.len()).filter(|k| open[*k]).collect();
         Echelon {
             free_rows: open(&work.open_rows),
@@ -103,7 +106,12 @@ impl Echelon {
         self.space(&self.free_rows, self.shape.0, |step| (step.row, &step.lower, 1.0))
     }
 
-    fn space(&self, free: &[usize], size: usize, of: fn(&Step) -> (usize, &Sparse, f64)) -> Vec<Sparse> {
+    fn space(
+        &self,
+        free: &[usize],
+        size: usize,
+        of: fn(&Step) -> (usize, &Sparse, f64),
+    ) -> Vec<Sparse> {
         let mut x = vec![0.0; size];
         let vector = |free: &usize| {
             x[*free] = 1.0;
@@ -222,8 +230,9 @@ impl Work {
     /// The largest entry that is left.
     fn largest(&self) -> Option<(usize, usize, f64)> {
         let open = (0..self.rows.len()).filter(|row| self.open_rows[*row]);
-        let entries = open
-            .flat_map(|row| self.rows[row].iter().map(move |(column, value)| (row, *column, value.abs())));
+        let entries = open.flat_map(|row| {
+            self.rows[row].iter().map(move |(column, value)| (row, *column, value.abs()))
+        });
         entries.reduce(|best, next| if next.2 > best.2 { next } else { best })
     }
 
@@ -253,7 +262,8 @@ impl Work {
     fn subtract(&mut self, row: usize, factor: f64, upper: &Sparse) {
         let old = std::mem::take(&mut self.rows[row]);
         let mut new = Vec::with_capacity(old.len() + upper.len());
-        let (mut a, mut b) = (old.into_iter().peekable(), upper.iter().copied().peekable());
+        let mut a = old.into_iter().peekable();
+        let mut b = upper.iter().copied().peekable();
         loop {
             let (column, value, fresh) = match (a.peek().copied(), b.peek().copied()) {
                 (Some((i, x)), Some((j, y))) if i == j => (i, x - factor * y, false),
@@ -281,10 +291,10 @@ impl Work {
     }
 }
 
-/// The basis of the same space in which each vector has an index of its own, where it is 1 and the others are
-/// 0: the first indices in the order of preference that allow it. By that the basis, and so what is told of
-/// it, does not depend on how the space was found. Gives each index with its vector, in the order of
-/// preference.
+/// The basis of the same space in which each vector has an index of its own, where it is 1 and the
+/// others are 0: the first indices in the order of preference that allow it. By that the basis, and
+/// so what is told of it, does not depend on how the space was found. Gives each index with its
+/// vector, in the order of preference.
 pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(usize, Sparse)> {
     /// More vectors than this are told as they were found.
     const LARGEST: usize = 300;
@@ -303,7 +313,9 @@ pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(
             break;
         }
         let share = |x: &Vec<f64>| x[index].abs() / x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let Some(best) = (0..open.len()).max_by(|a, b| share(&open[*a]).total_cmp(&share(&open[*b]))) else {
+        let Some(best) =
+            (0..open.len()).max_by(|a, b| share(&open[*a]).total_cmp(&share(&open[*b])))
+        else {
             break;
         };
         if share(&open[best]).is_nan() || share(&open[best]) < PIVOT {
@@ -382,12 +394,19 @@ mod tests {
     #[test]
     fn reduced_basis_does_not_depend_on_the_one_given() {
         let a = vec![vec![(0, 1.0), (2, 1.0)], vec![(1, 1.0), (2, -1.0), (3, 2.0)]];
-        let b = vec![vec![(0, 1.0), (1, 1.0), (3, 2.0)], vec![(0, 2.0), (1, -1.0), (2, 3.0), (3, -2.0)]];
+        let b = vec![
+            vec![(0, 1.0), (1, 1.0), (3, 2.0)],
+            vec![(0, 2.0), (1, -1.0), (2, 3.0), (3, -2.0)],
+        ];
         let order = [3, 2, 1, 0];
-        let (from_a, from_b) = (reduced(a, 4, &order), reduced(b, 4, &order));
+        let from_a = reduced(a, 4, &order);
+        let from_b = reduced(b, 4, &order);
         assert_eq!(from_a.iter().map(|(k, _)| *k).collect::<Vec<_>>(), [3, 2]);
         for ((_, x), (_, y)) in from_a.iter().zip(&from_b) {
-            assert!(x.iter().zip(y).all(|((i, x), (j, y))| i == j && (x - y).abs() < 1e-14), "{x:?} {y:?}");
+            assert!(
+                x.iter().zip(y).all(|((i, x), (j, y))| i == j && (x - y).abs() < 1e-14),
+                "{x:?} {y:?}"
+            );
         }
     }
 

@@ -1,12 +1,12 @@
-//! More equations than unknowns that agree with one another: as many independent ones are solved, the others
-//! are met or they are not.
+//! More equations than unknowns that agree with one another: as many independent ones are solved,
+//! the others are met or they are not.
 
 use std::collections::BTreeMap;
 
 use super::{Echelon, Linear, RANK, Sparse};
 
-/// Rows are chosen anew where the smallest pivot of those in use has faded to this share of what it has
-/// been.   \[-\]
+/// Rows are chosen anew where the smallest pivot of those in use has faded to this share of what it
+/// has been.   \[-\]
 const FADED: f64 = 0.3;
 
 /// A row that is this many times another one in the sum that makes it takes its place.   \[-\]
@@ -14,9 +14,9 @@ const LARGER: f64 = 1.5;
 
 /// A x = b for an m × n matrix of rank n whose equations agree, rows and columns of order 1.
 ///
-/// Which equations are superfluous changes on the way: rows are chosen whose determinant is large, and chosen
-/// anew before those in use become dependent. Half the work of least squares ([`super::LeastSquares`]), which
-/// equations that contradict one another need.
+/// Which equations are superfluous changes on the way: rows are chosen whose determinant is large,
+/// and chosen anew before those in use become dependent. Half the work of least squares
+/// ([`super::LeastSquares`]), which equations that contradict one another need.
 #[derive(Clone)]
 pub(crate) struct Independent {
     m: usize,
@@ -55,8 +55,11 @@ impl Independent {
     #[cold]
     fn choose(&mut self) -> bool {
         let mut rows = vec![Sparse::new(); self.m];
-        for ((row, column), value) in
-            self.places.iter().zip(&self.values).filter_map(|(place, value)| Some(((*place)?, *value)))
+        for ((row, column), value) in self
+            .places
+            .iter()
+            .zip(&self.values)
+            .filter_map(|(place, value)| Some(((*place)?, *value)))
         {
             rows[row].push((column, value));
         }
@@ -101,24 +104,27 @@ impl Independent {
         let Some(Chosen { rows, linear, others, .. }) = &self.chosen else { return };
         let x = linear.solution();
         rows.iter().for_each(|row| left[*row] = 0.0);
-        others.iter().for_each(|(row, column, value)| left[*row] -= self.values[*value] * x[*column]);
+        others
+            .iter()
+            .for_each(|(row, column, value)| left[*row] -= self.values[*value] * x[*column]);
     }
 }
 
-/// The rows that are left out, each with the sum of the others that it is: first as the elimination has left
-/// them, then exchanged with a row of their sum as long as that makes the determinant of those that stay
-/// larger.
+/// The rows that are left out, each with the sum of the others that it is: first as the elimination
+/// has left them, then exchanged with a row of their sum as long as that makes the determinant of
+/// those that stay larger.
 fn exchanged(echelon: &Echelon) -> BTreeMap<usize, BTreeMap<usize, f64>> {
     let sums = echelon.free_rows.iter().zip(echelon.left_null_space()).map(|(free, vector)| {
-        let others = vector.into_iter().filter(|(row, _)| row != free).map(|(row, factor)| (row, -factor));
+        let others =
+            vector.into_iter().filter(|(row, _)| row != free).map(|(row, factor)| (row, -factor));
         (*free, others.collect())
     });
     let mut sums: BTreeMap<usize, BTreeMap<usize, f64>> = sums.collect();
     // Each exchange multiplies the determinant, whose largest value is bounded.
     for _ in 0..16 * sums.len() {
-        let all = sums
-            .iter()
-            .flat_map(|(free, sum)| sum.iter().map(move |(row, factor)| (*free, *row, factor.abs())));
+        let all = sums.iter().flat_map(|(free, sum)| {
+            sum.iter().map(move |(row, factor)| (*free, *row, factor.abs()))
+        });
         match all.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, factor)| *factor > LARGER) {
             Some((free, row, _)) => exchange(&mut sums, free, row),
             None => break,
@@ -137,7 +143,9 @@ fn exchange(sums: &mut BTreeMap<usize, BTreeMap<usize, f64>>, free: usize, row: 
     instead.insert(free, factor.recip());
     for sum in sums.values_mut() {
         if let Some(share) = sum.remove(&row) {
-            instead.iter().for_each(|(other, part)| *sum.entry(*other).or_insert(0.0) += share * part);
+            instead
+                .iter()
+                .for_each(|(other, part)| *sum.entry(*other).or_insert(0.0) += share * part);
         }
     }
     sums.insert(row, instead);
@@ -145,7 +153,9 @@ fn exchange(sums: &mut BTreeMap<usize, BTreeMap<usize, f64>>, free: usize, row: 
 
 impl Chosen {
     fn new(n: usize, rows: Vec<usize>, places: &[Option<(usize, usize)>]) -> Self {
-        let (mut inside, mut pattern, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        let mut inside = Vec::new();
+        let mut pattern = Vec::new();
+        let mut others = Vec::new();
         for (number, (row, column)) in
             places.iter().enumerate().filter_map(|(number, place)| Some((number, (*place)?)))
         {
@@ -164,7 +174,11 @@ impl Chosen {
     /// Factors the rows; false if they have faded.
     fn factor(&mut self, values: &[f64]) -> bool {
         let linear = &mut self.linear;
-        linear.values_mut().iter_mut().zip(&self.inside).for_each(|(place, number)| *place = values[*number]);
+        linear
+            .values_mut()
+            .iter_mut()
+            .zip(&self.inside)
+            .for_each(|(place, number)| *place = values[*number]);
         if !(linear.measure() && linear.factor()) {
             return false;
         }
@@ -178,10 +192,11 @@ impl Chosen {
 mod tests {
     use super::*;
 
-    /// Rows (cos s, sin s), (−sin s, cos s) and their sum: any two of them will do, and each is the one to
-    /// leave out somewhere.
+    /// Rows (cos s, sin s), (−sin s, cos s) and their sum: any two of them will do, and each is the
+    /// one to leave out somewhere.
     fn turned(s: f64) -> ([f64; 6], [f64; 3]) {
-        let ((sin, cos), x) = (s.sin_cos(), [0.3, -2.0]);
+        let (sin, cos) = s.sin_cos();
+        let x = [0.3, -2.0];
         let rows = [[cos, sin], [0.1 - sin, cos], [cos + 0.1 - sin, sin + cos]];
         (rows.as_flattened().try_into().unwrap(), rows.map(|[a, b]| a * x[0] + b * x[1]))
     }
@@ -205,7 +220,8 @@ mod tests {
     #[test]
     fn equations_that_do_not_agree_are_seen() {
         let places: Vec<_> = (0..6).map(|k| Some((k / 2, k % 2))).collect();
-        let (mut independent, (a, mut b)) = (Independent::new(3, 2, &places), turned(0.4));
+        let mut independent = Independent::new(3, 2, &places);
+        let (a, mut b) = turned(0.4);
         assert!(independent.factor(a.iter().copied()));
         b[2] += 1e-3;
         independent.solve(&b);
@@ -216,6 +232,8 @@ mod tests {
     #[test]
     fn too_few_independent_rows_are_told() {
         let places: Vec<_> = (0..6).map(|k| Some((k / 2, k % 2))).collect();
-        assert!(!Independent::new(3, 2, &places).factor([1.0, 2.0, 2.0, 4.0, -0.5, -1.0].into_iter()));
+        assert!(
+            !Independent::new(3, 2, &places).factor([1.0, 2.0, 2.0, 4.0, -0.5, -1.0].into_iter())
+        );
     }
 }

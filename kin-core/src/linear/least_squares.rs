@@ -2,7 +2,8 @@
 
 use super::Linear;
 
-/// min |A x − b|² + λ |x|² by \[I, A; Aᵀ, −λ I\] (r, x) = (b, 0), which does not square the condition of A.
+/// min |A x − b|² + λ |x|² by \[I, A; Aᵀ, −λ I\] (r, x) = (b, 0), which does not square the
+/// condition of A.
 ///
 /// Rows and columns of A should be of order 1. With λ = 0 the columns must be independent.
 #[derive(Clone)]
@@ -13,7 +14,8 @@ pub(crate) struct LeastSquares {
 }
 
 impl LeastSquares {
-    /// An m × n matrix with one value for each place; `None` stands nowhere, repeated places add up.
+    /// An m × n matrix with one value for each place; `None` stands nowhere, repeated places add
+    /// up.
     pub(crate) fn new(m: usize, n: usize, places: &[Option<(usize, usize)>]) -> Self {
         let identity = (0..m).map(|i| Some((i, i)));
         let damping = (0..n).map(|j| Some((m + j, m + j)));
@@ -36,8 +38,8 @@ impl LeastSquares {
         self.factor_again(values, damping)
     }
 
-    /// The same where the values are near those of the last time: the elimination that was recorded for them
-    /// is tried first.
+    /// The same where the values are near those of the last time: the elimination that was recorded
+    /// for them is tried first.
     pub(crate) fn factor_again(&mut self, values: impl Iterator<Item = f64>, damping: f64) -> bool {
         let (identity, rest) = self.linear.values_mut().split_at_mut(self.m);
         let (below, places) = rest.split_at_mut(self.n);

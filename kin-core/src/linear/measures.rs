@@ -46,8 +46,8 @@ impl Linear {
         self.provisional = false;
     }
 
-    /// Rows and columns are what they were when they were last confirmed: what was seen of them since was not
-    /// on the way.
+    /// Rows and columns are what they were when they were last confirmed: what was seen of them
+    /// since was not on the way.
     pub(crate) fn revoke(&mut self) {
         if std::mem::take(&mut self.provisional) {
             self.norms.copy_from_slice(&self.confirmed[0]);
@@ -56,8 +56,8 @@ impl Linear {
         }
     }
 
-    /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one of them is
-    /// not finite.
+    /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one
+    /// of them is not finite.
     pub(crate) fn measure(&mut self) -> bool {
         padded::inside(self.memory[..self.places.rhs as usize].as_chunks().0, self.limits.whole())
             || self.measure_anew()
@@ -79,7 +79,9 @@ impl Linear {
         for (i, _, size) in self.sorted.chunk_by(same_place).map(size) {
             self.norms[i] = self.norms[i].max(size);
         }
-        for (i, j, size) in self.sorted.chunk_by(same_place).map(size).filter(|(_, _, size)| *size > 0.0) {
+        for (i, j, size) in
+            self.sorted.chunk_by(same_place).map(size).filter(|(_, _, size)| *size > 0.0)
+        {
             self.tops[j] = self.tops[j].max(size / self.norms[i]);
         }
         self.set_units();

@@ -78,7 +78,8 @@ fn nothing_is_singular_about_no_coordinates() {
     linear.solve();
 }
 
-/// The measures of rows and columns are of order 1; the largest singular value still grows with their number.
+/// The measures of rows and columns are of order 1; the largest singular value still grows with
+/// their number.
 #[test]
 fn condition_counts_the_largest_singular_value_and_the_smallest() {
     let mut random = crate::numbers::random::Random::new(3);

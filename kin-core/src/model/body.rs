@@ -52,7 +52,8 @@ pub trait Body {
     #[doc(hidden)]
     fn target(self) -> Target;
 
-    /// r, v, a and jerk of the local point u on this course of the body (without q⃛ the jerk means nothing).
+    /// r, v, a and jerk of the local point u on this course of the body (without q⃛ the jerk means
+    /// nothing).
     #[doc(hidden)]
     fn point(u: Self::Vector, course: Course<'_>) -> [Self::Vector; 4];
 
@@ -72,15 +73,18 @@ impl Body for PlanarBody {
         Target::Planar(self)
     }
 
-    /// r = R + A ū, v = Ṙ + θ̇ A_θ ū, a = R̈ + θ̈ A_θ ū − θ̇² A ū (lecture, "Velocity" and "Acceleration"),
-    /// and from there ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
+    /// r = R + A ū, v = Ṙ + θ̇ A_θ ū, a = R̈ + θ̈ A_θ ū − θ̇² A ū (lecture, "Velocity" and
+    /// "Acceleration"), and from there ȧ = R⃛ + (θ⃛ − θ̇³) A_θ ū − 3 θ̇ θ̈ A ū
     fn point(u: Vec2, Course { q, qd, qdd, qddd }: Course<'_>) -> [Vec2; 4] {
-        let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else { return still(u) };
+        let (&[x, y, theta], &[vx, vy, w], &[ax, ay, alpha]) = (q, qd, qdd) else {
+            return still(u);
+        };
         let [jx, jy, zeta] = qddd.first_chunk().copied().unwrap_or_default();
         let au = PlanarState::new([x, y, theta]).direction(u);
         // A_θ ū, the 90° turn of A ū
         let turned = Vec2::new(-au.y, au.x);
-        let (across, along) = (zeta - w * w * w, 3.0 * w * alpha);
+        let across = zeta - w * w * w;
+        let along = 3.0 * w * alpha;
         [
             Vec2::new(x + au.x, y + au.y),
             Vec2::new(vx + w * turned.x, vy + w * turned.y),
@@ -137,7 +141,8 @@ impl Body for SpatialBody {
     fn point(u: Vec3, course: Course<'_>) -> [Vec3; 4] {
         let Some(jets) = jets(course) else { return still(u) };
         let r = SpatialState::new(jets).point(u);
-        let order = |part: fn(&Dual3_64) -> f64| Vec3::new(part(&r.x.0), part(&r.y.0), part(&r.z.0));
+        let order =
+            |part: fn(&Dual3_64) -> f64| Vec3::new(part(&r.x.0), part(&r.y.0), part(&r.z.0));
         [order(|x| x.re), order(|x| x.v1), order(|x| x.v2), order(|x| x.v3)]
     }
 
@@ -155,12 +160,13 @@ fn still<V: Default>(u: V) -> [V; 4] {
     [u, V::default(), V::default(), V::default()]
 }
 
-/// The coordinates of a body as they move (with q⃛ zero if it is not there); `None` without N of each of the
-/// others.
+/// The coordinates of a body as they move (with q⃛ zero if it is not there); `None` without N of
+/// each of the others.
 fn jets<const N: usize>(course: Course<'_>) -> Option<[Real<Dual3_64>; N]> {
     let qddd = course.qddd.first_chunk().unwrap_or(&[0.0; N]);
-    let (q, qd, qdd) =
-        (course.q.first_chunk::<N>()?, course.qd.first_chunk::<N>()?, course.qdd.first_chunk::<N>()?);
+    let q = course.q.first_chunk::<N>()?;
+    let qd = course.qd.first_chunk::<N>()?;
+    let qdd = course.qdd.first_chunk::<N>()?;
     Some(std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], qddd[k]))))
 }
 
@@ -188,21 +194,32 @@ mod tests {
 
     #[test]
     fn spatial_point_turns_like_the_planar_one_about_z() {
-        let (theta, w, alpha) = (0.7_f64, 1.3, -2.0);
+        let theta = 0.7_f64;
+        let w = 1.3;
+        let alpha = -2.0;
         let (s, c) = (0.5 * theta).sin_cos();
         // p = (cos θ/2, 0, 0, sin θ/2)
         let p = [c, 0.0, 0.0, s];
         let pd = [-0.5 * w * s, 0.0, 0.0, 0.5 * w * c];
-        let pdd = [-0.5 * alpha * s - 0.25 * w * w * c, 0.0, 0.0, 0.5 * alpha * c - 0.25 * w * w * s];
+        let pdd =
+            [-0.5 * alpha * s - 0.25 * w * w * c, 0.0, 0.0, 0.5 * alpha * c - 0.25 * w * w * s];
         let join = |r: [f64; 3], p: [f64; 4]| [r[0], r[1], r[2], p[0], p[1], p[2], p[3]];
-        let orders = [join([0.3, -1.2, 5.0], p), join([0.7, 0.2, 0.0], pd), join([1.5, -0.4, 0.0], pdd)];
+        let orders =
+            [join([0.3, -1.2, 5.0], p), join([0.7, 0.2, 0.0], pd), join([1.5, -0.4, 0.0], pdd)];
         let [q, qd, qdd] = &orders;
-        let spatial = SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), Course { q, qd, qdd, qddd: &[] });
+        let spatial =
+            SpatialBody::point(Vec3::new(0.4, -0.9, 0.2), Course { q, qd, qdd, qddd: &[] });
         let planar = PlanarBody::point(
             Vec2::new(0.4, -0.9),
-            Course { q: &[0.3, -1.2, theta], qd: &[0.7, 0.2, w], qdd: &[1.5, -0.4, alpha], qddd: &[] },
+            Course {
+                q: &[0.3, -1.2, theta],
+                qd: &[0.7, 0.2, w],
+                qdd: &[1.5, -0.4, alpha],
+                qddd: &[],
+            },
         );
-        let (spatial, planar) = (&spatial[..3], &planar[..3]);
+        let spatial = &spatial[..3];
+        let planar = &planar[..3];
         for (spatial, planar) in spatial.iter().zip(planar) {
             assert!((spatial.x - planar.x).abs() < 1e-14 && (spatial.y - planar.y).abs() < 1e-14);
         }

@@ -61,7 +61,8 @@ impl Describer {
         self.text.is_some()
     }
 
-    /// Parts that the text of the equation speaks of and cannot take along; none where there is no text.
+    /// Parts that the text of the equation speaks of and cannot take along; none where there is no
+    /// text.
     pub fn lacking(&self) -> &[String] {
         if self.text.is_some() { &self.lacking } else { &[] }
     }

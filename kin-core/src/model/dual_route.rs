@@ -1,20 +1,22 @@
 //! The second route: a constraint's own equation, evaluated with dual numbers.
 //!
-//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole right side
-//! −g″(0); `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along the motion the right
-//! side for the jerk.
+//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole
+//! right side −g″(0); `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along
+//! the motion the right side for the jerk.
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 use crate::model::blame::{Asked, Blame};
-use crate::model::constraint::{Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written};
+use crate::model::constraint::{
+    Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written,
+};
 use crate::model::coordinates::Argument;
 use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Real};
 
-/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows. Written by
-/// `#[constraint]`.
+/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows.
+/// Written by `#[constraint]`.
 pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
     /// Kinds of its arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
@@ -28,7 +30,8 @@ pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static
         Real::from(f64::NAN)
     }
 
-    /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central differences.
+    /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central
+    /// differences.
     fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
 }
 
@@ -110,7 +113,8 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
     }
 }
 
-/// The answers of its own route, but for the formula: a run on the dual route evaluates the user's body.
+/// The answers of its own route, but for the formula: a run on the dual route evaluates the user's
+/// body.
 impl<E: Equation<N, M>, const N: usize, const M: usize> Written for ByDual<E, N, M> {
     fn attachments(&self) -> Vec<Attachment> {
         self.0.parts().written.map(|own| own.attachments()).unwrap_or_default()
@@ -129,7 +133,11 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Written for ByDual<E, N,
 }
 
 /// C(q, t) with plain numbers.
-pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(equation: &E, at: &At<'_>, c: &mut [f64]) {
+pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(
+    equation: &E,
+    at: &At<'_>,
+    c: &mut [f64],
+) {
     let q = coordinates::<N>(E::ARGUMENTS, at).map(Real::<f64>::from);
     write(c, equation.evaluate(&q, Real::from(at.t)).map(|x| x.0));
 }
@@ -140,14 +148,16 @@ pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(
     at: &At<'_>,
     c_q: &mut [f64],
 ) {
-    let (q, pattern) = (coordinates::<N>(E::ARGUMENTS, at), equation.facts().pattern);
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let pattern = equation.facts().pattern;
     for column in 0..N {
-        let seeded =
-            std::array::from_fn(
-                |k| if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) },
-            );
+        let seeded = std::array::from_fn(|k| {
+            if k == column { Real(Dual64::new(q[k], 1.0)) } else { Real::from(q[k]) }
+        });
         let c = equation.evaluate(&seeded, Real::from(at.t));
-        for (value, entry) in c_q.iter_mut().zip(pattern).filter(|(_, entry)| entry.column == column) {
+        for (value, entry) in
+            c_q.iter_mut().zip(pattern).filter(|(_, entry)| entry.column == column)
+        {
             *value = c[entry.row].0.eps;
         }
     }
@@ -171,7 +181,8 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     t_dot: f64,
     q_d: &mut [f64],
 ) {
-    let (q, qd) = (coordinates::<N>(E::ARGUMENTS, at), self::rates::<N>(E::ARGUMENTS, qd));
+    let q = coordinates::<N>(E::ARGUMENTS, at);
+    let qd = self::rates::<N>(E::ARGUMENTS, qd);
     let seeded = std::array::from_fn(|k| Real(Dual2_64::new(q[k], qd[k], 0.0)));
     write(q_d, equation.evaluate(&seeded, Real(Dual2_64::new(at.t, t_dot, 0.0))).map(|x| -x.0.v2));
 }
@@ -187,8 +198,8 @@ pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(
     equation.evaluate(&seeded, Real(HyperDual64::along_second(t, 1.0))).map(|x| x.0.eps1eps2)
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It is always
-/// known.
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It
+/// is always known.
 pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -199,12 +210,15 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     let q = coordinates::<N>(E::ARGUMENTS, at);
     let [qd, qdd] = [qd, qdd].map(|rates| self::rates::<N>(E::ARGUMENTS, rates));
     let seeded = std::array::from_fn(|k| Real(Dual3_64::new(q[k], qd[k], qdd[k], 0.0)));
-    write(rhs, equation.evaluate(&seeded, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3));
+    write(
+        rhs,
+        equation.evaluate(&seeded, Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0))).map(|x| -x.0.v3),
+    );
     true
 }
 
-/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one `Dual3_64`
-/// evaluation.
+/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one
+/// `Dual3_64` evaluation.
 pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     k: usize,
@@ -228,8 +242,8 @@ fn rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N]
     gather(arguments, |k, n| qd.columns(k, n))
 }
 
-/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. Numbers that an
-/// argument has not are zero.
+/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. Numbers
+/// that an argument has not are zero.
 fn gather<'a, const N: usize>(
     arguments: &[ArgumentKind],
     numbers: impl Fn(usize, usize) -> &'a [f64],

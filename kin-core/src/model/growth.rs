@@ -5,8 +5,8 @@ use std::fmt;
 use crate::model::units::Units;
 use crate::model::words;
 
-/// How the force or torque of one constraint grows towards a singular position of a motion: as |t − t*| to a
-/// power below zero ([`crate::Forces::growth`]).
+/// How the force or torque of one constraint grows towards a singular position of a motion: as |t −
+/// t*| to a power below zero ([`crate::Forces::growth`]).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Growth {
@@ -45,7 +45,8 @@ impl Growth {
     fn fraction(&self) -> String {
         let size = self.power.abs();
         let parts = |below: &i32| (f64::from(*below) * size, *below);
-        let whole = DENOMINATORS.iter().map(parts).find(|(above, _)| (above - above.round()).abs() < 1e-9);
+        let whole =
+            DENOMINATORS.iter().map(parts).find(|(above, _)| (above - above.round()).abs() < 1e-9);
         let sign = if self.power < 0.0 { "−" } else { "" };
         match whole {
             Some((above, 1)) => format!("{sign}{above:.0}"),
@@ -58,7 +59,8 @@ impl Growth {
 impl fmt::Display for Growth {
     /// "`A`: forces grow without bound towards t = 0.5 s, as |t − t*|^(−1/2)"
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (constraint, at) = (&self.constraint, words::at(self.t, &self.units));
+        let constraint = &self.constraint;
+        let at = words::at(self.t, &self.units);
         write!(
             f,
             "`{constraint}`: forces grow without bound towards t = {at}, as |t − t*|^({})",
@@ -79,7 +81,9 @@ fn listed(growth: &[Growth]) -> String {
     let names = |power: f64| -> Vec<String> {
         growth.iter().filter(|one| one.power == power).map(|one| one.constraint.clone()).collect()
     };
-    let told = |one: &&Growth| format!("{} as |t − t*|^({})", words::list(&names(one.power)), one.fraction());
+    let told = |one: &&Growth| {
+        format!("{} as |t − t*|^({})", words::list(&names(one.power)), one.fraction())
+    };
     powers.iter().map(told).collect::<Vec<_>>().join(", ")
 }
 

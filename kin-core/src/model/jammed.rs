@@ -3,9 +3,9 @@
 use crate::model::units::Units;
 use crate::model::words;
 
-/// A mechanism that friction holds fast: no finite forces of its drives move it as the motion has it. As
-/// friction grows from nothing, forces grow beyond all bounds, or end, before it has its full size; beyond
-/// that a drive would have to pull where it pushes.
+/// A mechanism that friction holds fast: no finite forces of its drives move it as the motion has
+/// it. As friction grows from nothing, forces grow beyond all bounds, or end, before it has its
+/// full size; beyond that a drive would have to pull where it pushes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "t = {}: jammed: at {share:.3} of its friction `{constraint}` already needs forces without bound{}. Make the \
@@ -18,7 +18,8 @@ pub struct Jammed {
     pub constraint: String,
     /// The first time of the motion at which it is jammed.   \[s\]
     pub t: f64,
-    /// The share of all friction with which forces are without bound: 1 where it is about to jam.   \[-\]
+    /// The share of all friction with which forces are without bound: 1 where it is about to
+    /// jam.   \[-\]
     pub share: f64,
     /// The drives that work against it.
     pub drives: Vec<String>,
@@ -27,5 +28,9 @@ pub struct Jammed {
 }
 
 fn driven(drives: &[String]) -> String {
-    if drives.is_empty() { String::new() } else { format!(", whatever {} gives", words::list(drives)) }
+    if drives.is_empty() {
+        String::new()
+    } else {
+        format!(", whatever {} gives", words::list(drives))
+    }
 }

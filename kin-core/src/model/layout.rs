@@ -1,9 +1,11 @@
-//! The global coordinates: bodies and bare coordinates in the order of their declaration, with names and
-//! units.
+//! The global coordinates: bodies and bare coordinates in the order of their declaration, with
+//! names and units.
 
 use std::collections::HashSet;
 
-use crate::model::coordinates::{Argument, Coordinate, MechanismId, PlanarBody, SpatialBody, Target};
+use crate::model::coordinates::{
+    Argument, Coordinate, MechanismId, PlanarBody, SpatialBody, Target,
+};
 use crate::model::error::{Error, Result};
 use crate::model::units::{Unit, Units};
 
@@ -97,15 +99,24 @@ impl Layout {
     pub(crate) fn declare(&mut self, name: &str, kind: Kind) -> Result<usize> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName {
-                what: if kind == Kind::Planar || kind == Kind::Spatial { "body" } else { "coordinate" },
+                what: if kind == Kind::Planar || kind == Kind::Spatial {
+                    "body"
+                } else {
+                    "coordinate"
+                },
             });
         }
         let coordinates = kind.coordinates().iter().map(|(suffix, _)| format!("{name}{suffix}"));
         let fresh: Vec<String> = coordinates.collect();
-        if let Some(known) =
-            [name].into_iter().chain(fresh.iter().map(String::as_str)).find(|name| self.taken.contains(*name))
+        if let Some(known) = [name]
+            .into_iter()
+            .chain(fresh.iter().map(String::as_str))
+            .find(|name| self.taken.contains(*name))
         {
-            return Err(Error::DuplicateName { what: "bodies or coordinates", name: known.to_string() });
+            return Err(Error::DuplicateName {
+                what: "bodies or coordinates",
+                name: known.to_string(),
+            });
         }
         self.taken.insert(name.to_string());
         self.taken.extend(fresh.iter().cloned());
@@ -131,14 +142,16 @@ impl Layout {
 
     /// The handle of a body by the number of its item.
     pub(crate) fn target(&self, item: usize) -> Target {
-        let (mechanism, index) = (self.mechanism, Some(item));
+        let mechanism = self.mechanism;
+        let index = Some(item);
         match self.items.get(item).map(|item| item.kind) {
             Some(Kind::Spatial) => Target::Spatial(SpatialBody { mechanism, index }),
             _ => Target::Planar(PlanarBody { mechanism, index }),
         }
     }
 
-    /// The unit of coordinate `column` (`order` 0) or of one of its rates, in the mechanism's words.
+    /// The unit of coordinate `column` (`order` 0) or of one of its rates, in the mechanism's
+    /// words.
     pub(crate) fn unit(&self, column: usize, order: usize) -> String {
         self.units.get(column).map(|unit| self.words.text(*unit, order)).unwrap_or_default()
     }
@@ -161,9 +174,12 @@ impl Layout {
     pub(crate) fn coordinate(&self, coordinate: &Coordinate) -> Option<Place> {
         match *coordinate {
             Coordinate::Own { mechanism, index } => {
-                let item =
-                    self.items.get(index).filter(|item| matches!(item.kind, Kind::Angle | Kind::Length))?;
-                (mechanism == self.mechanism).then_some(Place::Own { item: index, first: item.first })
+                let item = self
+                    .items
+                    .get(index)
+                    .filter(|item| matches!(item.kind, Kind::Angle | Kind::Length))?;
+                (mechanism == self.mechanism)
+                    .then_some(Place::Own { item: index, first: item.first })
             }
             Coordinate::Planar(body, axis) if axis < 3 => {
                 Some(self.body(body.mechanism, body.index, Kind::Planar)?.axis(axis, 0.0))
@@ -178,7 +194,10 @@ impl Layout {
 
     fn body(&self, mechanism: MechanismId, index: Option<usize>, kind: Kind) -> Option<Place> {
         let Some(index) = index else { return Some(Place::Ground(0.0)) };
-        let item = self.items.get(index).filter(|item| item.kind == kind && mechanism == self.mechanism)?;
+        let item = self
+            .items
+            .get(index)
+            .filter(|item| item.kind == kind && mechanism == self.mechanism)?;
         Some(Place::Own { item: index, first: item.first })
     }
 
@@ -239,7 +258,10 @@ mod tests {
     fn coordinates_come_in_the_order_of_declaration() {
         let layout = three();
         assert_eq!(layout.names[..4], ["crank.R_x", "crank.R_y", "crank.theta", "platform.R_x"]);
-        assert_eq!(layout.names[6..], ["platform.e0", "platform.e1", "platform.e2", "platform.e3", "theta3"]);
+        assert_eq!(
+            layout.names[6..],
+            ["platform.e0", "platform.e1", "platform.e2", "platform.e3", "theta3"]
+        );
         assert_eq!(layout.owner(9).unwrap().name, "platform");
         assert_eq!(layout.owner(10).unwrap().name, "theta3");
     }
@@ -248,7 +270,10 @@ mod tests {
     fn names_are_unique_and_not_empty() {
         let mut layout = three();
         assert!(matches!(layout.declare("crank", Kind::Length), Err(Error::DuplicateName { .. })));
-        assert!(matches!(layout.declare("crank.theta", Kind::Angle), Err(Error::DuplicateName { .. })));
+        assert!(matches!(
+            layout.declare("crank.theta", Kind::Angle),
+            Err(Error::DuplicateName { .. })
+        ));
         assert!(matches!(layout.declare(" ", Kind::Angle), Err(Error::EmptyName { .. })));
         assert_eq!(layout.len(), 11);
     }

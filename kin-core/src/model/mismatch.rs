@@ -58,8 +58,14 @@ impl fmt::Display for Mismatch {
             "`{}`: its {} route, dual numbers and central differences do not agree at {}:",
             self.kind, self.route, self.place
         )?;
-        let width =
-            self.entries.iter().take(SHOWN).map(|entry| entry.name.chars().count()).max().unwrap_or(0).max(5);
+        let width = self
+            .entries
+            .iter()
+            .take(SHOWN)
+            .map(|entry| entry.name.chars().count())
+            .max()
+            .unwrap_or(0)
+            .max(5);
         writeln!(
             f,
             "  {:width$}  {:>22}  {:>22}  {:>14}  {:>10}",

@@ -1,5 +1,5 @@
-//! Mechanisms as they are described: coordinates, what a constraint sees and can be asked for, laws, the
-//! equation as data, what can go wrong.
+//! Mechanisms as they are described: coordinates, what a constraint sees and can be asked for,
+//! laws, the equation as data, what can go wrong.
 
 pub mod blame;
 pub(crate) mod body;

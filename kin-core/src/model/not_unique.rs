@@ -3,8 +3,8 @@
 use crate::model::error::Error;
 use crate::model::words;
 
-/// A force that is not unique: redundant constraints share it as their stiffness and their play would have
-/// it, and no number is given for it.
+/// A force that is not unique: redundant constraints share it as their stiffness and their play
+/// would have it, and no number is given for it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{constraint}`: {what} is not unique: {} share it, as their play and stiffness would have it. Ask for a sum \
@@ -25,6 +25,7 @@ pub struct NotUnique {
 impl NotUnique {
     /// The error for one force.
     pub(crate) fn error(constraint: &str, what: &str, shared: Vec<String>) -> Error {
-        Box::new(NotUnique { constraint: constraint.to_string(), what: what.to_string(), shared }).into()
+        Box::new(NotUnique { constraint: constraint.to_string(), what: what.to_string(), shared })
+            .into()
     }
 }

@@ -1,5 +1,5 @@
-//! The state of a constraint's arguments at one instant, evaluated once and shared by all constraints on a
-//! body.
+//! The state of a constraint's arguments at one instant, evaluated once and shared by all
+//! constraints on a body.
 
 use crate::model::coordinates::Trig;
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
@@ -30,7 +30,8 @@ impl<T: Scalar> PlanarState<T> {
 
     /// The state of the ground: the global frame itself.
     pub fn ground() -> Self {
-        let (zero, one) = (T::from(0.0), T::from(1.0));
+        let zero = T::from(0.0);
+        let one = T::from(1.0);
         PlanarState { r: Vec2::new(zero, zero), theta: zero, sin: zero, cos: one }
     }
 
@@ -57,7 +58,8 @@ impl<T: Scalar> PlanarState<T> {
     }
 }
 
-/// State of a spatial body: coordinates (R, e0, e1, e2, e3) with the rotation matrix A(p).   \[m, –\]
+/// State of a spatial body: coordinates (R, e0, e1, e2, e3) with the rotation matrix A(p).   \[m,
+/// –\]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialState<T = f64> {
     /// R, the origin of the body frame in the global frame.   \[m\]
@@ -77,7 +79,8 @@ impl<T: Scalar> SpatialState<T> {
 
     /// The state of the ground: the global frame itself.
     pub fn ground() -> Self {
-        let (zero, one) = (T::from(0.0), T::from(1.0));
+        let zero = T::from(0.0);
+        let one = T::from(1.0);
         Self::new([zero, zero, zero, one, zero, zero, zero])
     }
 
@@ -102,7 +105,8 @@ impl<T: Scalar> SpatialState<T> {
     }
 }
 
-/// State of a bare coordinate; sine and cosine only where a constraint asks for them.   \[m or rad\]
+/// State of a bare coordinate; sine and cosine only where a constraint asks for them.   \[m or
+/// rad\]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordState {
     /// The value of the coordinate.
@@ -158,9 +162,11 @@ impl PlanarState {
 }
 
 impl SpatialState {
-    /// (R, e0..e3), as a constraint reads it: A is not kept, what a constraint needs of it is cheaper from p.
+    /// (R, e0..e3), as a constraint reads it: A is not kept, what a constraint needs of it is
+    /// cheaper from p.
     pub fn to_array(&self) -> [f64; SPATIAL_STATE] {
-        let (r, p) = (self.r, self.p);
+        let r = self.r;
+        let p = self.p;
         [r.x, r.y, r.z, p.e0, p.e1, p.e2, p.e3]
     }
 }
@@ -174,8 +180,9 @@ impl CoordState {
 
 /// The instant as one constraint sees it: time, and the states of its own arguments.
 ///
-/// States are evaluated once an iterate and shared by all constraints on a body, and by everything that they
-/// are asked for. Arguments count by their position in the signature; a `[Coord; N]` counts as N arguments.
+/// States are evaluated once an iterate and shared by all constraints on a body, and by everything
+/// that they are asked for. Arguments count by their position in the signature; a `[Coord; N]`
+/// counts as N arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
     /// Time t.   \[s\]
@@ -186,15 +193,15 @@ pub struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and where each argument's
-    /// begin.
+    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and where each
+    /// argument's begin.
     #[inline]
     pub fn new(t: f64, states: &'a [f64], arguments: &'a [Offsets]) -> Self {
         At { t, states, arguments, timed: &[] }
     }
 
-    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it themselves
-    /// where it is not there.
+    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it
+    /// themselves where it is not there.
     #[must_use]
     #[inline]
     pub fn with_timed(self, timed: &'a [f64]) -> Self {
@@ -220,7 +227,8 @@ impl<'a> At<'a> {
         numbers(self.states, self.arguments.get(k)?.state)
     }
 
-    /// The n coordinates of argument `k`, with which its state begins; none if there is no such argument.
+    /// The n coordinates of argument `k`, with which its state begins; none if there is no such
+    /// argument.
     pub(crate) fn coordinates(&self, k: usize, n: usize) -> &'a [f64] {
         self.arguments
             .get(k)

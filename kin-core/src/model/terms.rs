@@ -1,4 +1,5 @@
-//! Every term of one constraint at one state, by name: for comparing routes, and with a derivation by hand.
+//! Every term of one constraint at one state, by name: for comparing routes, and with a derivation
+//! by hand.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,8 +8,8 @@ use crate::model::coordinates::{Argument, Target, Trig};
 use crate::model::dual_route::{self, Equation};
 use crate::model::state::{At, CoordState, Offsets, PlanarState, Rates, SpatialState};
 
-/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint; units are
-/// those of the row.
+/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint;
+/// units are those of the row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms {
     /// C(q, t), m.
@@ -31,16 +32,18 @@ impl Terms {
     /// True if every entry of every term is finite.
     pub fn is_finite(&self) -> bool {
         let vectors = [&self.c, &self.c_t, &self.c_qqd_qd, &self.c_qt_qd, &self.c_tt, &self.q_d];
-        vectors.iter().all(|v| v.iter().all(|x| x.is_finite())) && self.c_q.iter().all(|x| x.is_finite())
+        vectors.iter().all(|v| v.iter().all(|x| x.is_finite()))
+            && self.c_q.iter().all(|x| x.is_finite())
     }
 }
 
-/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the constraint's own
-/// route.
+/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the
+/// constraint's own route.
 ///
-/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term, −r(0, 1) the
-/// last, and the mixed one is what is left of r(q̇, 1), exact to rounding of the largest of the three. `q`
-/// and `qd` are the arguments' coordinates one after the other; missing ones count as zero.
+/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term,
+/// −r(0, 1) the last, and the mixed one is what is left of r(q̇, 1), exact to rounding of the
+/// largest of the three. `q` and `qd` are the arguments' coordinates one after the other; missing
+/// ones count as zero.
 pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
     let arguments = constraint.arguments();
     let facts = constraint.facts();
@@ -77,18 +80,24 @@ pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Term
 }
 
 /// Every term on the dual route, each by its own kind of number: the mixed term by `HyperDual64`.
-pub fn dual_terms<E, const N: usize, const M: usize>(equation: &E, q: &[f64], qd: &[f64], t: f64) -> Terms
+pub fn dual_terms<E, const N: usize, const M: usize>(
+    equation: &E,
+    q: &[f64],
+    qd: &[f64],
+    t: f64,
+) -> Terms
 where
     E: Equation<N, M> + Clone,
 {
     let mut all = terms(&dual_route::by_dual::<E, N, M>(equation.clone()), q, qd, t);
     let fixed = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
-    all.c_qt_qd = DVector::from_row_slice(&dual_route::mixed::<E, N, M>(equation, &fixed(q), &fixed(qd), t));
+    all.c_qt_qd =
+        DVector::from_row_slice(&dual_route::mixed::<E, N, M>(equation, &fixed(q), &fixed(qd), t));
     all
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None` where the
-/// constraint does not know it.   \[row/s³\]
+/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None`
+/// where the constraint does not know it.   \[row/s³\]
 pub fn jerk_rhs(
     constraint: &dyn Constraint,
     q: &[f64],
@@ -97,13 +106,16 @@ pub fn jerk_rhs(
     t: f64,
 ) -> Option<DVector<f64>> {
     let arguments = constraint.arguments();
-    let (local, second) = (Local::new(&arguments, q, qd), Local::new(&arguments, q, qdd));
+    let local = Local::new(&arguments, q, qd);
+    let second = Local::new(&arguments, q, qdd);
     let mut rhs = DVector::zeros(constraint.facts().rows.len());
-    constraint.jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice()).then_some(rhs)
+    constraint
+        .jerk_rhs(&local.at(t), &local.rates(), &second.rates(), rhs.as_mut_slice())
+        .then_some(rhs)
 }
 
-/// The coordinates of one constraint at one time of a motion, its arguments' one after the other, and their
-/// rates. Missing numbers count as zero.
+/// The coordinates of one constraint at one time of a motion, its arguments' one after the other,
+/// and their rates. Missing numbers count as zero.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Moving<'a> {
     /// q   \[m, rad\]
@@ -116,10 +128,11 @@ pub struct Moving<'a> {
     pub qddd: &'a [f64],
 }
 
-/// Measure k of a constraint ([`Facts::measures`](crate::constraint::Facts::measures)) and its first three
-/// derivatives at time t of a motion.
+/// Measure k of a constraint ([`Facts::measures`](crate::constraint::Facts::measures)) and its
+/// first three derivatives at time t of a motion.
 pub fn measure(constraint: &dyn Constraint, k: usize, moving: Moving<'_>, t: f64) -> [f64; 4] {
-    let (arguments, Moving { q, qd, qdd, qddd }) = (constraint.arguments(), moving);
+    let arguments = constraint.arguments();
+    let Moving { q, qd, qdd, qddd } = moving;
     let [first, second, third] = [qd, qdd, qddd].map(|rates| Local::new(&arguments, q, rates));
     constraint.measure(k, &first.at(t), &[first.rates(), second.rates(), third.rates()])
 }
@@ -140,14 +153,19 @@ impl Local {
             local.arguments.push(Offsets::new(local.states.len() as u32, column as u32));
             let q = |k: usize| q.get(column + k).copied().unwrap_or(0.0);
             match argument.target {
-                Target::Planar(_) => local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array()),
+                Target::Planar(_) => {
+                    local.states.extend(PlanarState::new(std::array::from_fn(q)).to_array())
+                }
                 Target::Spatial(_) => {
                     local.states.extend(SpatialState::new(std::array::from_fn(q)).to_array())
                 }
-                Target::Coord(..) => local.states.extend(CoordState::new(q(0), Trig::Used).to_array()),
+                Target::Coord(..) => {
+                    local.states.extend(CoordState::new(q(0), Trig::Used).to_array())
+                }
             }
             local.rates.extend(
-                (column..column + argument.target.columns()).map(|k| qd.get(k).copied().unwrap_or(0.0)),
+                (column..column + argument.target.columns())
+                    .map(|k| qd.get(k).copied().unwrap_or(0.0)),
             );
         }
         local

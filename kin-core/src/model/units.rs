@@ -27,8 +27,8 @@ pub enum Unit {
     One,
 }
 
-/// The words for the units of length, time and mass; angles are in radians. Nothing is converted: Kin
-/// computes in any consistent set of units.
+/// The words for the units of length, time and mass; angles are in radians. Nothing is converted:
+/// Kin computes in any consistent set of units.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(from = "Words", into = "Words")]
 pub struct Units(Arc<Words>);
@@ -72,7 +72,8 @@ impl Default for Units {
 impl Units {
     /// The words, without blanks around them.
     pub fn new(length: &str, time: &str) -> Units {
-        let (length, time) = (length.trim().to_string(), time.trim().to_string());
+        let length = length.trim().to_string();
+        let time = time.trim().to_string();
         Units(Arc::new(Words { length, time, mass: kilogram() }))
     }
 
@@ -97,10 +98,11 @@ impl Units {
         &self.0.mass
     }
 
-    /// The unit of force, such as `N`; of millimetre, second and kilogram `mN`, of millimetre, second and
-    /// tonne `N`; of words that are not known `MASS LENGTH/TIME^2`.
+    /// The unit of force, such as `N`; of millimetre, second and kilogram `mN`, of millimetre,
+    /// second and tonne `N`; of words that are not known `MASS LENGTH/TIME^2`.
     pub fn force(&self) -> String {
-        self.newtons().unwrap_or_else(|| format!("{} {}/{}^2", self.mass(), self.length(), self.time()))
+        self.newtons()
+            .unwrap_or_else(|| format!("{} {}/{}^2", self.mass(), self.length(), self.time()))
     }
 
     /// The unit of torque, such as `N m`, `mN mm`.
@@ -111,14 +113,14 @@ impl Units {
         }
     }
 
-    /// The unit of energy, such as `J`, `kJ`; of millimetre, second and tonne `mJ`; of words that are not
-    /// known that of torque.
+    /// The unit of energy, such as `J`, `kJ`; of millimetre, second and tonne `mJ`; of words that
+    /// are not known that of torque.
     pub fn energy(&self) -> String {
         self.prefixed([1, 2, -2], "J").unwrap_or_else(|| self.torque())
     }
 
-    /// The unit of power, such as `W`, `kW`; of millimetre, second and tonne `mW`; of words that are not
-    /// known `MASS LENGTH^2/TIME^3`.
+    /// The unit of power, such as `W`, `kW`; of millimetre, second and tonne `mW`; of words that
+    /// are not known `MASS LENGTH^2/TIME^3`.
     pub fn power(&self) -> String {
         self.prefixed([1, 2, -3], "W")
             .unwrap_or_else(|| format!("{} {}^2/{}^3", self.mass(), self.length(), self.time()))
@@ -129,19 +131,23 @@ impl Units {
         self.prefixed([1, 1, -2], "N")
     }
 
-    /// A unit of the SI with the prefix that these powers of mass, length and time make of it; `None` of
-    /// words that are not known, and where there is no prefix.
+    /// A unit of the SI with the prefix that these powers of mass, length and time make of it;
+    /// `None` of words that are not known, and where there is no prefix.
     fn prefixed(&self, powers: [i32; 3], unit: &str) -> Option<String> {
         let mass = power_of_ten(self.mass(), &MASSES)?;
         let length = power_of_ten(self.length(), &LENGTHS)?;
         let time = power_of_ten(self.time(), &TIMES)?;
-        let prefix = [("", 0), ("m", -3), ("µ", -6), ("n", -9), ("p", -12), ("k", 3), ("M", 6), ("G", 9)];
+        let prefix =
+            [("", 0), ("m", -3), ("µ", -6), ("n", -9), ("p", -12), ("k", 3), ("M", 6), ("G", 9)];
         let exponent = mass * powers[0] + length * powers[1] + time * powers[2];
-        prefix.iter().find(|(_, known)| *known == exponent).map(|(prefix, _)| format!("{prefix}{unit}"))
+        prefix
+            .iter()
+            .find(|(_, known)| *known == exponent)
+            .map(|(prefix, _)| format!("{prefix}{unit}"))
     }
 
-    /// The power of ten of metres by seconds squared that the unit of acceleration is; `None` of words that
-    /// are not known.
+    /// The power of ten of metres by seconds squared that the unit of acceleration is; `None` of
+    /// words that are not known.
     pub(crate) fn of_acceleration(&self) -> Option<i32> {
         Some(power_of_ten(self.length(), &LENGTHS)? - 2 * power_of_ten(self.time(), &TIMES)?)
     }
@@ -151,7 +157,8 @@ impl Units {
         power_of_ten(word, &LENGTHS).is_some() || OTHER_LENGTHS.contains(&word)
     }
 
-    /// A word that is the unit of another quantity: which unit it should be, the word, and the quantity.
+    /// A word that is the unit of another quantity: which unit it should be, the word, and the
+    /// quantity.
     pub(crate) fn misplaced(&self) -> Option<(&'static str, &str, &'static str)> {
         let of = |word: &str| {
             let known = |all: &[(&str, i32)], others: &[&str]| {
@@ -166,7 +173,9 @@ impl Units {
             }
         };
         let all = [("length", self.length()), ("time", self.time()), ("mass", self.mass())];
-        let wrong = |(what, word): (&'static str, _)| Some((what, word, of(word).filter(|of| *of != what)?));
+        let wrong = |(what, word): (&'static str, _)| {
+            Some((what, word, of(word).filter(|of| *of != what)?))
+        };
         all.into_iter().find_map(wrong)
     }
 
@@ -208,8 +217,8 @@ impl Units {
         format!("{unit}/{}{power}", self.time())
     }
 
-    /// A unit that a constraint tells in metres and seconds (`m`, `m/s`, `1/m`), in these words; other words
-    /// stay.
+    /// A unit that a constraint tells in metres and seconds (`m`, `m/s`, `1/m`), in these words;
+    /// other words stay.
     pub(crate) fn in_own_words(&self, unit: &str) -> String {
         let word = |word: &str| match word {
             "m" => self.length().to_string(),
@@ -219,7 +228,9 @@ impl Units {
         let mut text = String::new();
         let mut rest = unit;
         while let Some(first) = rest.chars().next() {
-            let end = rest.find(|c: char| c.is_alphabetic() != first.is_alphabetic()).unwrap_or(rest.len());
+            let end = rest
+                .find(|c: char| c.is_alphabetic() != first.is_alphabetic())
+                .unwrap_or(rest.len());
             let (run, after) = rest.split_at(end);
             text += &word(run);
             rest = after;
@@ -267,7 +278,8 @@ mod tests {
     fn a_constraint_that_tells_metres_is_read_in_the_words_of_the_mechanism() {
         let units = Units::new("mm", "min");
         assert_eq!(
-            ["m", "rad", "m/s^2", "1/m", "m^2", "-", "", "mol"].map(|unit| units.in_own_words(unit)),
+            ["m", "rad", "m/s^2", "1/m", "m^2", "-", "", "mol"]
+                .map(|unit| units.in_own_words(unit)),
             ["mm", "rad", "mm/min^2", "1/mm", "mm^2", "-", "", "mol"]
         );
     }

@@ -1,8 +1,8 @@
 //! Numbers over the lanes of SIMD registers: several times of a run at once.
 //!
-//! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2) and holds
-//! whatever is unsafe about it: its tokens exist only where the instructions do. Code is generic over the
-//! token.
+//! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2)
+//! and holds whatever is unsafe about it: its tokens exist only where the instructions do. Code is
+//! generic over the token.
 
 pub(crate) mod lanewise;
 mod level;
@@ -21,11 +21,12 @@ const VARIABLE: &str = "KIN_LANES";
 /// Its values: how many times are computed at once, in two registers of half as many lanes.
 const VALUES: [(&str, usize); 4] = [("16", 8), ("8", 4), ("4", 2), ("off", 0)];
 
-/// The registers in which a program computes many times of a run, or of each case of a sweep, at once: two
-/// of them.
+/// The registers in which a program computes many times of a run, or of each case of a sweep, at
+/// once: two of them.
 ///
-/// The environment variable `KIN_LANES` limits all of them, for tests of what another machine would compute:
-/// `16`, `8` or `4` times at once at most, or `off`. Any other value is an error of the run.
+/// The environment variable `KIN_LANES` limits all of them, for tests of what another machine would
+/// compute: `16`, `8` or `4` times at once at most, or `off`. Any other value is an error of the
+/// run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lanes {
     /// The widest that the machine has.
@@ -33,7 +34,8 @@ pub enum Lanes {
     Best,
     /// None: plain steps, one time after the other.
     Off,
-    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon, or half registers of AVX2).
+    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon, or half registers of
+    /// AVX2).
     Only(usize),
 }
 
@@ -58,11 +60,12 @@ impl Lanes {
         self.dispatch(Nothing).is_ok()
     }
 
-    /// Does it with the lanes that are meant; gives it back where the machine does not have them, or none are
-    /// wanted.
+    /// Does it with the lanes that are meant; gives it back where the machine does not have them,
+    /// or none are wanted.
     pub(crate) fn dispatch<W: WithLevel>(self, work: W) -> Result<W::Output, W> {
         let most = limit().as_ref().map_or(0, |most| *most);
-        let wanted = |lanes: usize| lanes <= most && (self == Lanes::Best || self == Lanes::Only(lanes));
+        let wanted =
+            |lanes: usize| lanes <= most && (self == Lanes::Best || self == Lanes::Only(lanes));
         #[cfg(target_arch = "x86_64")]
         {
             if let Some(simd) = pulp::x86::V4::try_new().filter(|_| wanted(8)) {
@@ -84,12 +87,13 @@ impl Lanes {
     }
 }
 
-/// The most lanes of a register that the environment allows, as it was when lanes were first chosen; what is
-/// wrong with the variable, if something is.
+/// The most lanes of a register that the environment allows, as it was when lanes were first
+/// chosen; what is wrong with the variable, if something is.
 pub(crate) fn limit() -> &'static Result<usize, String> {
     static LIMIT: OnceLock<Result<usize, String>> = OnceLock::new();
     LIMIT.get_or_init(|| {
-        std::env::var_os(VARIABLE).map_or(Ok(usize::MAX), |value| limit_of(&value.to_string_lossy()))
+        std::env::var_os(VARIABLE)
+            .map_or(Ok(usize::MAX), |value| limit_of(&value.to_string_lossy()))
     })
 }
 

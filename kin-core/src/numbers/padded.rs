@@ -1,5 +1,5 @@
-//! Vectors in whole fours, and the few loops over them that every step takes: no loop has an odd end to look
-//! after, which would cost short vectors more than the work itself.
+//! Vectors in whole fours, and the few loops over them that every step takes: no loop has an odd
+//! end to look after, which would cost short vectors more than the work itself.
 
 use std::ops::{Deref, DerefMut};
 
@@ -122,9 +122,9 @@ pub(crate) fn add(x: &mut [Quad], y: &[Quad]) {
     each_mut(x, y, |x, y| *x = (f64x4::new(*x) + f64x4::new(*y)).to_array());
 }
 
-/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how far the
-/// ends are apart, by `turns`; the largest of each. Where something is not a number the first is none either:
-/// the larger of two numbers says nothing of that.
+/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how
+/// far the ends are apart, by `turns`; the largest of each. Where something is not a number the
+/// first is none either: the larger of two numbers says nothing of that.
 pub(crate) fn miss(
     h: f64,
     from: [&Padded; 3],
@@ -132,7 +132,10 @@ pub(crate) fn miss(
     shares: &Padded,
     turns: &Padded,
 ) -> [f64; 2] {
-    let (h, mut miss, mut reach, mut all) = (f64x4::splat(h), f64x4::ZERO, f64x4::ZERO, f64x4::ZERO);
+    let h = f64x4::splat(h);
+    let mut miss = f64x4::ZERO;
+    let mut reach = f64x4::ZERO;
+    let mut all = f64x4::ZERO;
     let [q, qd, qdd] = from.map(|x| x.whole().iter());
     let [r, rd, rdd] = to.map(|x| x.whole().iter());
     let ends = q.zip(qd).zip(qdd).zip(r).zip(rd).zip(rdd);
@@ -150,17 +153,22 @@ pub(crate) fn miss(
     [if all.reduce_add().is_nan() { f64::NAN } else { miss }, reach]
 }
 
-/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up to three
-/// fours, and what is left of more after those that come four at a time, are written out, for a loop that
-/// LLVM unrolls takes longer to begin and to end than to run.
+/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up
+/// to three fours, and what is left of more after those that come four at a time, are written out,
+/// for a loop that LLVM unrolls takes longer to begin and to end than to run.
 macro_rules! walk {
     ($name:ident, $few:ident, $x:ty, $as_chunks:ident) => {
         #[inline(always)]
-        fn $name<'a>(x: $x, y: &'a [Quad], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Quad)) {
+        fn $name<'a>(
+            x: $x,
+            y: &'a [Quad],
+            mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Quad),
+        ) {
             if x.len() < 4 {
                 return $few(x, y, see);
             }
-            let ((x, end), (y, y_end)) = (x.$as_chunks::<4>(), y.as_chunks::<4>());
+            let (x, end) = x.$as_chunks::<4>();
+            let (y, y_end) = y.as_chunks::<4>();
             for ([a, b, c, d], [p, q, r, s]) in x.into_iter().zip(y) {
                 see(a, p);
                 see(b, q);
@@ -171,7 +179,11 @@ macro_rules! walk {
         }
 
         #[inline(always)]
-        fn $few<'a>(x: $x, y: &'a [Quad], mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Quad)) {
+        fn $few<'a>(
+            x: $x,
+            y: &'a [Quad],
+            mut see: impl FnMut(<$x as IntoIterator>::Item, &'a Quad),
+        ) {
             match (x, y) {
                 ([a, b, c], [p, q, r]) => {
                     see(a, p);
@@ -210,7 +222,11 @@ impl Seen {
     fn largest(&self) -> f64 {
         let [a, b, c, d] = self.largest.to_array();
         let larger = |x: f64, y: f64| if x > y { x } else { y };
-        if self.odd.reduce_add() == 0.0 { larger(larger(a, b), larger(c, d)) } else { f64::INFINITY }
+        if self.odd.reduce_add() == 0.0 {
+            larger(larger(a, b), larger(c, d))
+        } else {
+            f64::INFINITY
+        }
     }
 }
 
@@ -224,7 +240,9 @@ mod tests {
             let all = |x: f64| Padded::new(n, x);
             let mut x = all(0.0);
             x.iter_mut().enumerate().for_each(|(k, x)| *x = 1.0 - 0.1 * k as f64);
-            let (x, halves, limits) = (x, all(0.5), all(5.0));
+            let x = x;
+            let halves = all(0.5);
+            let limits = all(5.0);
             let largest = |x: &Padded| oppose(all(0.0).whole_mut(), x.whole());
             let share = |x: &Padded| largest_share(x.whole(), halves.whole());
             assert_eq!((largest(&x), share(&x)), if n > 0 { (1.0, 0.5) } else { (0.0, 0.0) });
@@ -234,13 +252,20 @@ mod tests {
                     let mut x = x.clone();
                     x[k] = odd;
                     assert_eq!((largest(&x), share(&x)), (f64::INFINITY, f64::INFINITY));
-                    assert!(!inside(x.whole(), limits.whole()) && !take(all(0.0).whole_mut(), x.whole()));
+                    assert!(
+                        !inside(x.whole(), limits.whole())
+                            && !take(all(0.0).whole_mut(), x.whole())
+                    );
                 }
                 let mut x = x.clone();
                 x[k] = -7.0;
-                assert!(largest(&x) == 7.0 && share(&x) == 3.5 && !inside(x.whole(), limits.whole()));
+                assert!(
+                    largest(&x) == 7.0 && share(&x) == 3.5 && !inside(x.whole(), limits.whole())
+                );
             }
-            let (mut sum, mut opposite, mut taken) = (x.clone(), all(3.0), all(3.0));
+            let mut sum = x.clone();
+            let mut opposite = all(3.0);
+            let mut taken = all(3.0);
             assert!(take(taken.whole_mut(), x.whole()) && taken == x);
             add(sum.whole_mut(), x.whole());
             oppose(opposite.whole_mut(), x.whole());

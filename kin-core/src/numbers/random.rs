@@ -1,8 +1,8 @@
-//! Random numbers that are the same for the same seed, everywhere: starts of searches, poses beside a pose,
-//! random systems of tests.
+//! Random numbers that are the same for the same seed, everywhere: starts of searches, poses beside
+//! a pose, random systems of tests.
 
-/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA
-/// 2014).
+/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators,
+/// OOPSLA 2014).
 #[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 

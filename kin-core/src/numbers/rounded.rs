@@ -4,8 +4,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kin_graph::{Function, Function2, Number, compared_by_value, rules};
 
-/// A number with a bound of its error to first order, of the roundings on the way to it and of the errors of
-/// what it is computed from.
+/// A number with a bound of its error to first order, of the roundings on the way to it and of the
+/// errors of what it is computed from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rounded {
     pub x: f64,
@@ -34,7 +34,8 @@ impl Rounded {
     }
 }
 
-/// The share of an operand's error in the result: none of an operand that is exact, whatever the slope.
+/// The share of an operand's error in the result: none of an operand that is exact, whatever the
+/// slope.
 fn carried(slope: f64, off: f64) -> f64 {
     if off == 0.0 { 0.0 } else { (slope * off).abs() }
 }
@@ -130,16 +131,19 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_dual_numbers() {
-        let (a, b) = ([0.7, -1.3, 0.4], [0.9, 0.2, -2.1]);
+        let a = [0.7, -1.3, 0.4];
+        let b = [0.9, 0.2, -2.1];
         let dual = |[x, v, a]: [f64; 3]| Real(Dual2_64::new(x, v, a));
         fn made<N: Number>(x: N, y: N) -> N {
             let sum = x.clone() * y.clone() + N::constant(2.0).call2(Function2::Atan2, x.clone());
             sum.call(Function::Tanh) / (x.clone().powi(3) - y.clone().call(Function::Exp))
                 - y.call2(Function2::Powf, x)
         }
-        let (found, exact) = (made(moving(a), moving(b)), made(dual(a), dual(b)).0);
+        let found = made(moving(a), moving(b));
+        let exact = made(dual(a), dual(b)).0;
         let rate = found.rate.expect("it moves");
-        for (found, exact) in [(found.x.x, exact.re), (rate.x, exact.v1), (rate.rate.expect("too"), exact.v2)]
+        for (found, exact) in
+            [(found.x.x, exact.re), (rate.x, exact.v1), (rate.rate.expect("too"), exact.v2)]
         {
             assert!((found.x - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{found:?} {exact}");
             assert!(found.off > 0.0 && found.off < 1e-12);
@@ -149,7 +153,8 @@ mod tests {
     #[test]
     fn what_cancels_keeps_the_error_of_its_terms() {
         let x = Rounded::new(0.3, 1e-16);
-        let (s, c) = (x.call(Function::Sin), x.call(Function::Cos));
+        let s = x.call(Function::Sin);
+        let c = x.call(Function::Cos);
         let nothing = s * s + c * c - Rounded::constant(1.0);
         assert!(nothing.x.abs() <= nothing.off && nothing.off > 1e-16, "{nothing:?}");
         assert_eq!(Rounded::constant(0.0).call(Function::Sqrt).off, 0.0);

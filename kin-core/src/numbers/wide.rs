@@ -1,5 +1,5 @@
-//! Numbers with an exponent of their own, for what is too large or too small for an f64 on the way to a
-//! result that is neither.
+//! Numbers with an exponent of their own, for what is too large or too small for an f64 on the way
+//! to a result that is neither.
 
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -13,14 +13,16 @@ pub(crate) struct Wide {
     e: i64,
 }
 
-/// ln 2 in two parts, the first of which has so few digits that its multiples by exponents are exact.
+/// ln 2 in two parts, the first of which has so few digits that its multiples by exponents are
+/// exact.
 const LN_2_HIGH: f64 = 0.693_147_180_369_123_8;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
 /// Arguments up to which f64 has a value of what grows as an exponential does.
 const ORDINARY: f64 = 700.0;
 
-/// Beyond this many powers of 2 the smaller one of two numbers does not count beside the larger one.
+/// Beyond this many powers of 2 the smaller one of two numbers does not count beside the larger
+/// one.
 const APART: i64 = 200;
 
 impl Wide {
@@ -41,7 +43,8 @@ impl Wide {
             return Wide { x: self.x, e: 0 };
         }
         let tiny = self.x.abs() < f64::MIN_POSITIVE;
-        let (x, e) = if tiny { (self.x * f64::powi(2.0, 64), self.e - 64) } else { (self.x, self.e) };
+        let (x, e) =
+            if tiny { (self.x * f64::powi(2.0, 64), self.e - 64) } else { (self.x, self.e) };
         let bits = x.to_bits();
         let exponent = (bits >> 52 & 0x7ff) as i64 - 1023;
         let x = f64::from_bits(bits & !(0x7ff << 52) | 1023 << 52);
@@ -85,7 +88,9 @@ impl Wide {
             Function::Log10 => Wide::new(self.logarithm().value() / std::f64::consts::LN_10),
             Function::Sqrt => self.root(2, f64::sqrt),
             Function::Cbrt => self.root(3, f64::cbrt),
-            Function::Asinh if self.e > 0 => Wide::new(self.twice().logarithm().value().copysign(self.x)),
+            Function::Asinh if self.e > 0 => {
+                Wide::new(self.twice().logarithm().value().copysign(self.x))
+            }
             Function::Acosh if self.e > 0 && self.x > 0.0 => self.twice().logarithm(),
             _ => Wide::new(f.value()(self.value())),
         }
@@ -124,7 +129,9 @@ impl Add for Wide {
         let (large, small) = if self.e >= other.e { (self, other) } else { (other, self) };
         match large.e.saturating_sub(small.e) {
             apart if apart > APART => large,
-            apart => Wide { x: large.x + small.x * f64::powi(2.0, -(apart as i32)), e: large.e }.normal(),
+            apart => {
+                Wide { x: large.x + small.x * f64::powi(2.0, -(apart as i32)), e: large.e }.normal()
+            }
         }
     }
 }
@@ -169,7 +176,9 @@ impl Number for Wide {
                 Wide { x: (u - u.floor()).exp2(), e: u.floor() as i64 }.normal()
             }
             Function::ExpM1 if u > ORDINARY => self.exponential(),
-            Function::Sinh if u.abs() > ORDINARY => large(u.signum(), Wide::new(u.abs()).exponential()),
+            Function::Sinh if u.abs() > ORDINARY => {
+                large(u.signum(), Wide::new(u.abs()).exponential())
+            }
             Function::Cosh if u.abs() > ORDINARY => large(1.0, Wide::new(u.abs()).exponential()),
             Function::Abs => Wide { x: self.x.abs(), e: self.e },
             _ if self.is_ordinary() => Wide::new(f.value()(u)),
@@ -178,12 +187,16 @@ impl Number for Wide {
     }
 
     fn call2(self, f: Function2, other: Self) -> Self {
-        let (u, v) = (self.value(), other.value());
+        let u = self.value();
+        let v = other.value();
         let plain = f.value()(u, v);
-        let is_exact = self.is_ordinary() && other.is_ordinary() && plain.is_finite() && plain != 0.0;
+        let is_exact =
+            self.is_ordinary() && other.is_ordinary() && plain.is_finite() && plain != 0.0;
         match f {
             _ if is_exact => Wide::new(plain),
-            Function2::Powf if self.x > 0.0 && self.x.is_finite() => (other * self.logarithm()).exponential(),
+            Function2::Powf if self.x > 0.0 && self.x.is_finite() => {
+                (other * self.logarithm()).exponential()
+            }
             Function2::Hypot => (self * self + other * other).call(Function::Sqrt),
             Function2::Max if Self::compare(Comparison::GreaterEqual, &self, &other) => self,
             Function2::Max if Self::compare(Comparison::Less, &self, &other) => other,
@@ -199,7 +212,9 @@ impl Number for Wide {
     }
 
     fn powi(self, n: i32) -> Self {
-        let (mut power, mut square, mut left) = (Wide::new(1.0), self, n.unsigned_abs());
+        let mut power = Wide::new(1.0);
+        let mut square = self;
+        let mut left = n.unsigned_abs();
         while left > 0 {
             if left & 1 == 1 {
                 power = power * square;
@@ -251,7 +266,8 @@ mod tests {
         near(large.powi(3).call(Function::Cbrt) / large, 1.0);
         near((large - large * Wide::new(0.5)) / large, 0.5);
         near(
-            large.call2(Function2::Powf, Wide::new(-0.5)) * large.call2(Function2::Powf, Wide::new(0.5)),
+            large.call2(Function2::Powf, Wide::new(-0.5))
+                * large.call2(Function2::Powf, Wide::new(0.5)),
             1.0,
         );
         near(large.call2(Function2::Atan2, large), std::f64::consts::FRAC_PI_4);

@@ -1,5 +1,5 @@
-//! Numbers of any kind with a derivative by time, by the rules of the list of functions; one inside of
-//! another has derivatives of higher order.
+//! Numbers of any kind with a derivative by time, by the rules of the list of functions; one inside
+//! of another has derivatives of higher order.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -57,8 +57,10 @@ impl<N: Number> Mul for WithRate<N> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let parts =
-            [self.rate.map(|rate| rate * other.x.clone()), other.rate.map(|rate| rate * self.x.clone())];
+        let parts = [
+            self.rate.map(|rate| rate * other.x.clone()),
+            other.rate.map(|rate| rate * self.x.clone()),
+        ];
         WithRate::with(self.x * other.x, parts)
     }
 }
@@ -89,7 +91,8 @@ impl<N: Number> Number for WithRate<N> {
 
     fn call(self, f: Function) -> Self {
         let x = self.x.clone().call(f);
-        let (at, value) = (self.x.clone(), x.clone());
+        let at = self.x.clone();
+        let value = x.clone();
         self.chain(x, || rules::slope(f, at, value))
     }
 
@@ -99,11 +102,15 @@ impl<N: Number> Number for WithRate<N> {
             return WithRate { x, rate: None };
         }
         let (by_self, by_other) = rules::slopes(f, self.x, other.x, x.clone());
-        WithRate::with(x, [self.rate.map(|rate| by_self * rate), other.rate.map(|rate| by_other * rate)])
+        WithRate::with(
+            x,
+            [self.rate.map(|rate| by_self * rate), other.rate.map(|rate| by_other * rate)],
+        )
     }
 
     fn powi(self, n: i32) -> Self {
-        let (x, at) = (self.x.clone().powi(n), self.x.clone());
+        let x = self.x.clone().powi(n);
+        let at = self.x.clone();
         match n {
             0 => WithRate { x, rate: None },
             _ => self.chain(x, || N::constant(f64::from(n)) * at.powi(n.saturating_sub(1))),

@@ -1,9 +1,9 @@
-//! Tapes along a motion whose q, q̇ and q̈ are known: nothing is iterated, C_q is eliminated in an order that
-//! is chosen at the first time, and what is asked for are outputs.
+//! Tapes along a motion whose q, q̇ and q̈ are known: nothing is iterated, C_q is eliminated in an
+//! order that is chosen at the first time, and what is asked for are outputs.
 //!
-//! Their graphs read time, coordinates as [`Input::State`], rates as [`Input::Rate`], and second rates as
-//! [`Input::Parameter`], for nothing is differentiated by those. A time at which a pivot is small beside what
-//! it was at the first one is left to other ways.
+//! Their graphs read time, coordinates as [`Input::State`], rates as [`Input::Rate`], and second
+//! rates as [`Input::Parameter`], for nothing is differentiated by those. A time at which a pivot
+//! is small beside what it was at the first one is left to other ways.
 
 use kin_graph::{Graph, Input, LeafUse, Node, Source};
 
@@ -15,8 +15,8 @@ use crate::model::law::Law;
 use crate::model::motion::Motion;
 use crate::system::{System, scale};
 
-/// A tape whose first outputs are guards, with their values where its elimination was chosen; pairs of a
-/// number and its limit follow.
+/// A tape whose first outputs are guards, with their values where its elimination was chosen; pairs
+/// of a number and its limit follow.
 pub(crate) struct Guarded {
     pub tape: Straight,
     marks: Vec<f64>,
@@ -31,9 +31,9 @@ pub(crate) struct Asked {
 }
 
 impl Guarded {
-    /// The tape of outputs that an elimination leads to, chosen at the position of a time; `cells` are those
-    /// of C_q by rows, which are masked while the elimination is made of them, as whatever is else made of
-    /// long expressions may be. `None` where C_q is singular there.
+    /// The tape of outputs that an elimination leads to, chosen at the position of a time; `cells`
+    /// are those of C_q by rows, which are masked while the elimination is made of them, as
+    /// whatever is else made of long expressions may be. `None` where C_q is singular there.
     pub(crate) fn new(
         system: &System,
         (t, q): (f64, &[f64]),
@@ -48,8 +48,8 @@ impl Guarded {
         Guarded::limited(system, (t, q), made, cells, asked)
     }
 
-    /// The same with numbers that have limits. Of a redundant mechanism `cells` are as many independent rows
-    /// as there are coordinates.
+    /// The same with numbers that have limits. Of a redundant mechanism `cells` are as many
+    /// independent rows as there are coordinates.
     pub(crate) fn limited(
         system: &System,
         (t, q): (f64, &[f64]),
@@ -59,7 +59,9 @@ impl Guarded {
     ) -> Option<Guarded> {
         let sizes = sizes(system, t, q)?;
         let pose = Pose { t, q, sizes: &sizes };
-        let at = |graph: &Graph, nodes: &[Node]| numbers(graph, nodes, &At { pose, laws: &laws, free: &[] });
+        let at = |graph: &Graph, nodes: &[Node]| {
+            numbers(graph, nodes, &At { pose, laws: &laws, free: &[] })
+        };
         let eligible = |(row, cells): (usize, &Vec<(usize, Node)>)| {
             let nodes: Vec<Node> = cells.iter().map(|(_, cell)| *cell).collect();
             let values = at(&graph, &nodes);
@@ -76,13 +78,18 @@ impl Guarded {
         let cells: Vec<Vec<(usize, Node)>> = cells.iter().map(masked).collect();
         let values = at(&graph, masks.behind());
         let by_cells = |graph: &Graph, nodes: &[Node]| {
-            numbers(graph, nodes, &Masked { at: At { pose, laws: &laws, free: &[] }, values: &values })
+            numbers(
+                graph,
+                nodes,
+                &Masked { at: At { pose, laws: &laws, free: &[] }, values: &values },
+            )
         };
         let elimination = Elimination::new(&mut graph, &order, &cells, &sizes, by_cells).ok()?;
         let guards = elimination.guards().concat();
         let asked = asked(&mut graph, &elimination, &mut masks);
         let count = guards.len();
-        let pairs: Vec<Node> = asked.limited.iter().flat_map(|(number, limit)| [*number, *limit]).collect();
+        let pairs: Vec<Node> =
+            asked.limited.iter().flat_map(|(number, limit)| [*number, *limit]).collect();
         let outputs = masks.removed(&mut graph, &[guards, pairs, asked.outputs].concat());
         let marks = at(&graph, &outputs[..count]);
         let tape = straight(graph, laws, &outputs);
@@ -94,8 +101,9 @@ impl Guarded {
         Guarded { tape: straight(graph, laws, outputs), marks: Vec::new(), limited: 0 }
     }
 
-    /// Hands over all times of a motion; gives those that are left to other ways. `beside` tells the list and
-    /// the column of inputs that are not the motion's. `None` where the machine has no lanes.
+    /// Hands over all times of a motion; gives those that are left to other ways. `beside` tells
+    /// the list and the column of inputs that are not the motion's. `None` where the machine has no
+    /// lanes.
     pub(crate) fn run<'a>(
         &'a self,
         motion: &'a Motion,
@@ -103,7 +111,9 @@ impl Guarded {
         sink: impl Sink,
     ) -> Option<Vec<usize>> {
         let port = |input| port(motion, input).or_else(|| beside(input));
-        let (tape, times, port) = (&self.tape, motion.times.len(), &port as &_);
+        let tape = &self.tape;
+        let times = motion.times.len();
+        let port = &port as &_;
         OverTimes { tape, times, port, marks: &self.marks, limited: self.limited, sink }.run()
     }
 }

@@ -1,25 +1,24 @@
-//! Diagonal blocks that follow one another, of a square pattern: each can be solved when those before it are.
+//! Diagonal blocks that follow one another, of a square pattern: each can be solved when those
+//! before it are.
 
-/// Rows and columns of each block; `None` where no choice of cells meets every row and every column once.
-/// Columns may be any numbers.
+/// Rows and columns of each block; `None` where no choice of cells meets every row and every column
+/// once. Columns may be any numbers.
 pub(crate) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
     let matched = Matching::of(pattern)?;
     if pattern.iter().flatten().any(|column| !matched.row_of.contains_key(column)) {
         return None;
     }
-    let (mut search, n) = (
-        Search {
-            pattern,
-            matched: &matched,
-            order: vec![0; pattern.len()],
-            low: vec![0; pattern.len()],
-            next: 1,
-            stack: vec![],
-            on: vec![false; pattern.len()],
-            blocks: vec![],
-        },
-        pattern.len(),
-    );
+    let mut search = Search {
+        pattern,
+        matched: &matched,
+        order: vec![0; pattern.len()],
+        low: vec![0; pattern.len()],
+        next: 1,
+        stack: vec![],
+        on: vec![false; pattern.len()],
+        blocks: vec![],
+    };
+    let n = pattern.len();
     (0..n).for_each(|row| search.visit(row));
     Some(
         search
@@ -73,7 +72,12 @@ impl Matching {
     }
 
     /// Exchanges what is matched along a path that ends at a free column.
-    fn turn(&mut self, from: &std::collections::HashMap<usize, usize>, mut column: usize, start: usize) {
+    fn turn(
+        &mut self,
+        from: &std::collections::HashMap<usize, usize>,
+        mut column: usize,
+        start: usize,
+    ) {
         loop {
             let row = from[&column];
             let before = std::mem::replace(&mut self.column_of[row], column);
@@ -160,7 +164,10 @@ mod tests {
     #[test]
     fn a_path_turns_what_was_matched_before() {
         let pattern = [vec![1, 2], vec![1], vec![2, 3]];
-        assert_eq!(blocks(&pattern), Some(vec![(vec![1], vec![1]), (vec![0], vec![2]), (vec![2], vec![3])]));
+        assert_eq!(
+            blocks(&pattern),
+            Some(vec![(vec![1], vec![1]), (vec![0], vec![2]), (vec![2], vec![3])])
+        );
     }
 
     #[test]

@@ -28,20 +28,24 @@ impl Cofactors {
         let cell = |i: usize, j: usize| rows[i].1.get(&columns[j]).copied().unwrap_or(zero);
         let n = rows.len();
         let mut minor = |[a, b]: [usize; 2], [c, d]: [usize; 2]| {
-            let (one, two) = (graph.mul(cell(a, c), cell(b, d)), graph.mul(cell(a, d), cell(b, c)));
+            let one = graph.mul(cell(a, c), cell(b, d));
+            let two = graph.mul(cell(a, d), cell(b, c));
             graph.sub(one, two)
         };
         let adjugate: Vec<Vec<Node>> = match n {
             0 => Vec::new(),
             1 => vec![vec![graph.constant(1.0)]],
             2 => {
-                let (b, c) = (graph.neg(cell(0, 1)), graph.neg(cell(1, 0)));
+                let b = graph.neg(cell(0, 1));
+                let c = graph.neg(cell(1, 0));
                 vec![vec![cell(1, 1), b], vec![c, cell(0, 0)]]
             }
             // The cyclic order makes the signs.
             _ => (0..3)
                 .map(|j| {
-                    (0..3).map(|i| minor([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3])).collect()
+                    (0..3)
+                        .map(|i| minor([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3]))
+                        .collect()
                 })
                 .collect(),
         };

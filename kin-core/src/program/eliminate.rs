@@ -1,9 +1,9 @@
-//! C_q x = b as nodes: given rows first, from the last one back to the first, then what is left in blocks
-//! that follow one another.
+//! C_q x = b as nodes: given rows first, from the last one back to the first, then what is left in
+//! blocks that follow one another.
 //!
-//! A block of up to three rows is solved by cofactors: its determinant is guard and orientation at once, and
-//! no order of pivots can go wrong. Of a larger one pivots are taken, by Markowitz' count among those that
-//! are large where the guess is, until two are left.
+//! A block of up to three rows is solved by cofactors: its determinant is guard and orientation at
+//! once, and no order of pivots can go wrong. Of a larger one pivots are taken, by Markowitz' count
+//! among those that are large where the guess is, until two are left.
 
 use std::collections::BTreeMap;
 
@@ -32,8 +32,8 @@ pub(crate) struct Elimination<'a> {
     pub(super) order: &'a Order,
     /// The cells of given rows beside their own.
     pub(super) given: Vec<Vec<(usize, Node)>>,
-    /// The cells of the rows that are left, in torn coordinates, and how much of which given rows is taken
-    /// from them.
+    /// The cells of the rows that are left, in torn coordinates, and how much of which given rows
+    /// is taken from them.
     pub(super) cells: Vec<Cells>,
     pub(super) multipliers: Vec<Vec<(usize, Node)>>,
     pub(super) blocks: Vec<Block>,
@@ -61,8 +61,8 @@ pub(super) const SINGULAR: &str = "its equations are singular where the guess is
 pub(super) const TANGLED: &str = "too much of it is tied together";
 
 impl<'a> Elimination<'a> {
-    /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes at the
-    /// guess, in units of order 1 by coordinates.
+    /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes
+    /// at the guess, in units of order 1 by coordinates.
     pub(crate) fn new(
         graph: &mut Graph,
         order: &'a Order,
@@ -75,7 +75,9 @@ impl<'a> Elimination<'a> {
             given: order
                 .explicit
                 .iter()
-                .map(|own| slopes[own.row].iter().filter(|(k, _)| *k != own.column).copied().collect())
+                .map(|own| {
+                    slopes[own.row].iter().filter(|(k, _)| *k != own.column).copied().collect()
+                })
                 .collect(),
             cells: order.rows.iter().map(|row| slopes[*row].iter().copied().collect()).collect(),
             multipliers: vec![Vec::new(); order.rows.len()],
@@ -91,14 +93,15 @@ impl<'a> Elimination<'a> {
         Ok(all)
     }
 
-    /// Takes the given rows out of those that are left, the last one first: no other given row has its
-    /// coordinate then.
+    /// Takes the given rows out of those that are left, the last one first: no other given row has
+    /// its coordinate then.
     fn take_given(&mut self, graph: &mut Graph) -> Result<(), &'static str> {
         let mut readers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (row, cells) in self.cells.iter().enumerate() {
             cells.keys().for_each(|column| readers.entry(*column).or_default().push(row));
         }
-        let (mut made, most) = (0, FILL_FREE + FILL * self.given.len());
+        let mut made = 0;
+        let most = FILL_FREE + FILL * self.given.len();
         for (k, own) in self.order.explicit.iter().enumerate().rev() {
             for row in readers.remove(&own.column).unwrap_or_default() {
                 let Some(cell) = self.cells[row].remove(&own.column) else { continue };
@@ -146,8 +149,8 @@ impl<'a> Elimination<'a> {
                 self.cells[row].iter().filter(own).map(|(column, cell)| (*column, *cell)).collect(),
             );
         }
-        let (mut pivots, most) =
-            (Vec::new(), if rows.len() <= Cofactors::MOST { Cofactors::MOST } else { LEFT });
+        let mut pivots = Vec::new();
+        let most = if rows.len() <= Cofactors::MOST { Cofactors::MOST } else { LEFT };
         let mut left = columns;
         while active.len() > most {
             let (row, column) = choose(graph, &active, sizes, numbers).ok_or(SINGULAR)?;
@@ -158,11 +161,16 @@ impl<'a> Elimination<'a> {
         Ok(Block { rows, pivots, cofactors })
     }
 
-    /// The values to be watched, block by block: pivots and determinants. Signs of their products are the
-    /// orientations.
+    /// The values to be watched, block by block: pivots and determinants. Signs of their products
+    /// are the orientations.
     pub(crate) fn guards(&self) -> Vec<Vec<Node>> {
         let of = |block: &Block| {
-            block.pivots.iter().map(|pivot| pivot.guard).chain([block.cofactors.determinant]).collect()
+            block
+                .pivots
+                .iter()
+                .map(|pivot| pivot.guard)
+                .chain([block.cofactors.determinant])
+                .collect()
         };
         self.blocks.iter().map(of).collect()
     }
@@ -234,7 +242,8 @@ impl<'a> Elimination<'a> {
 impl Block {
     /// True if it solves for that coordinate.
     pub(super) fn has(&self, column: usize) -> bool {
-        self.cofactors.columns.contains(&column) || self.pivots.iter().any(|pivot| pivot.column == column)
+        self.cofactors.columns.contains(&column)
+            || self.pivots.iter().any(|pivot| pivot.column == column)
     }
 }
 
@@ -266,13 +275,18 @@ fn choose(
         .iter()
         .zip(&values)
         .filter(|((row, _, _), value)| **value > 0.0 && **value >= THRESHOLD * tops[row]);
-    let best =
-        possible.min_by(|((r, c, _), x), ((s, d, _), y)| cost(r, c).cmp(&cost(s, d)).then(y.total_cmp(x)));
+    let best = possible
+        .min_by(|((r, c, _), x), ((s, d, _), y)| cost(r, c).cmp(&cost(s, d)).then(y.total_cmp(x)));
     best.map(|((row, column, _), _)| (*row, *column))
 }
 
 /// Takes a pivot out of what is active.
-fn pivot(graph: &mut Graph, active: &mut BTreeMap<usize, Cells>, row: usize, column: usize) -> Pivot {
+fn pivot(
+    graph: &mut Graph,
+    active: &mut BTreeMap<usize, Cells>,
+    row: usize,
+    column: usize,
+) -> Pivot {
     let mut own = active.remove(&row).unwrap_or_default();
     let guard = own.remove(&column).unwrap_or_default();
     let one = graph.constant(1.0);

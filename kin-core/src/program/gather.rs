@@ -1,5 +1,5 @@
-//! All equations of a system in one graph: coordinates are those of the system, parameters are folded, equal
-//! expressions of different constraints are one node.
+//! All equations of a system in one graph: coordinates are those of the system, parameters are
+//! folded, equal expressions of different constraints are one node.
 
 mod free;
 mod timed;
@@ -45,8 +45,8 @@ pub(crate) struct Whole {
     kinds: HashMap<usize, Rc<Kind>>,
 }
 
-/// One row: C, ∂C/∂q_j by coordinates, C_t, g″(0) along the rates, which is −Q_d, and, where the jerk is
-/// asked for, g‴(0) along the rates and second rates.
+/// One row: C, ∂C/∂q_j by coordinates, C_t, g″(0) along the rates, which is −Q_d, and, where the
+/// jerk is asked for, g‴(0) along the rates and second rates.
 pub(crate) struct Row {
     pub residual: Node,
     pub slopes: Vec<(usize, Node)>,
@@ -80,9 +80,13 @@ pub(crate) const UNREAD: &str =
     "its equation is not known as a formula: it takes the dual route, or is written by hand";
 pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 
-/// Gathers the equations of a system, with or without what the jerk asks of them; refuses by name what cannot
-/// be read. What differs from case to case is left free.
-pub(crate) fn gather(system: &System, jerk: bool, differences: Differences) -> Result<Whole, Refusal> {
+/// Gathers the equations of a system, with or without what the jerk asks of them; refuses by name
+/// what cannot be read. What differs from case to case is left free.
+pub(crate) fn gather(
+    system: &System,
+    jerk: bool,
+    differences: Differences,
+) -> Result<Whole, Refusal> {
     let free = Free::new(differences);
     gathered(system, Whole { jerk, free, ..Whole::new(system.n_coordinates()) })
 }
@@ -108,8 +112,9 @@ pub(crate) struct Leaves<'a> {
     pub parameters: &'a [f64],
     /// The values and laws that only the user's program can compute.
     pub outside: Outside<'a>,
-    /// Values without coordinates that only the user's program can compute, with their nodes: those of time,
-    /// by their places from [`TIMED`] on, then those of parameters that are free, which are these values.
+    /// Values without coordinates that only the user's program can compute, with their nodes: those
+    /// of time, by their places from [`TIMED`] on, then those of parameters that are free, which
+    /// are these values.
     pub timed: &'a [(Node, Law)],
     pub of_parameters: &'a [(usize, usize)],
 }
@@ -155,9 +160,11 @@ pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Ve
     for argument in constraint.arguments() {
         let count = argument.target.columns();
         match system.layout().place(&argument.target)? {
-            Place::Own { first, .. } => columns.extend((first..first + count).map(Column::Coordinate)),
-            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0), a coordinate of the
-            // ground its value.
+            Place::Own { first, .. } => {
+                columns.extend((first..first + count).map(Column::Coordinate))
+            }
+            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0), a coordinate
+            // of the ground its value.
             Place::Ground(_) if count == 7 => {
                 columns.extend((0..7).map(|k| Column::Fixed(if k == 3 { 1.0 } else { 0.0 })))
             }
@@ -171,9 +178,21 @@ pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Ve
 impl Whole {
     /// Of so many coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
-        let (kinds, still) = (HashMap::new(), vec![None; n]);
+        let kinds = HashMap::new();
+        let still = vec![None; n];
         let (rows, laws, sides, gaps, free) = Default::default();
-        Whole { graph: Graph::default(), rows, laws, n, sides, gaps, free, jerk: false, still, kinds }
+        Whole {
+            graph: Graph::default(),
+            rows,
+            laws,
+            n,
+            sides,
+            gaps,
+            free,
+            jerk: false,
+            still,
+            kinds,
+        }
     }
 
     /// A coordinate.
@@ -192,8 +211,8 @@ impl Whole {
         }
     }
 
-    /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their numbers
-    /// there.
+    /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their
+    /// numbers there.
     pub(crate) fn copy(
         &mut self,
         from: &Graph,
@@ -219,8 +238,10 @@ impl Whole {
             let mut nodes = kind.timed.clone();
             let foreign = if self.free.differs() { &kind.foreign[..] } else { &[] };
             nodes.extend(foreign.iter().map(|(_, node)| *node));
-            let of_parameters: Vec<(usize, usize)> = foreign.iter().map(|(value, _)| *value).collect();
-            let (timed, of_parameters) = (&timed(constraint, &nodes)[..], &of_parameters[..]);
+            let of_parameters: Vec<(usize, usize)> =
+                foreign.iter().map(|(value, _)| *value).collect();
+            let timed = &timed(constraint, &nodes)[..];
+            let of_parameters = &of_parameters[..];
             let leaves = Leaves { columns: &columns, parameters, outside, timed, of_parameters };
             self.rows_of_kind(&kind, &leaves)
         });
@@ -238,7 +259,13 @@ impl Whole {
             let kind = self.kind(table, 1)?;
             let row = kind.rows.first().ok_or(UNREAD)?.residual;
             let timed = timed(constraint, &kind.timed);
-            let leaves = Leaves { columns: &columns, parameters, outside, timed: &timed, of_parameters: &[] };
+            let leaves = Leaves {
+                columns: &columns,
+                parameters,
+                outside,
+                timed: &timed,
+                of_parameters: &[],
+            };
             let places = self.copy(&kind.graph, &kind.graph.reachable(&[row]), &leaves)?;
             Ok(places[row.index()])
         });
@@ -257,7 +284,8 @@ impl Whole {
     }
 
     fn rows_of_kind(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<Vec<Row>, &'static str> {
-        let (places, mut rows) = (self.copy(&kind.graph, &kind.nodes, leaves)?, Vec::new());
+        let places = self.copy(&kind.graph, &kind.nodes, leaves)?;
+        let mut rows = Vec::new();
         for row in &kind.rows {
             let of = |node: Node| places[node.index()];
             let mut slopes: Vec<(usize, Node)> = Vec::new();
@@ -277,8 +305,10 @@ impl Whole {
             };
             let steps = row.columns.iter().filter_map(coordinate);
             let steps = steps.filter(|j| slopes.iter().all(|(known, _)| known != j)).collect();
-            let (by_time, second) = (of(row.by_time), of(row.second));
-            let (residual, third) = (of(row.residual), row.third.map(of));
+            let by_time = of(row.by_time);
+            let second = of(row.second);
+            let residual = of(row.residual);
+            let third = row.third.map(of);
             rows.push(Row { residual, slopes, steps, by_time, second, third });
         }
         let sides = kind.sides.iter().map(|side| places[side.index()]);
@@ -325,8 +355,10 @@ impl Whole {
                 }
             }
             Op::Opaque(number, component) => {
-                let operands: Option<Vec<f64>> =
-                    from.opaques[number].iter().map(|operand| self.graph.known_value(of(*operand))).collect();
+                let operands: Option<Vec<f64>> = from.opaques[number]
+                    .iter()
+                    .map(|operand| self.graph.known_value(of(*operand)))
+                    .collect();
                 match (operands, leaves.of_parameters(number, component)) {
                     (Some(operands), _) => {
                         let value = leaves.foreign(number, component, &operands);
@@ -349,7 +381,9 @@ impl Whole {
     /// A derivative of a law at a node: by its formula, if it is known so.
     pub(crate) fn law_at(&mut self, law: Law, x: Node, order: u8) -> Option<Node> {
         match written(&law, order) {
-            Some((own, f)) => copied(&own, f, &mut self.graph, &nothing_outside, &mut |_, _| Some(x)),
+            Some((own, f)) => {
+                copied(&own, f, &mut self.graph, &nothing_outside, &mut |_, _| Some(x))
+            }
             None => {
                 let number = self.law(law);
                 Some(self.graph.law(number, x, order))

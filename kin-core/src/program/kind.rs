@@ -1,7 +1,8 @@
-//! The equation of one kind of constraint with its derivatives: found once for all constraints of the kind.
+//! The equation of one kind of constraint with its derivatives: found once for all constraints of
+//! the kind.
 //!
-//! Coordinates are [`Input::State`] of the local column, part R(0), and rates [`Input::Rate`] likewise: to
-//! the passes of `kin_graph` each of them is an argument of its own.
+//! Coordinates are [`Input::State`] of the local column, part R(0), and rates [`Input::Rate`]
+//! likewise: to the passes of `kin_graph` each of them is an argument of its own.
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::schedule::looked_up;
@@ -9,7 +10,8 @@ use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
 
 use crate::model::formula::sides::Choice;
 
-/// The part of a state, or of a rate, that a coordinate is; the part of a rate that the second rate is.
+/// The part of a state, or of a rate, that a coordinate is; the part of a rate that the second rate
+/// is.
 pub(crate) const SELF: Part = Part::R(0);
 pub(super) const SECOND: Part = Part::R(1);
 
@@ -22,20 +24,21 @@ pub(super) struct Kind {
     pub rows: Vec<KindRow>,
     /// All that rows are computed from, operands before their users.
     pub nodes: Vec<Node>,
-    /// The nodes that choose between sides where coordinates move: conditions and whole numbers. As long as
-    /// all of them are the same nothing has jumped.
+    /// The nodes that choose between sides where coordinates move: conditions and whole numbers. As
+    /// long as all of them are the same nothing has jumped.
     pub sides: Vec<Node>,
     /// How far what chooses is from where it changes.
     pub gaps: Vec<Node>,
-    /// Values of time alone that only rustc can read, as nodes of the formula; the graph has them as laws of
-    /// time, by their places here from [`TIMED`] on.
+    /// Values of time alone that only rustc can read, as nodes of the formula; the graph has them
+    /// as laws of time, by their places here from [`TIMED`] on.
     pub timed: Vec<Node>,
-    /// Values of parameters alone that only rustc can read, by number and component, as nodes of the formula.
+    /// Values of parameters alone that only rustc can read, by number and component, as nodes of
+    /// the formula.
     pub foreign: Vec<((usize, usize), Node)>,
 }
 
-/// One row: C, ∂C/∂q_k by local columns, C_t, g″(0) along the rates, which is −Q_d, and, where the jerk is
-/// asked for, g‴(0) along the rates and second rates.
+/// One row: C, ∂C/∂q_k by local columns, C_t, g″(0) along the rates, which is −Q_d, and, where the
+/// jerk is asked for, g‴(0) along the rates and second rates.
 pub(super) struct KindRow {
     pub residual: Node,
     /// The local columns that it reads: a step of one has no slope, and hangs on it all the same.
@@ -57,8 +60,10 @@ impl Kind {
         if formula.rows.len() != rows {
             return Err(EMPTY);
         }
-        let (mut graph, mut places) = (Graph::default(), vec![Node::default(); formula.graph.len()]);
-        let (mut timed, mut foreign) = (Vec::new(), Vec::new());
+        let mut graph = Graph::default();
+        let mut places = vec![Node::default(); formula.graph.len()];
+        let mut timed = Vec::new();
+        let mut foreign = Vec::new();
         for node in formula.graph.reachable(&formula.rows) {
             places[node.index()] = read(&mut graph, &formula.graph, node, &places, &mut timed)?;
             if let Op::Opaque(number, component) = graph.op(places[node.index()]) {
@@ -67,18 +72,22 @@ impl Kind {
         }
         let residuals: Vec<Node> = formula.rows.iter().map(|row| places[row.index()]).collect();
         let residuals = looked_up(&mut graph, &residuals);
-        let columns: Vec<Vec<Column>> = residuals.iter().map(|row| graph.columns(&[*row])).collect();
+        let columns: Vec<Vec<Column>> =
+            residuals.iter().map(|row| graph.columns(&[*row])).collect();
         let mut slopes: Vec<Vec<(usize, Node)>> = vec![Vec::new(); residuals.len()];
         for column in graph.columns(&residuals) {
             let mut partial = Partial::by_column(column);
-            for (k, row) in residuals.iter().enumerate().filter(|(k, _)| columns[*k].contains(&column)) {
+            for (k, row) in
+                residuals.iter().enumerate().filter(|(k, _)| columns[*k].contains(&column))
+            {
                 let slope = partial.of(&mut graph, *row);
                 if !graph.is_zero(slope) {
                     slopes[k].push((column.argument, slope));
                 }
             }
         }
-        let (mut by_time, mut jets) = (Partial::by_time(), Jets::default());
+        let mut by_time = Partial::by_time();
+        let mut jets = Jets::default();
         let (sides, gaps) = sides(&mut graph, &residuals);
         let mut rows = Vec::with_capacity(residuals.len());
         for ((residual, columns), slopes) in residuals.into_iter().zip(columns).zip(slopes) {
@@ -93,24 +102,27 @@ impl Kind {
     }
 }
 
-/// g‴(0) of g(s) = C(q + s q̇ + ½ s² q̈, t + s): the derivative of g″(0) along constant rates, and three
-/// times that of C_q q̈.
+/// g‴(0) of g(s) = C(q + s q̇ + ½ s² q̈, t + s): the derivative of g″(0) along constant rates, and
+/// three times that of C_q q̈.
 fn third(graph: &mut Graph, jets: &mut Jets, slopes: &[(usize, Node)], second: Node) -> Node {
-    let (zero, three) = (graph.zero(), graph.constant(3.0));
+    let zero = graph.zero();
+    let three = graph.constant(3.0);
     let straight = slopes.iter().fold(zero, |sum, (column, slope)| {
         let rate = graph.input(Input::Rate(*column, SECOND));
         let product = graph.mul(*slope, rate);
         graph.add(sum, product)
     });
-    let (bent, along) = (jets.first(graph, second), jets.first(graph, straight));
+    let bent = jets.first(graph, second);
+    let along = jets.first(graph, straight);
     let along = graph.mul(three, along);
     graph.add(bent, along)
 }
 
-/// The nodes that choose between sides of these rows where coordinates move, and how far what they are made
-/// of is from where they change.
+/// The nodes that choose between sides of these rows where coordinates move, and how far what they
+/// are made of is from where they change.
 fn sides(graph: &mut Graph, rows: &[Node]) -> (Vec<Node>, Vec<Node>) {
-    let (mut sides, mut gaps) = (Vec::new(), Vec::new());
+    let mut sides = Vec::new();
+    let mut gaps = Vec::new();
     for node in graph.reachable(rows) {
         let Some(choice) = Choice::of(graph, node) else { continue };
         let side = choice.node(graph);
@@ -127,7 +139,9 @@ fn sides(graph: &mut Graph, rows: &[Node]) -> (Vec<Node>, Vec<Node>) {
 fn outputs(rows: &[KindRow]) -> Vec<Node> {
     let of = |row: &KindRow| {
         let own = [row.residual, row.by_time, row.second].into_iter();
-        own.chain(row.third).chain(row.slopes.iter().map(|(_, slope)| *slope)).collect::<Vec<Node>>()
+        own.chain(row.third)
+            .chain(row.slopes.iter().map(|(_, slope)| *slope))
+            .collect::<Vec<Node>>()
     };
     rows.iter().flat_map(of).collect()
 }
@@ -146,9 +160,12 @@ fn read(
         Op::Input(input @ (Input::Time | Input::Parameter(_))) => to.input(input),
         Op::Law(law, x, order) => to.law(law, of(x), order),
         // The nearest f64, as kernels have it.
-        Op::Decimal(k) => from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?,
+        Op::Decimal(k) => {
+            from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?
+        }
         Op::Opaque(number, component) => {
-            let operands: Vec<Node> = from.opaques[number].iter().map(|operand| of(*operand)).collect();
+            let operands: Vec<Node> =
+                from.opaques[number].iter().map(|operand| of(*operand)).collect();
             if operands.iter().any(|operand| to.depends(*operand).on_q) {
                 return Err(FOREIGN);
             }

@@ -52,7 +52,8 @@ fn list(program: &mut Program, order: usize) -> &mut Vec<Node> {
     }
 }
 
-/// Plants a fault in what concerns coordinate, or row, number k; none where the program has no such number.
+/// Plants a fault in what concerns coordinate, or row, number k; none where the program has no such
+/// number.
 pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
     let n = program.values.len();
     match fault {
@@ -73,14 +74,16 @@ pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
             let all = std::mem::take(&mut program.correction);
             program.correction = all.into_iter().map(|node| program.graph.neg(node)).collect();
         }
-        Fault::Guard => {
-            program.guards.iter_mut().flatten().for_each(|guard| *guard = program.graph.constant(0.0))
-        }
+        Fault::Guard => program
+            .guards
+            .iter_mut()
+            .flatten()
+            .for_each(|guard| *guard = program.graph.constant(0.0)),
     }
 }
 
-/// Makes q̈ of coordinate k wrong at all times but one, with `size` times how far that is away: what looks at
-/// that time alone notices nothing.
+/// Makes q̈ of coordinate k wrong at all times but one, with `size` times how far that is away:
+/// what looks at that time alone notices nothing.
 pub(crate) fn wrong_but_at(program: &mut Program, k: usize, t: f64, size: f64) {
     let graph = &mut program.graph;
     let [now, then, size] = [graph.input(Input::Time), graph.constant(t), graph.constant(size)];
@@ -123,8 +126,11 @@ pub(crate) fn spoil(tape: &mut Tape, slip: Slip, mut k: usize) -> bool {
 
 /// Gives a step the kind with another sign: all steps become runs of one.
 fn turn(stage: &mut Stage, k: usize) {
-    let kinds: Vec<Kind> =
-        stage.runs.iter().flat_map(|run| std::iter::repeat_n(run.kind, run.steps as usize)).collect();
+    let kinds: Vec<Kind> = stage
+        .runs
+        .iter()
+        .flat_map(|run| std::iter::repeat_n(run.kind, run.steps as usize))
+        .collect();
     let steps = std::mem::take(&mut stage.steps);
     stage.runs.clear();
     for (own, (kind, step)) in kinds.into_iter().zip(steps).enumerate() {

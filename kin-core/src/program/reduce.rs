@@ -42,8 +42,8 @@ impl<'a> Reduced<'a> {
         }
     }
 
-    /// Forgets what the nodes that are computed from these inputs have become, sines and cosines of them but:
-    /// those stay.
+    /// Forgets what the nodes that are computed from these inputs have become, sines and cosines of
+    /// them but: those stay.
     pub(crate) fn rewrite(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
         let mut kept = vec![None; self.from.len()];
         for (input, node) in inputs {
@@ -57,7 +57,8 @@ impl<'a> Reduced<'a> {
         self.places = kept;
     }
 
-    /// Inputs are these nodes from now on: what is computed from them is forgotten, and nothing else.
+    /// Inputs are these nodes from now on: what is computed from them is forgotten, and nothing
+    /// else.
     pub(crate) fn replace(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
         let mut replaced = vec![false; self.from.len()];
         for (input, node) in inputs {
@@ -101,7 +102,8 @@ impl<'a> Reduced<'a> {
     /// A node whose operands are there.
     fn node(&mut self, node: Node) -> Node {
         let places = &self.places;
-        let (of, to) = (|node: Node| places[node.index()].unwrap_or_default(), &mut self.graph);
+        let of = |node: Node| places[node.index()].unwrap_or_default();
+        let to = &mut self.graph;
         match self.from.op(node) {
             Op::Input(input) => to.input(input),
             Op::Law(law, x, order) => to.law(law, of(x), order),

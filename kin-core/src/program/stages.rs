@@ -1,8 +1,8 @@
 //! The program: all that a step computes as nodes of one graph, of time and of torn coordinates.
 //!
-//! `time` is whatever depends on time alone, `correct` leads to the next iterate of the torn coordinates,
-//! `rates` gives all coordinates with q̇ and q̈, and `verify` is C as it was written, of the coordinates that
-//! were given: nothing of it can cancel against how they were found.
+//! `time` is whatever depends on time alone, `correct` leads to the next iterate of the torn
+//! coordinates, `rates` gives all coordinates with q̇ and q̈, and `verify` is C as it was written,
+//! of the coordinates that were given: nothing of it can cancel against how they were found.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Function, Graph, Input, LeafUse, Node, Source, evaluate};
@@ -15,8 +15,8 @@ use super::substitute::{Order, substitute};
 use crate::model::law::Law;
 use crate::system::System;
 
-/// Coordinates may be off by this share of themselves, and of their sizes, in what chooses between sides.
-/// \[-\]
+/// Coordinates may be off by this share of themselves, and of their sizes, in what chooses between
+/// sides. \[-\]
 const NEAR: f64 = 1e-12;
 
 /// Where an elimination is chosen.
@@ -28,15 +28,15 @@ pub(crate) struct Pose<'a> {
     pub sizes: &'a [f64],
 }
 
-/// A whole mechanism as straight-line stages. Inputs are time, [`Input::State`] of torn coordinates, and in
-/// `verify` [`Input::Column`] of all coordinates.
+/// A whole mechanism as straight-line stages. Inputs are time, [`Input::State`] of torn
+/// coordinates, and in `verify` [`Input::Column`] of all coordinates.
 pub(crate) struct Program {
     pub graph: Graph,
     pub laws: Vec<Law>,
     /// The numbers and laws that differ from case to case.
     pub free: Free,
-    /// The coordinates that are left to Newton's method, and by how much they are to be corrected: C_q Δq =
-    /// −C.
+    /// The coordinates that are left to Newton's method, and by how much they are to be corrected:
+    /// C_q Δq = −C.
     pub torn: Vec<usize>,
     pub correction: Vec<Node>,
     /// The rows that are left, and their nodes: −C where all else is put in.
@@ -87,7 +87,8 @@ pub(crate) fn program_of_cases(
     let (mut reduced, values) = Reduced::new(&whole, &order);
     let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
     let mut program = finished(&whole, &order, (reduced, values), [&elimination; 4]);
-    program.chosen = program.guards.iter().map(|own| numbers(&program.graph, own, &whole.at(pose))).collect();
+    program.chosen =
+        program.guards.iter().map(|own| numbers(&program.graph, own, &whole.at(pose))).collect();
     Ok(program)
 }
 
@@ -107,8 +108,8 @@ pub(super) fn eliminated<'o>(
     Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
 }
 
-/// All stages by the elimination, told once for each of its right sides: those of corrections, q̇, q̈ and q⃛;
-/// `values` are the nodes of coordinates.
+/// All stages by the elimination, told once for each of its right sides: those of corrections, q̇,
+/// q̈ and q⃛; `values` are the nodes of coordinates.
 pub(super) fn finished(
     whole: &Whole,
     order: &Order,
@@ -126,15 +127,22 @@ pub(super) fn finished(
     let corrections = elimination.solve(&mut reduced.graph, &b);
     let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.by_time));
     let rates = of_rates.solve(&mut reduced.graph, &b);
-    rates.iter().enumerate().for_each(|(column, rate)| reduced.put(Input::Rate(column, SELF), *rate));
+    rates
+        .iter()
+        .enumerate()
+        .for_each(|(column, rate)| reduced.put(Input::Rate(column, SELF), *rate));
     let b = opposite(&mut reduced, whole.rows.iter().map(|row| row.second));
     let second_rates = of_second_rates.solve(&mut reduced.graph, &b);
     let third_rates = third_rates(&mut reduced, whole, &second_rates, of_third_rates);
     let sides = sides(&mut reduced, whole);
-    let columns: Vec<Node> = (0..whole.n).map(|column| reduced.graph.input(Input::Column(column))).collect();
-    reduced.rewrite(columns.iter().enumerate().map(|(column, node)| (Input::State(column, SELF), *node)));
+    let columns: Vec<Node> =
+        (0..whole.n).map(|column| reduced.graph.input(Input::Column(column))).collect();
+    reduced.rewrite(
+        columns.iter().enumerate().map(|(column, node)| (Input::State(column, SELF), *node)),
+    );
     let verify = whole.rows.iter().map(|row| reduced.of(row.residual)).collect();
-    let (graph, guards) = (reduced.graph, elimination.guards());
+    let graph = reduced.graph;
+    let guards = elimination.guards();
     Program {
         correction: order.torn.iter().map(|column| corrections[*column]).collect(),
         guards,
@@ -182,8 +190,9 @@ fn sides(reduced: &mut Reduced<'_>, whole: &Whole) -> Vec<Node> {
     sides
 }
 
-/// For each gap a node that is 1, and not a number where the gap is so small that rounding of coordinates
-/// closes it: which side is chosen there is left to single steps, that engines do not differ.
+/// For each gap a node that is 1, and not a number where the gap is so small that rounding of
+/// coordinates closes it: which side is chosen there is left to single steps, that engines do not
+/// differ.
 fn undecided(whole: &mut Whole, sizes: &[f64]) -> Vec<Node> {
     let graph = &mut whole.graph;
     let mut nodes = Vec::new();
@@ -192,9 +201,10 @@ fn undecided(whole: &mut Whole, sizes: &[f64]) -> Vec<Node> {
         for column in graph.columns(&[gap]) {
             let slope = Partial::by_column(column).of(graph, gap);
             let coordinate = graph.input(Input::State(column.argument, column.part));
-            let [slope, coordinate] = [slope, coordinate].map(|node| graph.call(Function::Abs, node));
-            let [rounding, size] =
-                [NEAR, NEAR * sizes.get(column.argument).unwrap_or(&1.0)].map(|x| graph.constant(x));
+            let [slope, coordinate] =
+                [slope, coordinate].map(|node| graph.call(Function::Abs, node));
+            let [rounding, size] = [NEAR, NEAR * sizes.get(column.argument).unwrap_or(&1.0)]
+                .map(|x| graph.constant(x));
             let share = graph.mul(rounding, coordinate);
             let share = graph.add(share, size);
             let share = graph.mul(slope, share);

@@ -1,5 +1,5 @@
-//! Which coordinates a row gives: q_j = −rest/c, where the row is c q_j + rest with a constant c. The others
-//! are torn: Newton's method is left with them, and with the rows that give nothing.
+//! Which coordinates a row gives: q_j = −rest/c, where the row is c q_j + rest with a constant c.
+//! The others are torn: Newton's method is left with them, and with the rows that give nothing.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -23,7 +23,8 @@ pub(crate) struct Explicit {
     pub rest: Node,
 }
 
-/// The coordinates that are given, each by those before it and by torn ones, and the rows that are left.
+/// The coordinates that are given, each by those before it and by torn ones, and the rows that are
+/// left.
 #[derive(Debug, Default)]
 pub(crate) struct Order {
     pub explicit: Vec<Explicit>,
@@ -32,8 +33,8 @@ pub(crate) struct Order {
     pub rows: Vec<usize>,
 }
 
-/// Of a mechanism with as many rows as coordinates. `slopes` has the value of each slope of each row at the
-/// guess, `sizes` the sizes of coordinates.
+/// Of a mechanism with as many rows as coordinates. `slopes` has the value of each slope of each
+/// row at the guess, `sizes` the sizes of coordinates.
 pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Order {
     let eligible = eligible(whole, slopes, sizes);
     let zero = whole.graph.zero();
@@ -45,7 +46,8 @@ pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) 
     ordered(&cells, whole.n, eligible)
 }
 
-/// An order of rows with these cells, in so many coordinates, by the coordinates that each row could give.
+/// An order of rows with these cells, in so many coordinates, by the coordinates that each row
+/// could give.
 pub(crate) fn ordered(cells: &[&[(usize, Node)]], n: usize, eligible: Vec<Vec<Explicit>>) -> Order {
     let mut search = Search::new(cells, n, eligible);
     while search.left > 0 {
@@ -67,10 +69,12 @@ pub(crate) fn constants(
     values: &[f64],
     sizes: &[f64],
 ) -> Vec<(usize, f64)> {
-    let measures = cells.iter().zip(values).map(|((column, _), value)| (value * sizes[*column]).abs());
+    let measures =
+        cells.iter().zip(values).map(|((column, _), value)| (value * sizes[*column]).abs());
     let largest = measures.fold(0.0, f64::max);
     let constant = |(column, cell): &(usize, Node)| {
-        let large = |factor: &f64| (factor * sizes[*column]).abs() >= SHARE * largest && factor.is_finite();
+        let large =
+            |factor: &f64| (factor * sizes[*column]).abs() >= SHARE * largest && factor.is_finite();
         graph.constant_value(*cell).filter(large).map(|factor| (*column, factor))
     };
     cells.iter().filter_map(constant).filter(|(_, factor)| *factor != 0.0).collect()
@@ -83,7 +87,9 @@ fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Ex
         let mut own = Vec::new();
         for (column, factor) in constants(&whole.graph, &whole.rows[row].slopes, values, sizes) {
             let residual = whole.rows[row].residual;
-            let Some(input) = whole.graph.existing(Op::Input(Input::State(column, SELF))) else { continue };
+            let Some(input) = whole.graph.existing(Op::Input(Input::State(column, SELF))) else {
+                continue;
+            };
             let split = split(&mut whole.graph, residual, input).filter(|(own, _)| *own == factor);
             own.extend(split.map(|(_, rest)| Explicit { row, column, factor, rest }));
         }
@@ -105,11 +111,13 @@ fn split(graph: &mut Graph, node: Node, own: Node) -> Option<(f64, Node)> {
             (-c, graph.neg(rest))
         }
         Op::Add(a, b) => {
-            let ((c, left), (d, right)) = (split(graph, a, own)?, split(graph, b, own)?);
+            let (c, left) = split(graph, a, own)?;
+            let (d, right) = split(graph, b, own)?;
             (c + d, if (left, right) == (a, b) { node } else { graph.add(left, right) })
         }
         Op::Sub(a, b) => {
-            let ((c, left), (d, right)) = (split(graph, a, own)?, split(graph, b, own)?);
+            let (c, left) = split(graph, a, own)?;
+            let (d, right) = split(graph, b, own)?;
             (c - d, if (left, right) == (a, b) { node } else { graph.sub(left, right) })
         }
         Op::Mul(a, b) if graph.constant_value(a).is_some() => {
@@ -127,7 +135,8 @@ fn split(graph: &mut Graph, node: Node, own: Node) -> Option<(f64, Node)> {
 
 /// True if a node is computed from another one. A row is small beside the graph of all.
 fn reads(graph: &Graph, node: Node, wanted: Node) -> bool {
-    let (mut seen, mut open) = (HashSet::new(), vec![node]);
+    let mut seen = HashSet::new();
+    let mut open = vec![node];
     while let Some(node) = open.pop() {
         if node == wanted {
             return true;
@@ -164,8 +173,12 @@ impl Search {
         }
         let unknown: Vec<usize> = cells.iter().map(|row| row.len()).collect();
         let could: Vec<usize> = eligible.iter().map(Vec::len).collect();
-        let open = (0..unknown.len()).filter(|row| could[*row] > 0).map(|row| (unknown[row], row)).collect();
-        let ready = (0..unknown.len()).rev().filter(|row| unknown[*row] == 1 && could[*row] == 1).collect();
+        let open = (0..unknown.len())
+            .filter(|row| could[*row] > 0)
+            .map(|row| (unknown[row], row))
+            .collect();
+        let ready =
+            (0..unknown.len()).rev().filter(|row| unknown[*row] == 1 && could[*row] == 1).collect();
         let rows = cells.len();
         let order = Order::default();
         Search {
@@ -184,7 +197,9 @@ impl Search {
 
     /// The one unknown of a row is given by it, unless it has become known meanwhile.
     fn give(&mut self, row: usize) {
-        let Some(found) = self.eligible[row].iter().find(|found| !self.known[found.column]).copied() else {
+        let Some(found) =
+            self.eligible[row].iter().find(|found| !self.known[found.column]).copied()
+        else {
             return;
         };
         if !self.used[row] && self.unknown[row] == 1 {
@@ -194,14 +209,18 @@ impl Search {
         }
     }
 
-    /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if there is
-    /// any, and that most rows read.
+    /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if
+    /// there is any, and that most rows read.
     fn tear(&mut self, cells: &[&[(usize, Node)]]) {
         let row = self.open.first().map(|(_, row)| *row);
         let column = match row {
             Some(row) => {
-                let own = cells[row].iter().map(|(column, _)| *column).filter(|column| !self.known[*column]);
-                let gives = |column: usize| self.eligible[row].iter().any(|found| found.column == column);
+                let own = cells[row]
+                    .iter()
+                    .map(|(column, _)| *column)
+                    .filter(|column| !self.known[*column]);
+                let gives =
+                    |column: usize| self.eligible[row].iter().any(|found| found.column == column);
                 own.max_by_key(|column| {
                     (!gives(*column), self.readers[*column].len(), std::cmp::Reverse(*column))
                 })
@@ -222,7 +241,8 @@ impl Search {
             let row = self.readers[column][k];
             self.open.remove(&(self.unknown[row], row));
             self.unknown[row] -= 1;
-            self.could[row] -= usize::from(self.eligible[row].iter().any(|found| found.column == column));
+            self.could[row] -=
+                usize::from(self.eligible[row].iter().any(|found| found.column == column));
             if self.used[row] || self.could[row] == 0 {
                 continue;
             }

@@ -1,4 +1,5 @@
-//! C_qᵀ λ = b as nodes, by the same elimination: U and L change places, and everything goes the other way.
+//! C_qᵀ λ = b as nodes, by the same elimination: U and L change places, and everything goes the
+//! other way.
 
 use kin_graph::{Graph, Node};
 
@@ -10,7 +11,8 @@ impl Elimination<'_> {
     /// λ of C_qᵀ λ = b, by rows of the whole; b by coordinates.
     pub(crate) fn solve_transposed(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let (mut b, mut lambda) = (b.to_vec(), vec![graph.zero(); b.len()]);
-        // No row that is left has a coordinate that is given, once multiples of the given rows are taken out.
+        // No row that is left has a coordinate that is given, once multiples of the given rows are
+        // taken out.
         for (own, cells) in self.order.explicit.iter().zip(&self.given).rev() {
             let part = over(graph, b[own.column], own.factor);
             lambda[own.row] = part;
@@ -44,7 +46,9 @@ impl Block {
             own.push((pivot.row, part));
         }
         let rest: Vec<Node> = self.cofactors.columns.iter().map(|column| b[*column]).collect();
-        own.extend(self.cofactors.rows.iter().copied().zip(self.cofactors.solve_transposed(graph, &rest)));
+        own.extend(
+            self.cofactors.rows.iter().copied().zip(self.cofactors.solve_transposed(graph, &rest)),
+        );
         for (k, pivot) in self.pivots.iter().enumerate().rev() {
             for (row, multiplier) in &pivot.lower {
                 let Some((_, part)) = own.iter().find(|(known, _)| known == row) else { continue };

@@ -1,5 +1,5 @@
-//! A mechanism as one program: the coordinates that its rows give, those that are left to Newton's method,
-//! and its size.
+//! A mechanism as one program: the coordinates that its rows give, those that are left to Newton's
+//! method, and its size.
 
 use std::fmt;
 
@@ -30,12 +30,13 @@ pub struct Compiled {
 }
 
 impl System {
-    /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and tells what
-    /// came of it. The program is kept: runs that begin there are computed by it from 32 times on, and
-    /// positions that [`System::solve_at`] looks for from near by, unless [`Options::engine`] is
-    /// [`crate::Engine::Plain`], until anything is set in the system.
+    /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and
+    /// tells what came of it. The program is kept: runs that begin there are computed by it from 32
+    /// times on, and positions that [`System::solve_at`] looks for from near by, unless
+    /// [`Options::engine`] is [`crate::Engine::Plain`], until anything is set in the system.
     ///
-    /// So a loop that asks for one position after the other, as controllers do, is begun by this call.
+    /// So a loop that asks for one position after the other, as controllers do, is begun by this
+    /// call.
     ///
     /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
@@ -50,7 +51,8 @@ impl System {
         let named = |wanted: bool| {
             (0..names.len()).filter(|k| is_torn(k) == wanted).map(|k| names[k].clone()).collect()
         };
-        let (substituted, unknowns) = (named(false), named(true));
+        let substituted = named(false);
+        let unknowns = named(true);
         Ok(Compiled {
             name: self.name().to_string(),
             substituted,
@@ -84,8 +86,10 @@ impl Compiled {
 
     /// All of it in a few lines.
     pub fn summary(&self) -> String {
-        let (given, left) = (self.substituted.len(), self.unknowns.len());
-        let mut text = format!("{}: {given} of {} coordinates are given by rows", self.name, given + left);
+        let given = self.substituted.len();
+        let left = self.unknowns.len();
+        let mut text =
+            format!("{}: {given} of {} coordinates are given by rows", self.name, given + left);
         if left > 0 {
             let blocks: Vec<String> = self.blocks.iter().map(usize::to_string).collect();
             text += &format!(

@@ -19,7 +19,7 @@ pub(crate) enum Start<'a> {
 pub(crate) struct Explain {
     /// The error of a mechanism that cannot be driven at a time, with its diagnosis.
     pub cannot_be_driven: fn(Model<'_>, Start<'_>, f64, &Options) -> Error,
-    /// An error of a run with what is wrong with the mechanism at that time, as far as the size of the system
-    /// allows to look for it.
+    /// An error of a run with what is wrong with the mechanism at that time, as far as the size of
+    /// the system allows to look for it.
     pub explained: fn(Error, &System, &Options) -> Error,
 }

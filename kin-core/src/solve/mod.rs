@@ -1,5 +1,5 @@
-//! Positions, velocities and accelerations: Newton's method, runs that stay on their branch, assembly from
-//! afar, sweeps, and the motion that comes out.
+//! Positions, velocities and accelerations: Newton's method, runs that stay on their branch,
+//! assembly from afar, sweeps, and the motion that comes out.
 
 pub(crate) mod assembly;
 pub(crate) mod compile;

@@ -1,5 +1,5 @@
-//! The motion that a run gives: position, velocity and acceleration over time, with names and units, and the
-//! quantities derived from them.
+//! The motion that a run gives: position, velocity and acceleration over time, with names and
+//! units, and the quantities derived from them.
 
 pub(crate) mod csv;
 mod distance;
@@ -63,7 +63,13 @@ impl Motion {
 
     /// q, q̇, q̈ and q⃛ (or nothing) at one more time; `worst` is the row with the largest |C_i|.
     #[inline(always)]
-    pub(crate) fn append(&mut self, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4], outcome: Outcome, worst: usize) {
+    pub(crate) fn append(
+        &mut self,
+        t: f64,
+        [q, qd, qdd, qddd]: [&[f64]; 4],
+        outcome: Outcome,
+        worst: usize,
+    ) {
         if self.is_worse(outcome) {
             self.worst = Some((outcome.residual, worst));
         }
@@ -90,8 +96,8 @@ impl Motion {
         self.worst = worst;
     }
 
-    /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`. Those of
-    /// the ground stand still.
+    /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`.
+    /// Those of the ground stand still.
     ///
     /// Errors: a coordinate of another mechanism.
     pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<Quantity> {
@@ -99,13 +105,18 @@ impl Motion {
             Some(Place::Own { first, .. }) => Ok(self.column(first)),
             Some(Place::Ground(value)) => {
                 let still = if self.has_jerk() { self.len() } else { 0 };
-                let orders =
-                    [vec![value; self.len()], vec![0.0; self.len()], vec![0.0; self.len()], vec![0.0; still]];
+                let orders = [
+                    vec![value; self.len()],
+                    vec![0.0; self.len()],
+                    vec![0.0; self.len()],
+                    vec![0.0; still],
+                ];
                 Ok(Quantity::new("ground", "-", self.clock(), orders))
             }
             None => {
-                let (mechanism, place, argument) =
-                    (self.name.to_string(), "coordinate".to_string(), "coordinate".to_string());
+                let mechanism = self.name.to_string();
+                let place = "coordinate".to_string();
+                let argument = "coordinate".to_string();
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }
@@ -142,9 +153,15 @@ impl Motion {
     }
 
     fn column(&self, column: usize) -> Quantity {
-        let values = |all: &Vec<f64>| all.iter().skip(column).step_by(self.layout.len()).copied().collect();
+        let values =
+            |all: &Vec<f64>| all.iter().skip(column).step_by(self.layout.len()).copied().collect();
         let orders = [&self.q, &self.qd, &self.qdd, &self.qddd].map(values);
-        Quantity::new(&self.layout.names[column], &self.layout.unit(column, 0), self.clock(), orders)
+        Quantity::new(
+            &self.layout.names[column],
+            &self.layout.unit(column, 0),
+            self.clock(),
+            orders,
+        )
     }
 
     /// Adds a derived quantity to the file: one value a time.
@@ -164,7 +181,9 @@ impl Motion {
                 found: values.len(),
             });
         }
-        if let Some((t, value)) = self.times.iter().zip(&values).find(|(_, value)| !value.is_finite()) {
+        if let Some((t, value)) =
+            self.times.iter().zip(&values).find(|(_, value)| !value.is_finite())
+        {
             return Err(Error::OutputNotFinite {
                 output: name.to_string(),
                 t: *t,
@@ -179,7 +198,12 @@ impl Motion {
     /// Adds r, v and a of a point of a body to the file, as `NAME.x`, `NAME.y`, `NAME.x'`, ….
     ///
     /// Errors: a body of another mechanism, name empty or taken.
-    pub fn add_point<B: Body>(&mut self, name: &str, body: B, local: impl Into<B::Vector>) -> Result<()> {
+    pub fn add_point<B: Body>(
+        &mut self,
+        name: &str,
+        body: B,
+        local: impl Into<B::Vector>,
+    ) -> Result<()> {
         for component in self.point(body, local)?.components() {
             self.add_output(
                 &format!("{name}.{}", component.name()),

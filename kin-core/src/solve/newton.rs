@@ -1,7 +1,8 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 //!
-//! One iteration (`iterate`) serves single positions and redundant mechanisms (`redundant`), and one loop
-//! (`advance`) the smaller steps of time; `compiled` computes many times at once by a program.
+//! One iteration (`iterate`) serves single positions and redundant mechanisms (`redundant`), and
+//! one loop (`advance`) the smaller steps of time; `compiled` computes many times at once by a
+//! program.
 
 mod advance;
 pub(crate) mod compiled;
@@ -31,12 +32,13 @@ use iterate::single::Single;
 /// A position with a pivot below this cannot be told from a singular one.   \[-\]
 pub(crate) const DOUBTFUL: f64 = RANK;
 
-/// Pivots of the recorded elimination differ from those of a complete one by less than this: below it the
-/// latter are asked.   \[-\]
+/// Pivots of the recorded elimination differ from those of a complete one by less than this: below
+/// it the latter are asked.   \[-\]
 const SIMILAR: f64 = 30.0;
 
-/// A row may be off by this share of its measure before it has jumped with the last correction, whatever the
-/// stop rule: see [`Equations::has_jumped`](crate::system::evaluate::Equations::has_jumped).   \[-\]
+/// A row may be off by this share of its measure before it has jumped with the last correction,
+/// whatever the stop rule: see
+/// [`Equations::has_jumped`](crate::system::evaluate::Equations::has_jumped).   \[-\]
 const JUMPS: f64 = 1e-13;
 
 /// A damped step turns no body by more than this.   \[rad\]
@@ -108,7 +110,8 @@ pub(crate) struct Newton<'a> {
 
 impl<'a> Newton<'a> {
     pub(crate) fn new(system: &'a System, options: &'a Options) -> Self {
-        let (n, equations) = (system.n_coordinates(), system.equations());
+        let n = system.n_coordinates();
+        let equations = system.equations();
         Newton {
             system,
             options,
@@ -143,15 +146,17 @@ impl<'a> Newton<'a> {
         self.iterate(t, steps, false)
     }
 
-    /// The same where the point in hand is the solution of another time: only what depends on the time is
-    /// evaluated at first.
+    /// The same where the point in hand is the solution of another time: only what depends on the
+    /// time is evaluated at first.
     pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         self.iterate(t, steps, true)
     }
 
     fn iterate(&mut self, t: f64, steps: Steps, still: bool) -> Result<Outcome, Failure> {
-        let (options, near) = (self.options, steps == Steps::Near);
-        let mut single = Single { newton: self, t, steps, still, iterations: 0, failure: None, left: None };
+        let options = self.options;
+        let near = steps == Steps::Near;
+        let mut single =
+            Single { newton: self, t, steps, still, iterations: 0, failure: None, left: None };
         let mut found = iterate::newton(&mut single, options, near);
         let Single { iterations, failure, left, .. } = single;
         if let Some(left) = left {
@@ -160,16 +165,21 @@ impl<'a> Newton<'a> {
         if found && self.jumps {
             found = self.take_greater_choices(t);
         }
-        if found { self.regular(iterations) } else { Err(failure.unwrap_or_else(|| self.failure())) }
+        if found {
+            self.regular(iterations)
+        } else {
+            Err(failure.unwrap_or_else(|| self.failure()))
+        }
     }
 
-    /// The outcome, unless the position is singular for all that rounding lets one tell, or not what is
-    /// meant.
+    /// The outcome, unless the position is singular for all that rounding lets one tell, or not
+    /// what is meant.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
         if self.linear.is_provisional() && !self.measured_here() {
             return Err(Failure::Singular);
         }
-        let is_doubtful = self.linear.smallest_pivot() < SIMILAR * DOUBTFUL || self.linear.is_faint();
+        let is_doubtful =
+            self.linear.smallest_pivot() < SIMILAR * DOUBTFUL || self.linear.is_faint();
         if is_doubtful && self.is_singular() {
             return Err(Failure::Singular);
         }
@@ -179,8 +189,8 @@ impl<'a> Newton<'a> {
         Ok(Outcome { iterations, residual: self.residual })
     }
 
-    /// Rows and columns by what they are here and were at positions before: an iterate far off may have had
-    /// them much larger. False if C_q, which is factored anew, is singular.
+    /// Rows and columns by what they are here and were at positions before: an iterate far off may
+    /// have had them much larger. False if C_q, which is factored anew, is singular.
     #[cold]
     fn measured_here(&mut self) -> bool {
         self.linear.revoke();
@@ -190,13 +200,14 @@ impl<'a> Newton<'a> {
     /// True if the rank of C_q at the present point is one that a diagnosis calls less than n.
     #[cold]
     fn is_singular(&self) -> bool {
-        let (model, t) = (self.system.model(), self.instant.t());
+        let model = self.system.model();
+        let t = self.instant.t();
         let values = model.linearize(&self.q, t).map(|point| point.values);
         values.is_ok_and(|values| model.rank(&values, &model.measure(&self.q, t)) < self.q.len())
     }
 
-    /// Why the iteration came to no end: where C is met and still every step is long, C_q is singular for all
-    /// practical purposes.
+    /// Why the iteration came to no end: where C is met and still every step is long, C_q is
+    /// singular for all practical purposes.
     fn failure(&mut self) -> Failure {
         if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
             return Failure::Singular;
@@ -220,12 +231,13 @@ impl<'a> Newton<'a> {
     fn relinearize(&mut self, t: f64) -> Result<bool, Failure> {
         let equations = self.system.equations();
         equations.set_time(t, &mut self.instant);
-        let changed = equations.relinearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
+        let changed =
+            equations.relinearize(&self.q, &self.instant, &mut self.c, self.linear.values_mut());
         self.measure(changed).map(|()| changed)
     }
 
-    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a number is not
-    /// finite.
+    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a
+    /// number is not finite.
     #[inline(always)]
     fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
         self.residual = padded::oppose(self.linear.whole_rhs_mut(), self.c.whole());
@@ -242,8 +254,8 @@ impl<'a> Newton<'a> {
         self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
-    /// True if C = 0 holds to the tolerance, each row by its own measure; by the residual alone where that is
-    /// the stop rule.
+    /// True if C = 0 holds to the tolerance, each row by its own measure; by the residual alone
+    /// where that is the stop rule.
     fn met(&mut self) -> bool {
         match self.options.stop {
             Stop::Converged { tolerance } => self.is_within(tolerance),
@@ -251,7 +263,8 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// True if C = 0 holds to the tolerance, each row by its own measure, where rounding of q is allowed for.
+    /// True if C = 0 holds to the tolerance, each row by its own measure, where rounding of q is
+    /// allowed for.
     fn is_within(&mut self, tolerance: f64) -> bool {
         padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || {
             let mut allowed = std::mem::take(&mut self.allowed);
@@ -265,7 +278,8 @@ impl<'a> Newton<'a> {
     /// How far each row may be off at the point in hand.
     pub(crate) fn allow(&self, tolerance: f64, allowed: &mut Vec<f64>) {
         let entries = self.system.equations().entries.iter().zip(self.linear.values());
-        let entries = entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)));
+        let entries =
+            entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)));
         stop::allowances(tolerance, self.linear.norms(), entries, &self.q, allowed);
     }
 
@@ -274,8 +288,8 @@ impl<'a> Newton<'a> {
         padded::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
-    /// q += dq where nothing is looked at any more. Constraints that can jump are looked at all the same:
-    /// false if one has jumped.
+    /// q += dq where nothing is looked at any more. Constraints that can jump are looked at all the
+    /// same: false if one has jumped.
     #[inline(always)]
     fn correct_last(&mut self) -> bool {
         if self.jumps {
@@ -312,8 +326,8 @@ impl<'a> Newton<'a> {
         self.linearize(t).is_ok() && self.linear.factor()
     }
 
-    /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and turns nothing
-    /// too far.
+    /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and
+    /// turns nothing too far.
     fn damped(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         let units = &self.system.layout().units;
@@ -328,7 +342,8 @@ impl<'a> Newton<'a> {
         let failure = self.failure();
         self.before.copy_from_slice(&self.q);
         for _ in 0..HALVINGS {
-            for ((q, before), dq) in self.q.iter_mut().zip(&self.before).zip(self.linear.solution()) {
+            for ((q, before), dq) in self.q.iter_mut().zip(&self.before).zip(self.linear.solution())
+            {
                 *q = before + lambda * dq;
             }
             equations.set_position(&self.q, &mut self.instant);

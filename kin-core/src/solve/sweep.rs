@@ -1,5 +1,5 @@
-//! Many cases of one system: other parameters and initial values in each, spread over the cores of the
-//! machine, by one program in which they are left free.
+//! Many cases of one system: other parameters and initial values in each, spread over the cores of
+//! the machine, by one program in which they are left free.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -46,15 +46,15 @@ const THREADS: usize = 256;
 /// # }
 /// ```
 ///
-/// Results come in the order of the cases and do not depend on the number of threads. Of a motion only what
-/// the closure gives back is kept, so memory grows with the results alone.
+/// Results come in the order of the cases and do not depend on the number of threads. Of a motion
+/// only what the closure gives back is kept, so memory grows with the results alone.
 ///
 /// All cases are computed by one program of the whole mechanism where there can be one and it pays
-/// ([`Engine`](crate::Engine)): what differs from case to case is left free in it, and many times of a case
-/// are computed at once, in two SIMD registers (16 with AVX-512). The program is made where the system as it
-/// is begins, or, if that cannot be assembled, the first case that can: only then do results hang on which
-/// cases there are, by no more than the tolerance of the stop rule. The motion of a case has the events of a
-/// run of that case: limits of joints, kinks.
+/// ([`Engine`](crate::Engine)): what differs from case to case is left free in it, and many times
+/// of a case are computed at once, in two SIMD registers (16 with AVX-512). The program is made
+/// where the system as it is begins, or, if that cannot be assembled, the first case that can: only
+/// then do results hang on which cases there are, by no more than the tolerance of the stop rule.
+/// The motion of a case has the events of a run of that case: limits of joints, kinks.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
@@ -68,7 +68,8 @@ pub struct Sweep<'a> {
     stop: Option<&'a AtomicBool>,
 }
 
-/// Tells a run of a system, or what it has come to, what has happened on its way: the room above finds that.
+/// Tells a run of a system, or what it has come to, what has happened on its way: the room above
+/// finds that.
 type Noted = fn(&System, Result<Motion>) -> Result<Motion>;
 
 /// Told how many cases are done, of how many.
@@ -83,7 +84,8 @@ impl<'a> Sweep<'a> {
     ) -> Result<Self> {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         let places = system.places(&names)?;
-        let (lanes, progress) = (Lanes::default(), Mutex::new(None));
+        let lanes = Lanes::default();
+        let progress = Mutex::new(None);
         let options = Options::default();
         Ok(Sweep {
             system,
@@ -113,16 +115,16 @@ impl<'a> Sweep<'a> {
         self
     }
 
-    /// On so many threads of its own, and no more than can have cases, nor than 256. Without it the threads
-    /// are rayon's: one a core, or those of the pool that the sweep is run in.
+    /// On so many threads of its own, and no more than can have cases, nor than 256. Without it the
+    /// threads are rayon's: one a core, or those of the pool that the sweep is run in.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads.max(1));
         self
     }
 
-    /// Calls this with the number of cases done and of all cases, at the start with 0 and then every few
-    /// cases, by one thread at a time and never with less than before.
+    /// Calls this with the number of cases done and of all cases, at the start with 0 and then
+    /// every few cases, by one thread at a time and never with less than before.
     #[must_use]
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + Send + 'a) -> Self {
         self.progress = Mutex::new(Some(Box::new(progress)));
@@ -136,15 +138,16 @@ impl<'a> Sweep<'a> {
         self
     }
 
-    /// Runs every case over the times and gives what `keep` makes of each, in the order of the cases.
+    /// Runs every case over the times and gives what `keep` makes of each, in the order of the
+    /// cases.
     ///
     /// `keep` is called with the number of the case and its motion, or with the error that ended it
-    /// ([`Error::motion`] holds what was computed before; what is wrong with the mechanism is looked for only
-    /// if [`Sweep::diagnose`] asks), by several threads at once.
+    /// ([`Error::motion`] holds what was computed before; what is wrong with the mechanism is
+    /// looked for only if [`Sweep::diagnose`] asks), by several threads at once.
     ///
-    /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a number that
-    /// is not finite, times that do not only increase or only decrease, options out of range, motions under
-    /// way that take too much memory; and [`Error::Stopped`].
+    /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a
+    /// number that is not finite, times that do not only increase or only decrease, options out of
+    /// range, motions under way that take too much memory; and [`Error::Stopped`].
     pub fn run<R: Send>(
         &self,
         cases: &[impl AsRef<[f64]> + Sync],
@@ -173,9 +176,8 @@ impl<'a> Sweep<'a> {
         job.report(0);
         match self.threads {
             None => job.run(),
-            Some(threads) => {
-                pool(threads.min(cases.len().div_ceil(BATCH)).clamp(1, THREADS))?.install(|| job.run())
-            }
+            Some(threads) => pool(threads.min(cases.len().div_ceil(BATCH)).clamp(1, THREADS))?
+                .install(|| job.run()),
         }
     }
 
@@ -206,7 +208,9 @@ impl<'a> Sweep<'a> {
                     found: values.len(),
                 });
             }
-            if let Some((name, value)) = self.names.iter().zip(values).find(|(_, value)| !value.is_finite()) {
+            if let Some((name, value)) =
+                self.names.iter().zip(values).find(|(_, value)| !value.is_finite())
+            {
                 return Err(Error::CaseNotFinite { case, name: name.clone(), value: *value });
             }
         }
@@ -225,14 +229,21 @@ struct Job<'j, 'a, C, K> {
     done: Mutex<usize>,
 }
 
-impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R + Sync> Job<'_, '_, C, K> {
+impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R + Sync>
+    Job<'_, '_, C, K>
+{
     /// All batches, on the threads of this pool.
     fn run(&self) -> Result<Vec<R>> {
         let at_once = self.cases.len().min(rayon::current_num_threads());
-        self.sweep.options.check_memory(at_once, self.times.len(), self.sweep.system.n_coordinates())?;
+        self.sweep.options.check_memory(
+            at_once,
+            self.times.len(),
+            self.sweep.system.n_coordinates(),
+        )?;
         let batch = |system: &mut System, (number, cases): (usize, &[C])| {
             if self.sweep.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-                let (done, all) = (*lock(&self.done), self.cases.len());
+                let done = *lock(&self.done);
+                let all = self.cases.len();
                 return Err(Error::Stopped { done, all, motion: None });
             }
             let each = cases.iter().enumerate();
@@ -247,13 +258,15 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
             Ok(kept)
         };
         let batches = self.cases.par_chunks(BATCH).enumerate();
-        let kept: Result<Vec<Vec<R>>> = batches.map_init(|| self.sweep.system.clone(), batch).collect();
+        let kept: Result<Vec<Vec<R>>> =
+            batches.map_init(|| self.sweep.system.clone(), batch).collect();
         Ok(kept?.into_iter().flatten().collect())
     }
 
     /// The motion of a case whose numbers the system has.
     fn motion(&self, system: &System) -> Result<Motion> {
-        let (options, explain) = (&self.sweep.options, self.sweep.explain);
+        let options = &self.sweep.options;
+        let explain = self.sweep.explain;
         let computing = self.means.computing(system, self.times.len(), options)?;
         let motion = newton::run::run_by(system, self.times, (options, explain), None, computing);
         (self.sweep.noted)(system, motion)
@@ -282,5 +295,7 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 
 fn pool(threads: usize) -> Result<rayon::ThreadPool> {
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    built.map_err(|why| Error::InvalidOptions { reason: format!("{threads} threads cannot be had: {why}") })
+    built.map_err(|why| Error::InvalidOptions {
+        reason: format!("{threads} threads cannot be had: {why}"),
+    })
 }

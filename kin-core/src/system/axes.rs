@@ -1,6 +1,6 @@
-//! Axes whose components are set one by one. A constraint keeps unit vectors; the directions that they are
-//! made of are kept here as they were given, so that an axis does not hang on the order in which its
-//! components were set, nor on what they were before.
+//! Axes whose components are set one by one. A constraint keeps unit vectors; the directions that
+//! they are made of are kept here as they were given, so that an axis does not hang on the order in
+//! which its components were set, nor on what they were before.
 
 use super::System;
 use crate::model::describer::Describer;
@@ -21,7 +21,8 @@ impl Given {
 }
 
 impl System {
-    /// The axis and the number of its component that a parameter such as `h_i.x` is; `None` if it is none.
+    /// The axis and the number of its component that a parameter such as `h_i.x` is; `None` if it
+    /// is none.
     pub(super) fn component(&self, block: usize, parameter: &str) -> Option<(String, usize)> {
         let (axis, component) = parameter.rsplit_once('.')?;
         let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
@@ -35,9 +36,17 @@ impl System {
         self.axes.iter().find(|given| given.is(block, axis)).map(|given| given.directions[k])
     }
 
-    /// Sets component k of the axis that parameter `index` of a constraint is of; false if it cannot be set.
-    pub(super) fn put_numbered(&mut self, block: usize, index: usize, k: usize, value: f64) -> bool {
-        let (mut count, mut axis) = (0, String::new());
+    /// Sets component k of the axis that parameter `index` of a constraint is of; false if it
+    /// cannot be set.
+    pub(super) fn put_numbered(
+        &mut self,
+        block: usize,
+        index: usize,
+        k: usize,
+        value: f64,
+    ) -> bool {
+        let mut count = 0;
+        let mut axis = String::new();
         if let Some(block) = self.equations.blocks.get(block) {
             block.constraint.parameters(&mut |name, _| {
                 if count == index {
@@ -49,8 +58,8 @@ impl System {
         self.put_component(block, (&axis, k), value)
     }
 
-    /// The direction along an axis and the one across it, as they were given; `None` if there is no axis of
-    /// that name.
+    /// The direction along an axis and the one across it, as they were given; `None` if there is no
+    /// axis of that name.
     pub(super) fn directions(&self, block: usize, name: &str) -> Option<[f64; 6]> {
         let given = self.axes.iter().find(|given| given.is(block, name));
         given.map(|given| given.directions).or_else(|| self.directions_now(block, name))
@@ -64,7 +73,8 @@ impl System {
         }
         let mut described = Describer::default();
         constraint.describe(&mut described);
-        let mut numbers = described.parameters.get(name)?.as_array()?.iter().flat_map(|v| v.as_array());
+        let mut numbers =
+            described.parameters.get(name)?.as_array()?.iter().flat_map(|v| v.as_array());
         let [h, f] = [numbers.next()?, numbers.next()?];
         let mut all = h.iter().chain(f).filter_map(|x| x.as_f64());
         let mut directions = [f64::NAN; 6];
@@ -73,7 +83,12 @@ impl System {
     }
 
     /// Sets a component of the direction along an axis; false if it cannot be set.
-    pub(super) fn put_component(&mut self, block: usize, (name, k): (&str, usize), value: f64) -> bool {
+    pub(super) fn put_component(
+        &mut self,
+        block: usize,
+        (name, k): (&str, usize),
+        value: f64,
+    ) -> bool {
         let Some(mut directions) = self.directions(block, name) else { return false };
         directions[k] = value;
         self.forget_axis(block, name);

@@ -47,8 +47,8 @@ pub(crate) struct Moved {
 }
 
 impl System {
-    /// Names and values of the dimensions, in the order in which they were made; an expression that was given
-    /// a name is one of them.
+    /// Names and values of the dimensions, in the order in which they were made; an expression that
+    /// was given a name is one of them.
     pub fn dimensions(&self) -> Vec<(String, f64)> {
         let Some(Dimensions { all, values }) = &self.dimensions else { return Vec::new() };
         all.entries.iter().map(|entry| entry.name.clone()).zip(all.named(values)).collect()
@@ -60,7 +60,8 @@ impl System {
         let moves = |k: usize| all.on(k).any(|number| !all.hung[number].at.is_beside());
         let off = |(k, entry): (usize, &Entry)| {
             let entry = Some(entry).filter(|_| moves(k))?;
-            let tolerance = entry.tolerance.filter(|tolerance| *tolerance > 0.0 && !entry.is_derived)?;
+            let tolerance =
+                entry.tolerance.filter(|tolerance| *tolerance > 0.0 && !entry.is_derived)?;
             Some(Toleranced {
                 name: entry.name.clone(),
                 unit: entry.unit.clone(),
@@ -72,7 +73,8 @@ impl System {
         all.entries.iter().enumerate().filter_map(off).collect()
     }
 
-    /// The system with this pose for a guess: no other one is preferred, and it hangs on no dimensions.
+    /// The system with this pose for a guess: no other one is preferred, and it hangs on no
+    /// dimensions.
     pub(crate) fn guessed(&self, q: &[f64]) -> System {
         let mut system = self.clone();
         system.forget();
@@ -85,9 +87,12 @@ impl System {
         system
     }
 
-    /// The system with dimensions that are off by so much, beyond their ranges too; `None` where that makes
-    /// no sense.
-    pub(crate) fn off<'a>(&self, by: impl IntoIterator<Item = (&'a String, f64)>) -> Option<System> {
+    /// The system with dimensions that are off by so much, beyond their ranges too; `None` where
+    /// that makes no sense.
+    pub(crate) fn off<'a>(
+        &self,
+        by: impl IntoIterator<Item = (&'a String, f64)>,
+    ) -> Option<System> {
         let mut system = self.clone();
         for (name, off) in by {
             let k = system.dimension_number(name)?;
@@ -98,8 +103,8 @@ impl System {
         Some(system)
     }
 
-    /// Bounds of all numbers that hang on dimensions, with their places, where dimensions of these names are
-    /// those series and the others what they are.
+    /// Bounds of all numbers that hang on dimensions, with their places, where dimensions of these
+    /// names are those series and the others what they are.
     pub(crate) fn hung_over(&self, names: &[String], all: &[Series]) -> Vec<(Bound, Series)> {
         let Some(Dimensions { all: own, values }) = &self.dimensions else { return Vec::new() };
         let mut series: Vec<Series> = values.iter().map(|x| Series::number(*x)).collect();
@@ -152,7 +157,9 @@ impl System {
     /// An error where the value that a dimension has been put to is none that it can be set to.
     pub(super) fn check_dimension_as_put(&self, k: usize) -> Result<()> {
         let value = self.dimensions.as_ref().and_then(|all| all.values.get(k).copied());
-        value.map_or(Ok(()), |value| self.check_range(k, value).and_then(|()| self.check_dimension(k, value)))
+        value.map_or(Ok(()), |value| {
+            self.check_range(k, value).and_then(|()| self.check_dimension(k, value))
+        })
     }
 
     fn check_range(&self, k: usize, value: f64) -> Result<()> {
@@ -167,8 +174,8 @@ impl System {
         }
     }
 
-    /// Sets a dimension and all that hangs on it, however little sense that makes; false if a number of it
-    /// cannot be set.
+    /// Sets a dimension and all that hangs on it, however little sense that makes; false if a
+    /// number of it cannot be set.
     pub(super) fn put_dimension(&mut self, k: usize, value: f64) -> bool {
         let Some(Dimensions { all, values }) = &mut self.dimensions else { return false };
         let all = Arc::clone(all);
@@ -199,7 +206,9 @@ impl System {
                     done &= self.put(CasePlace::Coordinate(*column), value);
                 }
                 Bound::PreferredMeasure(name) => self.put_preferred(name, value),
-                Bound::Beside { of, name } => done &= Arc::make_mut(&mut self.loads).put(of, name, value),
+                Bound::Beside { of, name } => {
+                    done &= Arc::make_mut(&mut self.loads).put(of, name, value)
+                }
             }
         }
         self.links = self.layout.planar(&self.lengths);
@@ -209,7 +218,9 @@ impl System {
     /// The constraint of that place, to be changed.
     fn held_mut(&mut self, of: Holder) -> Option<&mut Box<dyn Constraint>> {
         match of {
-            Holder::Constraint(k) => self.equations.blocks.get_mut(k).map(|block| &mut block.constraint),
+            Holder::Constraint(k) => {
+                self.equations.blocks.get_mut(k).map(|block| &mut block.constraint)
+            }
             _ => Arc::make_mut(&mut self.loads).held_mut(of),
         }
     }
@@ -218,7 +229,9 @@ impl System {
     fn put_in(&mut self, of: Holder, index: usize, value: f64) -> bool {
         match of {
             Holder::Constraint(block) => self.put(CasePlace::Parameter { block, index }, value),
-            _ => self.held_mut(of).is_some_and(|constraint| constraint.set_parameter_at(index, value)),
+            _ => self
+                .held_mut(of)
+                .is_some_and(|constraint| constraint.set_parameter_at(index, value)),
         }
     }
 
@@ -233,8 +246,9 @@ impl System {
         if let Some(column) = self.coordinate_names().iter().position(|known| known == name) {
             self.put(CasePlace::Coordinate(column), value);
         } else if let Some(place) = self.place_of(name) {
-            let own =
-                |asked: &&mut PreferredMeasure| (asked.block, asked.number) == (place.block, place.number);
+            let own = |asked: &&mut PreferredMeasure| {
+                (asked.block, asked.number) == (place.block, place.number)
+            };
             self.asked.iter_mut().filter(own).for_each(|asked| asked.value = value);
         }
     }
@@ -242,7 +256,8 @@ impl System {
     /// An error by name where what hangs on a dimension makes no sense.
     fn check_dimension(&self, k: usize, value: f64) -> Result<()> {
         let Some(Dimensions { all, values }) = &self.dimensions else { return Ok(()) };
-        let (name, numbers) = (&all.entries[k].name, all.numbers(values));
+        let name = &all.entries[k].name;
+        let numbers = all.numbers(values);
         let invalid = |reason: String| Err(DimensionError::invalid(name, reason));
         for number in all.on(k) {
             let found = numbers[number];
@@ -253,7 +268,10 @@ impl System {
                 }
                 Bound::Length(link) if !(found.is_finite() && found > 0.0) => {
                     let (item, length) = self.lengths[*link];
-                    return Err(Error::InvalidLength { link: self.layout.items[item].name.clone(), length });
+                    return Err(Error::InvalidLength {
+                        link: self.layout.items[item].name.clone(),
+                        length,
+                    });
                 }
                 at if at.is_guess() && !found.is_finite() => {
                     return invalid(format!("with {value} a guess is {found}"));
@@ -267,9 +285,9 @@ impl System {
             }
         }
         all.on(k).try_for_each(|number| match &all.hung[number].at {
-            Bound::Parameter { of, .. } | Bound::Axis { of, .. } => {
-                self.held(*of).map_or(Ok(()), |(of, constraint)| sensible_parameters(of, constraint))
-            }
+            Bound::Parameter { of, .. } | Bound::Axis { of, .. } => self
+                .held(*of)
+                .map_or(Ok(()), |(of, constraint)| sensible_parameters(of, constraint)),
             Bound::Beside { of, .. } => {
                 self.sensible_beside(of).or_else(|error| invalid(format!("with {value} {error}")))
             }
@@ -280,9 +298,11 @@ impl System {
     /// The name and the constraint of that place.
     fn held(&self, of: Holder) -> Option<(&str, &dyn Constraint)> {
         match of {
-            Holder::Constraint(k) => {
-                self.equations.blocks.get(k).map(|block| (block.name.as_str(), block.constraint.as_ref()))
-            }
+            Holder::Constraint(k) => self
+                .equations
+                .blocks
+                .get(k)
+                .map(|block| (block.name.as_str(), block.constraint.as_ref())),
             _ => self.loads.held(of),
         }
     }
@@ -298,9 +318,10 @@ impl System {
                     solid.sensible(&item.name, item.kind == Kind::Planar)
                 })
             }
-            Beside::PointMass(k) => {
-                loads.points.get(*k).map_or(Ok(()), |(name, _, mass)| sensible_point_mass(name, *mass))
-            }
+            Beside::PointMass(k) => loads
+                .points
+                .get(*k)
+                .map_or(Ok(()), |(name, _, mass)| sensible_point_mass(name, *mass)),
             Beside::Gravity => sensible_gravity(&loads.gravity),
             Beside::OnBody { load, part } => {
                 let Some((name, load)) = loads.loads.get(*load) else { return Ok(()) };
@@ -332,10 +353,11 @@ impl System {
         })
     }
 
-    /// The numbers of constraints that move with the dimension or parameter of that name. Errors: an
-    /// expression with a name, a name that nothing has.
+    /// The numbers of constraints that move with the dimension or parameter of that name. Errors:
+    /// an expression with a name, a name that nothing has.
     pub(crate) fn moving_with(&self, name: &str) -> Result<Vec<Moved>> {
-        let (Some(k), Some(Dimensions { all, values })) = (self.dimension_number(name), &self.dimensions)
+        let (Some(k), Some(Dimensions { all, values })) =
+            (self.dimension_number(name), &self.dimensions)
         else {
             let (block, own, _) = self.find(name)?;
             return Ok(self.moved_parameter(block, own));
@@ -345,14 +367,17 @@ impl System {
         let mut moved: Vec<Moved> = Vec::new();
         for number in all.on(k) {
             match &all.hung[number].at {
-                Bound::Parameter { of: Holder::Constraint(block), name, .. } => {
-                    moved.push(Moved { block: *block, name: name.clone(), slope: numbers[number].0.eps })
-                }
+                Bound::Parameter { of: Holder::Constraint(block), name, .. } => moved.push(Moved {
+                    block: *block,
+                    name: name.clone(),
+                    slope: numbers[number].0.eps,
+                }),
                 Bound::Axis { of: Holder::Constraint(block), name, .. } => {
                     let together = all.with(number);
                     // Once for all of its numbers.
                     if all.on(k).find(|other| together.contains(other)) == Some(number) {
-                        let given: Vec<Real<Dual64>> = together.iter().map(|other| numbers[*other]).collect();
+                        let given: Vec<Real<Dual64>> =
+                            together.iter().map(|other| numbers[*other]).collect();
                         moved.extend(Moved::axis(*block, name, Axis::given(&given)));
                     }
                 }
@@ -362,7 +387,8 @@ impl System {
         Ok(moved)
     }
 
-    /// The numbers that move with a parameter: itself, or those of the axis whose direction it is one of.
+    /// The numbers that move with a parameter: itself, or those of the axis whose direction it is
+    /// one of.
     fn moved_parameter(&self, block: usize, own: String) -> Vec<Moved> {
         let of_axis = self.component(block, &own).and_then(|(axis, k)| {
             let directions = self.directions(block, &axis)?;

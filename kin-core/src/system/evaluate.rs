@@ -1,5 +1,5 @@
-//! Evaluation of a whole system: states once an iterate, then each constraint into its own block of rows and
-//! values.
+//! Evaluation of a whole system: states once an iterate, then each constraint into its own block of
+//! rows and values.
 
 mod block;
 mod culprit;
@@ -17,7 +17,8 @@ pub(crate) use block::Block;
 use block::from;
 use linear::LinearRows;
 
-/// The arguments of constraints at one instant: the time, values computed from it alone, states and rates.
+/// The arguments of constraints at one instant: the time, values computed from it alone, states and
+/// rates.
 #[derive(Clone, Debug)]
 pub(crate) struct Instant {
     t: f64,
@@ -91,8 +92,8 @@ struct Asked {
 #[derive(Clone, Copy)]
 struct Straight {
     block: usize,
-    /// Where what its rows come to stands among the numbers of the time, and whether the constraint writes it
-    /// there itself.
+    /// Where what its rows come to stands among the numbers of the time, and whether the constraint
+    /// writes it there itself.
     sides: usize,
     by_constraint: bool,
 }
@@ -125,7 +126,10 @@ impl Equations {
     /// Turns what one constraint has seen to what another one sees: less to write than all of it.
     #[inline(always)]
     fn show<'a>(&'a self, block: &Block, instant: &'a Instant, at: &mut At<'a>) {
-        at.turn(&self.plan.arguments()[block.arguments.range()], from(&instant.timed, block.timed.first));
+        at.turn(
+            &self.plan.arguments()[block.arguments.range()],
+            from(&instant.timed, block.timed.first),
+        );
     }
 
     /// Where all coordinates are zero, as a constraint sees it.
@@ -160,12 +164,13 @@ impl Equations {
         instant.t = t;
     }
 
-    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend on the
-    /// rates.
+    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend
+    /// on the rates.
     fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
         let block = &self.blocks[block];
         let (timed, asked) = instant.timed.split_at_mut(sides);
-        let (at, m) = (self.origin(t, block).with_timed(&timed[block.timed.range()]), block.rows().len());
+        let at = self.origin(t, block).with_timed(&timed[block.timed.range()]);
+        let m = block.rows().len();
         block.constraint.residual(&at, &mut asked[..m]);
         block.constraint.velocity_rhs(&at, &mut asked[m..2 * m]);
         block.constraint.acceleration_rhs(
@@ -193,7 +198,8 @@ impl Equations {
         finite(c, "C")
     }
 
-    /// Writes the values of C_q that never change; [`Equations::linearize`] may leave them as they are.
+    /// Writes the values of C_q that never change; [`Equations::linearize`] may leave them as they
+    /// are.
     pub(crate) fn set_constants(&self, values: &mut [f64]) {
         values
             .iter_mut()
@@ -202,7 +208,13 @@ impl Equations {
     }
 
     /// C(q, t) and the values of C_q at an instant of that q, whether they are finite or not.
-    pub(crate) fn linearize(&self, q: &[f64], instant: &Instant, c: &mut [f64], values: &mut [f64]) {
+    pub(crate) fn linearize(
+        &self,
+        q: &[f64],
+        instant: &Instant,
+        c: &mut [f64],
+        values: &mut [f64],
+    ) {
         let mut at = At::new(instant.t, &instant.states, &[]);
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
@@ -227,7 +239,11 @@ impl Equations {
         for block in self.asked.c.iter().map(|&k| &self.blocks[k]) {
             let c = &mut c[block.rows.range()];
             if self.asked.c_q_on_t {
-                block.constraint.linearize(&self.at(block, instant), c, &mut values[block.values.range()]);
+                block.constraint.linearize(
+                    &self.at(block, instant),
+                    c,
+                    &mut values[block.values.range()],
+                );
             } else {
                 block.constraint.residual(&self.at(block, instant), c);
             }
@@ -236,12 +252,16 @@ impl Equations {
         self.asked.c_q_on_t
     }
 
-    /// Refuses C and values of C_q that are not finite. Entries on the ground's coordinates do not matter.
+    /// Refuses C and values of C_q that are not finite. Entries on the ground's coordinates do not
+    /// matter.
     pub(crate) fn finite(&self, c: &[f64], values: &[f64]) -> Result<(), Bad> {
         finite(c, "C")?;
-        let mut own =
-            values.iter().zip(&self.entries).filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
-        own.find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
+        let mut own = values
+            .iter()
+            .zip(&self.entries)
+            .filter_map(|(value, entry)| entry.map(|(row, _)| (row, value)));
+        own.find(|(_, value)| !value.is_finite())
+            .map_or(Ok(()), |(row, _)| Err(Bad { row, quantity: "C_q" }))
     }
 }
 

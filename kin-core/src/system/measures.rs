@@ -13,8 +13,8 @@ pub(crate) struct MeasurePlace {
 }
 
 impl System {
-    /// Names of all measures of its joints, such as `slot.slide`, in the order of the constraints: what
-    /// [`System::measure`] can be asked for beside coordinates.
+    /// Names of all measures of its joints, such as `slot.slide`, in the order of the constraints:
+    /// what [`System::measure`] can be asked for beside coordinates.
     pub fn measures(&self) -> Vec<String> {
         self.constraints()
             .flat_map(|(name, constraint)| {
@@ -40,19 +40,35 @@ impl System {
     /// The error for a name that no measure has: what can be asked of that joint, or of all.
     pub(crate) fn no_measure(&self, name: &str) -> Error {
         let joint = |name: &str| self.constraints().find(|(known, _)| *known == name);
-        let Some((joint, constraint)) = joint(name).or_else(|| joint(name.rsplit_once('.')?.0)) else {
-            let known = self.measures().into_iter().chain(self.coordinate_names().iter().cloned()).collect();
-            return Error::UnknownName { what: "measure or coordinate", name: name.to_string(), known };
+        let Some((joint, constraint)) = joint(name).or_else(|| joint(name.rsplit_once('.')?.0))
+        else {
+            let known = self
+                .measures()
+                .into_iter()
+                .chain(self.coordinate_names().iter().cloned())
+                .collect();
+            return Error::UnknownName {
+                what: "measure or coordinate",
+                name: name.to_string(),
+                known,
+            };
         };
-        let known: Vec<String> =
-            constraint.facts().measures.iter().map(|measure| format!("`{joint}.{}`", measure.name)).collect();
+        let known: Vec<String> = constraint
+            .facts()
+            .measures
+            .iter()
+            .map(|measure| format!("`{joint}.{}`", measure.name))
+            .collect();
         let reason = match known[..] {
             [] => {
                 format!(
                     "there is no `{name}`: this joint has no measure. Ask for a point, an angle between bodies or a coordinate instead"
                 )
             }
-            _ => format!("there is no `{name}`; what can be asked of this joint is {}", known.join(" and ")),
+            _ => format!(
+                "there is no `{name}`; what can be asked of this joint is {}",
+                known.join(" and ")
+            ),
         };
         Error::InvalidConstraint {
             constraint: joint.to_string(),

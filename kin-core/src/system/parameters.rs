@@ -18,7 +18,8 @@ pub(crate) enum CasePlace {
 }
 
 impl System {
-    /// Names and values of all numeric parameters, such as (`slot.k`, 2.0), in the order of the constraints.
+    /// Names and values of all numeric parameters, such as (`slot.k`, 2.0), in the order of the
+    /// constraints.
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut all = Vec::new();
         for (number, block) in self.equations.blocks.iter().enumerate() {
@@ -39,12 +40,12 @@ impl System {
         Ok(self.given_component(block, &own).unwrap_or(value))
     }
 
-    /// Sets one dimension and all that hangs on it, or one parameter, such as `slot.k`; pattern and order
-    /// stay. A parameter that hangs on dimensions can be set alone too: it keeps that value until a dimension
-    /// behind it is set.
+    /// Sets one dimension and all that hangs on it, or one parameter, such as `slot.k`; pattern and
+    /// order stay. A parameter that hangs on dimensions can be set alone too: it keeps that value
+    /// until a dimension behind it is set.
     ///
-    /// Errors: no such parameter, not finite, beyond the range of a dimension, an expression of dimensions,
-    /// or what makes no sense with the others; the old value stays.
+    /// Errors: no such parameter, not finite, beyond the range of a dimension, an expression of
+    /// dimensions, or what makes no sense with the others; the old value stays.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         if let Some(k) = self.dimension_number(name) {
             return self.set_dimension(k, value);
@@ -52,9 +53,14 @@ impl System {
         let (index, parameter, _) = self.find(name)?;
         let block = &mut self.equations.blocks[index];
         if !value.is_finite() {
-            return Err(Error::ParameterNotFinite { constraint: block.name.clone(), parameter, value });
+            return Err(Error::ParameterNotFinite {
+                constraint: block.name.clone(),
+                parameter,
+                value,
+            });
         }
-        let (constraint, axes) = (block.constraint.clone_boxed(), self.axes.clone());
+        let constraint = block.constraint.clone_boxed();
+        let axes = self.axes.clone();
         self.forget();
         let set = match self.component(index, &parameter) {
             Some((axis, k)) => self.put_component(index, (&axis, k), value),
@@ -73,8 +79,12 @@ impl System {
     }
 
     /// Where the numbers of a case go.
-    pub(crate) fn places(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Vec<CasePlace>> {
-        let (parameters, mut copy) = (self.parameters(), self.clone());
+    pub(crate) fn places(
+        &self,
+        names: impl IntoIterator<Item = impl AsRef<str>>,
+    ) -> Result<Vec<CasePlace>> {
+        let parameters = self.parameters();
+        let mut copy = self.clone();
         let mut place = |name: &str| {
             if let Some(k) = self.dimension_number(name) {
                 self.settable_dimension(k)?;
@@ -89,12 +99,22 @@ impl System {
                     Err(cannot_be_set(name))
                 };
             }
-            let coordinate =
-                self.coordinate_names().iter().position(|known| known == name).map(CasePlace::Coordinate);
+            let coordinate = self
+                .coordinate_names()
+                .iter()
+                .position(|known| known == name)
+                .map(CasePlace::Coordinate);
             coordinate.ok_or_else(|| {
-                let known =
-                    self.near(name).into_iter().chain(self.coordinate_names().iter().cloned()).collect();
-                Error::UnknownName { what: "parameter or coordinate", name: name.to_string(), known }
+                let known = self
+                    .near(name)
+                    .into_iter()
+                    .chain(self.coordinate_names().iter().cloned())
+                    .collect();
+                Error::UnknownName {
+                    what: "parameter or coordinate",
+                    name: name.to_string(),
+                    known,
+                }
             })
         };
         names.into_iter().map(|name| place(name.as_ref())).collect()
@@ -104,8 +124,12 @@ impl System {
     pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
         let has = |k: usize| {
             places.iter().any(|place| match place {
-                CasePlace::Parameter { block, .. } | CasePlace::Component { block, .. } => *block == k,
-                CasePlace::Dimension(dimension) => self.blocks_on(*dimension).any(|block| block == k),
+                CasePlace::Parameter { block, .. } | CasePlace::Component { block, .. } => {
+                    *block == k
+                }
+                CasePlace::Dimension(dimension) => {
+                    self.blocks_on(*dimension).any(|block| block == k)
+                }
                 CasePlace::Coordinate(_) => false,
             })
         };
@@ -175,7 +199,9 @@ impl System {
         places.iter().try_for_each(|place| match place {
             CasePlace::Parameter { block, .. } | CasePlace::Component { block, .. } => {
                 let block = self.equations.blocks.get(*block);
-                block.map_or(Ok(()), |block| sensible_parameters(&block.name, block.constraint.as_ref()))
+                block.map_or(Ok(()), |block| {
+                    sensible_parameters(&block.name, block.constraint.as_ref())
+                })
             }
             CasePlace::Coordinate(_) => Ok(()),
             CasePlace::Dimension(k) => self.check_dimension_as_put(*k),
@@ -185,7 +211,8 @@ impl System {
     /// The constraint, the parameter's name in it, and its value; names may have dots themselves.
     pub(super) fn find(&self, name: &str) -> Result<(usize, String, f64)> {
         for (index, block) in self.equations.blocks.iter().enumerate() {
-            let Some(wanted) = name.strip_prefix(block.name.as_str()).and_then(|rest| rest.strip_prefix('.'))
+            let Some(wanted) =
+                name.strip_prefix(block.name.as_str()).and_then(|rest| rest.strip_prefix('.'))
             else {
                 continue;
             };
@@ -199,7 +226,11 @@ impl System {
                 return Ok((index, wanted.to_string(), value));
             }
         }
-        Err(Error::UnknownName { what: "parameter", name: name.to_string(), known: self.near(name) })
+        Err(Error::UnknownName {
+            what: "parameter",
+            name: name.to_string(),
+            known: self.near(name),
+        })
     }
 
     /// The parameters of the constraint that the name begins with, else all.
@@ -209,7 +240,9 @@ impl System {
         let constraint = name.split('.').next().unwrap_or_default();
         let own: Vec<String> = all
             .iter()
-            .filter(|known| known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.')))
+            .filter(|known| {
+                known.strip_prefix(constraint).is_some_and(|rest| rest.starts_with('.'))
+            })
             .cloned()
             .collect();
         if own.is_empty() { all } else { own }
@@ -217,5 +250,9 @@ impl System {
 }
 
 fn cannot_be_set(name: &str) -> Error {
-    Error::UnknownName { what: "parameter that can be set", name: name.to_string(), known: Vec::new() }
+    Error::UnknownName {
+        what: "parameter that can be set",
+        name: name.to_string(),
+        known: Vec::new(),
+    }
 }

@@ -1,5 +1,5 @@
-//! Characteristic sizes: what makes tolerances, ranks and the check of steps the same in mm, m and km, and
-//! wherever the origin is.
+//! Characteristic sizes: what makes tolerances, ranks and the check of steps the same in mm, m and
+//! km, and wherever the origin is.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -8,8 +8,8 @@ use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::evaluate::Equations;
 
-/// The steps of the ladder from the finest to the coarsest distance, each twice the one before: some twelve
-/// orders of ten either side of 1, for equations that state no length of their own.
+/// The steps of the ladder from the finest to the coarsest distance, each twice the one before:
+/// some twelve orders of ten either side of 1, for equations that state no length of their own.
 const LADDER: std::ops::RangeInclusive<i32> = -40..=40;
 
 /// Steps of the ladder below a known length: to a millionth of it.
@@ -19,34 +19,37 @@ const BELOW: i32 = 20;
 /// change.   \[-\]
 const BENT: f64 = 0.5;
 
-/// A row that bends at a distance of so many times that at which it had bent half as much does so by chance:
-/// its slopes go up and down by little more than what counts as bent.   \[-\]
+/// A row that bends at a distance of so many times that at which it had bent half as much does so
+/// by chance: its slopes go up and down by little more than what counts as bent.   \[-\]
 const BY_CHANCE: f64 = 8.0;
 
 /// A slope that has changed by less than this share of it is constant, but for rounding.   \[-\]
 const CONSTANT: f64 = 1e-3;
 
-/// Slopes that change and are less than this share of their row say nothing of it: the row does.   \[-\]
+/// Slopes that change and are less than this share of their row say nothing of it: the row
+/// does.   \[-\]
 const SLIGHT: f64 = 1e-3;
 
 /// An equation that bends within a size divided by this has a size of its own.   \[-\]
 const WITHIN: f64 = 4.0;
 
-/// A lever or a coordinate below this share of the largest length, or of the unit of length, is the rounding
-/// of a zero: a slider that starts at 0.3 sin π metres is no mechanism of attometres.   \[-\]
+/// A lever or a coordinate below this share of the largest length, or of the unit of length, is the
+/// rounding of a zero: a slider that starts at 0.3 sin π metres is no mechanism of
+/// attometres.   \[-\]
 const ROUNDING: f64 = 1e-12;
 
 /// Distances smaller than this share of the largest coordinate are rounding.   \[-\]
 const RESOLVED: f64 = 1e-9;
 
-/// The characteristic size s_j of every coordinate for ranks, tolerances and proofs: 1 for angles and Euler
-/// parameters, for lengths one typical length of the model, because ranks compare lengths with angles.
+/// The characteristic size s_j of every coordinate for ranks, tolerances and proofs: 1 for angles
+/// and Euler parameters, for lengths one typical length of the model, because ranks compare lengths
+/// with angles.
 ///
-/// That length is found where the model itself compares lengths with angles: a row that moves by |∂C/∂R| a
-/// metre and by |∂C/∂θ| a radian has the lever |∂C/∂θ| / |∂C/∂R|. The typical length is the median lever of
-/// the constraints; without any, the largest link, else the median distance within which equations are nearly
-/// straight, which does not depend on the origin. Where all equations are straight any length will do: the
-/// largest coordinate, else 1.
+/// That length is found where the model itself compares lengths with angles: a row that moves
+/// by |∂C/∂R| a metre and by |∂C/∂θ| a radian has the lever |∂C/∂θ| / |∂C/∂R|. The typical length
+/// is the median lever of the constraints; without any, the largest link, else the median distance
+/// within which equations are nearly straight, which does not depend on the origin. Where all
+/// equations are straight any length will do: the largest coordinate, else 1.
 pub(crate) fn sizes(
     layout: &Layout,
     equations: &Equations,
@@ -78,11 +81,11 @@ pub(crate) fn sizes_with(
     layout.units.iter().map(|unit| if *unit == Unit::Metre { length } else { 1.0 }).collect()
 }
 
-/// The sizes by which steps of time are judged: those of [`sizes`], but for a length no more than the
-/// distance within which the equations that it stands in are nearly straight.
+/// The sizes by which steps of time are judged: those of [`sizes`], but for a length no more than
+/// the distance within which the equations that it stands in are nearly straight.
 ///
-/// The check of a step takes it that an equation changes its slopes by no more than they are within a size.
-/// Long links elsewhere, and how far the origin is, have no part in that.
+/// The check of a step takes it that an equation changes its slopes by no more than they are within
+/// a size. Long links elsewhere, and how far the origin is, have no part in that.
 pub(crate) fn reaches(
     layout: &Layout,
     equations: &Equations,
@@ -106,14 +109,19 @@ fn power(k: i32) -> f64 {
 
 /// The columns of lengths.
 fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
-    layout.units.iter().enumerate().filter(|(_, unit)| **unit == Unit::Metre).map(|(column, _)| column)
+    layout
+        .units
+        .iter()
+        .enumerate()
+        .filter(|(_, unit)| **unit == Unit::Metre)
+        .map(|(column, _)| column)
 }
 
 /// The median lever of the constraints that have one above the floor.
 ///
-/// Rows of angles alone, such as those of an axis, say nothing of lengths. A row with a length may turn with
-/// its angles until a lever vanishes (l cos θ = x at θ = 0), so slopes count at these angles and a quarter
-/// turn further on.
+/// Rows of angles alone, such as those of an axis, say nothing of lengths. A row with a length may
+/// turn with its angles until a lever vanishes (l cos θ = x at θ = 0), so slopes count at these
+/// angles and a quarter turn further on.
 fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2], floor: f64) -> Option<f64> {
     let (mut levers, mut rows): (Vec<f64>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
     for block in &equations.blocks {
@@ -146,7 +154,8 @@ pub(crate) struct Turned {
 
 impl Turned {
     pub(crate) fn new(layout: &Layout, equations: &Equations, (q, t): (&[f64], f64)) -> Self {
-        let turn = |(q, unit): (&f64, &Unit)| if *unit == Unit::Radian { q + FRAC_PI_2 } else { *q };
+        let turn =
+            |(q, unit): (&f64, &Unit)| if *unit == Unit::Radian { q + FRAC_PI_2 } else { *q };
         let turned: Vec<f64> = q.iter().zip(&layout.units).map(turn).collect();
         let mut values = vec![0.0; equations.entries.len()];
         equations.set_constants(&mut values);
@@ -155,7 +164,8 @@ impl Turned {
         Turned { q: q.to_vec(), values }
     }
 
-    /// True if these slopes serve at q too: no coordinate has moved by more than half of its size since.
+    /// True if these slopes serve at q too: no coordinate has moved by more than half of its size
+    /// since.
     pub(crate) fn serves(&self, q: &[f64], sizes: &[f64]) -> bool {
         const NEAR: f64 = 0.5;
         let moved = self.q.iter().zip(q).zip(sizes);
@@ -178,15 +188,17 @@ fn largest(numbers: impl Iterator<Item = f64>) -> Option<f64> {
 struct Bends {
     /// Of each row that bends, the distance.
     distances: Vec<f64>,
-    /// Of each coordinate the least distance of the rows that it stands in; infinite where none bends.
+    /// Of each coordinate the least distance of the rows that it stands in; infinite where none
+    /// bends.
     reaches: Vec<f64>,
 }
 
-/// Moves all lengths at random by the distances of a ladder, which grow, and compares the slopes of each
-/// equation with those at q.
+/// Moves all lengths at random by the distances of a ladder, which grow, and compares the slopes of
+/// each equation with those at q.
 ///
-/// A row bends where one of its slopes has changed by half of the largest of those that change. Then no other
-/// coordinate of it should have a size by which it changes more than by what bends it.
+/// A row bends where one of its slopes has changed by half of the largest of those that change.
+/// Then no other coordinate of it should have a size by which it changes more than by what bends
+/// it.
 fn bends(
     layout: &Layout,
     equations: &Equations,
@@ -196,16 +208,19 @@ fn bends(
     let mut found = Bends { distances: Vec::new(), reaches: vec![f64::INFINITY; layout.len()] };
     let is_curved = |entry: usize| {
         equations.constants[entry].is_none()
-            && equations.entries[entry].is_some_and(|(_, column)| layout.units[column] == Unit::Metre)
+            && equations.entries[entry]
+                .is_some_and(|(_, column)| layout.units[column] == Unit::Metre)
     };
-    let curved: Vec<usize> = (0..equations.entries.len()).filter(|entry| is_curved(*entry)).collect();
+    let curved: Vec<usize> =
+        (0..equations.entries.len()).filter(|entry| is_curved(*entry)).collect();
     if curved.is_empty() {
         return found;
     }
     let mut slopes = Slopes::new(layout, equations, t, curved);
     slopes.at(q);
     let here = slopes.values.clone();
-    let (mut moved, mut random) = (q.to_vec(), Random::new(0));
+    let mut moved = q.to_vec();
+    let mut random = Random::new(0);
     let resolved = RESOLVED * largest(lengths(layout).map(|column| q[column])).unwrap_or(0.0);
     let mut change = vec![0.0_f64; here.len()];
     for distance in ladder.filter(|distance| *distance >= resolved) {
@@ -241,17 +256,20 @@ struct Slopes<'a> {
 
 impl<'a> Slopes<'a> {
     fn new(layout: &'a Layout, equations: &'a Equations, t: f64, curved: Vec<usize>) -> Self {
-        let (mut values, mut rows) = (vec![0.0; equations.entries.len()], vec![Vec::new(); equations.rows]);
+        let mut values = vec![0.0; equations.entries.len()];
+        let mut rows = vec![Vec::new(); equations.rows];
         equations.set_constants(&mut values);
         for entry in 0..values.len() {
             if let Some((row, _)) = equations.entries[entry] {
                 rows[row].push(entry);
             }
         }
-        let has_curved = |row: &mut Vec<usize>| row.iter().any(|entry| curved.binary_search(entry).is_ok());
+        let has_curved =
+            |row: &mut Vec<usize>| row.iter().any(|entry| curved.binary_search(entry).is_ok());
         rows.iter_mut().filter_map(|row| (!has_curved(row)).then_some(row)).for_each(Vec::clear);
         let straight = rows.iter().filter(|row| !row.is_empty()).count();
-        let (c, half) = (vec![0.0; equations.rows], vec![None; equations.rows]);
+        let c = vec![0.0; equations.rows];
+        let half = vec![None; equations.rows];
         Slopes { layout, equations, t, curved, rows, half, straight, c, values }
     }
 
@@ -260,7 +278,8 @@ impl<'a> Slopes<'a> {
         self.equations.linearize(q, &instant, &mut self.c, &mut self.values);
     }
 
-    /// Raises how far slopes have changed from what they were; by without bounds where they are not numbers.
+    /// Raises how far slopes have changed from what they were; by without bounds where they are not
+    /// numbers.
     fn changes(&self, here: &[f64], change: &mut [f64]) {
         for entry in &self.curved {
             let off = (self.values[*entry] - here[*entry]).abs();
@@ -272,8 +291,10 @@ impl<'a> Slopes<'a> {
     fn judge(&mut self, here: &[f64], change: &[f64], distance: f64, found: &mut Bends) {
         let rows = self.rows.iter_mut().zip(&mut self.half);
         for (row, half) in rows.filter(|(row, _)| !row.is_empty()) {
-            let column = |entry: usize| self.equations.entries[entry].map_or(0, |(_, column)| column);
-            let lengths = || row.iter().copied().filter(|k| self.layout.units[column(*k)] == Unit::Metre);
+            let column =
+                |entry: usize| self.equations.entries[entry].map_or(0, |(_, column)| column);
+            let lengths =
+                || row.iter().copied().filter(|k| self.layout.units[column(*k)] == Unit::Metre);
             let bends = |entry: &usize| change[*entry] > CONSTANT * here[*entry].abs();
             let most = lengths().filter(bends).fold(0.0_f64, |m, k| m.max(change[k]));
             let of_all = lengths().fold(0.0_f64, |m, k| m.max(here[k].abs()));

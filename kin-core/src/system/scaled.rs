@@ -1,8 +1,8 @@
-//! The equations of a mechanism seen from outside the driver: any number of them, at any pose, in units of
-//! order 1.
+//! The equations of a mechanism seen from outside the driver: any number of them, at any pose, in
+//! units of order 1.
 //!
-//! Everything that examines a mechanism that cannot be driven (diagnosis, assembly from afar, redundant
-//! mechanisms) stands on this; the driver does not.
+//! Everything that examines a mechanism that cannot be driven (diagnosis, assembly from afar,
+//! redundant mechanisms) stands on this; the driver does not.
 
 use crate::linear::{Echelon, RANK, Sparse};
 use std::sync::atomic::AtomicU64;
@@ -32,8 +32,8 @@ pub(crate) struct Model<'a> {
     pub work: Option<&'a Work>,
 }
 
-/// Work that may be spent on searches, counted in values of C_q that are computed and factored: it is not
-/// timed, so that the outcome is the same on each machine.
+/// Work that may be spent on searches, counted in values of C_q that are computed and factored: it
+/// is not timed, so that the outcome is the same on each machine.
 #[derive(Debug)]
 pub(crate) struct Work(AtomicU64);
 
@@ -59,8 +59,8 @@ pub(crate) struct Point {
     pub values: Vec<f64>,
 }
 
-/// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few poses: by
-/// them everything is of order 1.
+/// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few
+/// poses: by them everything is of order 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Measures {
     pub sizes: Vec<f64>,
@@ -92,9 +92,15 @@ impl Model<'_> {
 
     /// C and C_q, if they are finite.
     pub(crate) fn linearize(&self, q: &[f64], t: f64) -> Result<Point, Bad> {
-        let mut point = Point { c: vec![0.0; self.m()], values: vec![0.0; self.equations.entries.len()] };
+        let mut point =
+            Point { c: vec![0.0; self.m()], values: vec![0.0; self.equations.entries.len()] };
         self.equations.set_constants(&mut point.values);
-        self.equations.linearize(q, &self.equations.instant_at(t, q), &mut point.c, &mut point.values);
+        self.equations.linearize(
+            q,
+            &self.equations.instant_at(t, q),
+            &mut point.c,
+            &mut point.values,
+        );
         self.equations.finite(&point.c, &point.values)?;
         Ok(point)
     }
@@ -108,17 +114,25 @@ impl Model<'_> {
         Ok(rhs)
     }
 
-    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order of a
-    /// motion along v that time has no part in.
-    pub(crate) fn second_order(&self, q: &[f64], t: f64, v: &[f64], t_dot: f64) -> Result<Vec<f64>, Bad> {
-        let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
+    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order
+    /// of a motion along v that time has no part in.
+    pub(crate) fn second_order(
+        &self,
+        q: &[f64],
+        t: f64,
+        v: &[f64],
+        t_dot: f64,
+    ) -> Result<Vec<f64>, Bad> {
+        let mut instant = self.equations.instant_at(t, q);
+        let mut rhs = vec![0.0; self.m()];
         self.equations.set_rates(v, &mut instant);
         self.equations.second_order(&instant, t_dot, &mut rhs);
         finite(&rhs, "Q_d")?;
         Ok(rhs)
     }
 
-    /// −g‴(0), the right side for the jerk; the outer error is for a constraint that does not know it.
+    /// −g‴(0), the right side for the jerk; the outer error is for a constraint that does not know
+    /// it.
     pub(crate) fn jerk_rhs(
         &self,
         q: &[f64],
@@ -126,14 +140,20 @@ impl Model<'_> {
         qd: &[f64],
         qdd: &[f64],
     ) -> Result<Result<Vec<f64>, Bad>, Error> {
-        let (mut instant, mut rhs) = (self.equations.instant_at(t, q), vec![0.0; self.m()]);
+        let mut instant = self.equations.instant_at(t, q);
+        let mut rhs = vec![0.0; self.m()];
         self.equations.set_rates(qd, &mut instant);
-        self.equations.jerk_rhs(qdd, &mut instant, &mut rhs).map_err(|row| self.equations.no_jerk(row))?;
+        self.equations
+            .jerk_rhs(qdd, &mut instant, &mut rhs)
+            .map_err(|row| self.equations.no_jerk(row))?;
         Ok(finite(&rhs, JERK_RHS).map(|()| rhs))
     }
 
     /// The non-zeros of C_q as (row, column, value).
-    pub(crate) fn entries<'b>(&'b self, values: &'b [f64]) -> impl Iterator<Item = (usize, usize, f64)> + 'b {
+    pub(crate) fn entries<'b>(
+        &'b self,
+        values: &'b [f64],
+    ) -> impl Iterator<Item = (usize, usize, f64)> + 'b {
         let entries = self.equations.entries.iter().zip(values);
         entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)))
     }
@@ -145,7 +165,9 @@ impl Model<'_> {
 
     /// True if a row is the norm of a body's Euler parameters.
     pub(crate) fn is_norm(&self, row: usize) -> bool {
-        self.equations.block_of(row).is_some_and(|(block, _)| block.constraint.facts().kind == "euler_norm")
+        self.equations
+            .block_of(row)
+            .is_some_and(|(block, _)| block.constraint.facts().kind == "euler_norm")
     }
 
     /// Sizes and norms around a pose.
@@ -157,7 +179,12 @@ impl Model<'_> {
     }
 
     /// The same by the sizes by which steps of time are judged ([`scale::reaches`]).
-    pub(crate) fn measure_steps(&self, q: &[f64], t: f64, Measures { sizes, .. }: &Measures) -> Measures {
+    pub(crate) fn measure_steps(
+        &self,
+        q: &[f64],
+        t: f64,
+        Measures { sizes, .. }: &Measures,
+    ) -> Measures {
         let here = self.linearize(q, t);
         let values: &[f64] = here.as_ref().map_or(&[], |point| &point.values);
         let sizes = scale::reaches(self.layout, self.equations, (q, t), sizes.clone());
@@ -181,14 +208,16 @@ impl Model<'_> {
         norms.iter_mut().filter(|norm| **norm == 0.0).for_each(|norm| *norm = 1.0);
         self.share_among_components(&mut norms);
         let c_t = self.c_t(q, t).unwrap_or_default();
-        let fastest = c_t.iter().zip(&norms).fold(0.0_f64, |m, (c_t, norm)| m.max((c_t / norm).abs()));
+        let fastest =
+            c_t.iter().zip(&norms).fold(0.0_f64, |m, (c_t, norm)| m.max((c_t / norm).abs()));
         Measures { sizes, norms, time: if fastest > 0.0 { fastest.recip() } else { 1.0 } }
     }
 
     /// The components of one vector get one norm: lengths of vectors do not depend on the axes.
     fn share_among_components(&self, norms: &mut [f64]) {
         for block in &self.equations.blocks {
-            let (rows, first) = (block.constraint.facts().rows, block.rows().start);
+            let rows = block.constraint.facts().rows;
+            let first = block.rows().start;
             let vector = |row: &&str| match row.rsplit_once('.') {
                 Some((vector, "x" | "y" | "z")) => Some(vector.to_string()),
                 None if matches!(*row, "x" | "y" | "z") => Some(String::new()),
@@ -239,7 +268,12 @@ impl Model<'_> {
         for (row, column, value) in self.entries(&point.values) {
             allowed[row] += 16.0 * f64::EPSILON * (value * q[column]).abs();
         }
-        point.c.iter().zip(allowed).enumerate().all(|(row, (c, allowed))| !active(row) || c.abs() <= allowed)
+        point
+            .c
+            .iter()
+            .zip(allowed)
+            .enumerate()
+            .all(|(row, (c, allowed))| !active(row) || c.abs() <= allowed)
     }
 
     /// The rank of C_q by its values at a pose.

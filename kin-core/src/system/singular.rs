@@ -1,5 +1,5 @@
-//! Report on C_q where a solver has found no pivot: its rank, the coordinates left free, the equations that
-//! depend on one another.
+//! Report on C_q where a solver has found no pivot: its rank, the coordinates left free, the
+//! equations that depend on one another.
 
 use crate::linear::{Echelon, RANK};
 use crate::system::scaled::{Measures, Model};
@@ -33,8 +33,12 @@ pub(crate) fn singular_within(
     least: f64,
 ) -> Singular {
     let n = model.n();
-    let found =
-        Echelon::of_rank_at_most(model.scaled(values, measures, &|_| true), n, least, n.saturating_sub(1));
+    let found = Echelon::of_rank_at_most(
+        model.scaled(values, measures, &|_| true),
+        n,
+        least,
+        n.saturating_sub(1),
+    );
     let shared = |space: Vec<Vec<(usize, f64)>>| {
         let mut all: Vec<usize> = Vec::new();
         for vector in space {
@@ -46,10 +50,13 @@ pub(crate) fn singular_within(
         all
     };
     let owner = |k: usize| Some(model.layout.owner(k)?.name.clone());
-    let mut movable: Vec<String> = shared(found.null_space()).into_iter().filter_map(owner).collect();
+    let mut movable: Vec<String> =
+        shared(found.null_space()).into_iter().filter_map(owner).collect();
     movable.dedup();
-    let dependent =
-        shared(found.left_null_space()).into_iter().map(|row| model.equations.equation(row)).collect();
+    let dependent = shared(found.left_null_space())
+        .into_iter()
+        .map(|row| model.equations.equation(row))
+        .collect();
     let rank = if found.left > least && found.rank() + 1 == n { n } else { found.rank() };
     Singular { rank, pivot: found.left, movable, dependent }
 }

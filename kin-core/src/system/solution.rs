@@ -10,9 +10,9 @@ pub struct Report {
     pub residual: f64,
     /// Name of the equation that has it, such as `A.x`; empty for a mechanism without coordinates.
     pub worst: String,
-    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position, and small at
-    /// some others. By a program it is that of the position where that was compiled, times the least share
-    /// that a pivot has of what it was there.   \[-\]
+    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position, and
+    /// small at some others. By a program it is that of the position where that was compiled, times
+    /// the least share that a pivot has of what it was there.   \[-\]
     pub smallest_pivot: f64,
     /// True if the program of [`crate::System::compile`] has found it, false of plain steps.
     pub compiled: bool,

@@ -1,5 +1,5 @@
-//! States of bodies and bare coordinates: evaluated once an iterate, each in one place where all constraints
-//! read it.
+//! States of bodies and bare coordinates: evaluated once an iterate, each in one place where all
+//! constraints read it.
 
 use crate::model::coordinates::{Target, Trig};
 use crate::model::layout::Place;
@@ -57,7 +57,9 @@ impl StatePlan {
     /// Plans for one more argument.
     pub(super) fn argument(&mut self, target: &Target, place: Place, planned: &mut Planned) {
         let argument = match place {
-            Place::Own { first, .. } => Offsets::new(self.own(target, first, planned), first as u32),
+            Place::Own { first, .. } => {
+                Offsets::new(self.own(target, first, planned), first as u32)
+            }
             Place::Ground(value) => Offsets::new(self.fixed(target, value), self.ground),
         };
         self.arguments.push(argument);
@@ -84,7 +86,11 @@ impl StatePlan {
             Target::Coord(_, trig) => {
                 let number = *planned.coords[first].get_or_insert_with(|| {
                     self.origin.extend(CoordState::new(0.0, Trig::Used).to_array());
-                    self.coords.push(Coord { coordinate: first as u32, begin: next, trig: Trig::Unused });
+                    self.coords.push(Coord {
+                        coordinate: first as u32,
+                        begin: next,
+                        trig: Trig::Unused,
+                    });
                     self.coords.len() as u32 - 1
                 });
                 let coord = &mut self.coords[number as usize];
@@ -96,7 +102,8 @@ impl StatePlan {
         }
     }
 
-    /// Where the state of an argument begins that is the ground, or a coordinate of it with that value.
+    /// Where the state of an argument begins that is the ground, or a coordinate of it with that
+    /// value.
     fn fixed(&mut self, target: &Target, value: f64) -> u32 {
         let next = self.origin.len() as u32;
         match target {
@@ -125,9 +132,11 @@ impl StatePlan {
     /// The states at coordinates q.
     pub(super) fn set_states(&self, q: &[f64], states: &mut [f64]) {
         for &[first, begin] in &self.planar {
-            let (&[x, y, theta], state) = (from(q, first), from_mut::<_, PLANAR_STATE>(states, begin));
+            let &[x, y, theta] = from(q, first);
+            let state = from_mut::<_, PLANAR_STATE>(states, begin);
             let [_, _, known, sin, cos] = *state;
-            // An angle that has not moved, as a driven one in Newton's last step, keeps its sine and cosine.
+            // An angle that has not moved, as a driven one in Newton's last step, keeps its sine
+            // and cosine.
             let (sin, cos) = if known == theta { (sin, cos) } else { theta.sin_cos() };
             *state = [x, y, theta, sin, cos];
         }
@@ -135,7 +144,8 @@ impl StatePlan {
             *from_mut::<_, SPATIAL_STATE>(states, begin) = *from(q, first);
         }
         for &Coord { coordinate, begin, trig } in &self.coords {
-            let (&[value], state) = (from(q, coordinate), from_mut::<_, COORD_STATE>(states, begin));
+            let &[value] = from(q, coordinate);
+            let state = from_mut::<_, COORD_STATE>(states, begin);
             if state[0] != value {
                 *state = CoordState::new(value, trig).to_array();
             }
@@ -169,10 +179,12 @@ mod tests {
 
     #[test]
     fn one_coordinate_has_one_state_with_sine_if_anyone_asks() {
-        let (mut plan, mut planned) = (StatePlan::new(3), Planned::new(3));
+        let mut plan = StatePlan::new(3);
+        let mut planned = Planned::new(3);
         let target = |trig| Target::Coord(Coordinate::Planar(any_planar(), 2), trig);
         let place = Place::Own { item: 0, first: 2 };
-        for (trig, place) in [(Trig::Unused, place), (Trig::Unused, Place::Ground(1.0)), (Trig::Used, place)]
+        for (trig, place) in
+            [(Trig::Unused, place), (Trig::Unused, Place::Ground(1.0)), (Trig::Used, place)]
         {
             plan.argument(&target(trig), place, &mut planned);
         }
@@ -182,7 +194,8 @@ mod tests {
         );
         let mut states = plan.origin().to_vec();
         plan.set_states(&[0.0, 0.0, 0.5], &mut states);
-        let (half, one) = [0.5, 1.0].map(|value| CoordState::new(value, Trig::Used).to_array()).into();
+        let (half, one) =
+            [0.5, 1.0].map(|value| CoordState::new(value, Trig::Used).to_array()).into();
         assert_eq!(states, [half, one].concat());
         let mut rates = plan.no_rates();
         plan.set_rates(&[0.0, 0.0, 7.0], &mut rates);
@@ -193,7 +206,11 @@ mod tests {
     #[test]
     fn an_angle_that_comes_back_has_its_own_sine_again() {
         let mut plan = StatePlan::new(3);
-        plan.argument(&Target::Planar(any_planar()), Place::Own { item: 0, first: 0 }, &mut Planned::new(3));
+        plan.argument(
+            &Target::Planar(any_planar()),
+            Place::Own { item: 0, first: 0 },
+            &mut Planned::new(3),
+        );
         let mut states = plan.origin().to_vec();
         for theta in [0.0, 0.5, 0.5, -0.0, f64::NAN, f64::NAN, 0.5, 1e300] {
             plan.set_states(&[1.0, 2.0, theta], &mut states);

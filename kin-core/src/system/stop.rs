@@ -1,5 +1,5 @@
-//! The stop rule of Newton's method and what rounding it allows, over any number: plain steps, redundant
-//! mechanisms and programs over lanes all ask it here.
+//! The stop rule of Newton's method and what rounding it allows, over any number: plain steps,
+//! redundant mechanisms and programs over lanes all ask it here.
 
 use crate::numbers::lanes::lanewise::Judged;
 
@@ -7,16 +7,18 @@ use crate::numbers::lanes::lanewise::Judged;
 /// position.   \[-\]
 pub(crate) const STALL: f64 = 1e-9;
 
-/// Pivots below this are those of a singular position, which Newton's method does not come to.   \[-\]
+/// Pivots below this are those of a singular position, which Newton's method does not come
+/// to.   \[-\]
 const SMALLEST: f64 = 1e-3;
 
-/// Quad roundings of a number in units of the tolerance: a number that large may be off by that much.
+/// Quad roundings of a number in units of the tolerance: a number that large may be off by that
+/// much.
 pub(crate) fn rounding(tolerance: f64) -> f64 {
     4.0 * f64::EPSILON / tolerance
 }
 
-/// Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no more can
-/// be had.
+/// Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no
+/// more can be had.
 ///
 /// The rule takes no closure: what LLVM leaves as a call is compiled without the machine's
 /// instructions.
@@ -25,9 +27,10 @@ pub(crate) fn has_stalled<N: Judged>(correction: N, previous: N) -> N::Answer {
     correction.above(correction.all(0.5) * previous) & correction.at_most(correction.all(STALL))
 }
 
-/// A correction that no longer shrinks, of equations that are met, is rounding of q itself where it is no
-/// larger than this: far from the origin, beside a singular position, more cannot be had. q in units of its
-/// sizes; a pivot below [`SMALLEST`] makes no more of rounding than that one does.   \[-\]
+/// A correction that no longer shrinks, of equations that are met, is rounding of q itself where it
+/// is no larger than this: far from the origin, beside a singular position, more cannot be had. q
+/// in units of its sizes; a pivot below [`SMALLEST`] makes no more of rounding than that one
+/// does.   \[-\]
 pub(crate) fn resting(q: &[f64], sizes: &[f64], pivot: f64) -> f64 {
     let farthest = q.iter().zip(sizes).fold(0.0_f64, |most, (q, size)| most.max((q / size).abs()));
     16.0 * f64::EPSILON * farthest / pivot.clamp(SMALLEST, 1.0)
@@ -79,9 +82,11 @@ mod tests {
 
         fn run<S: Level>(self, simd: S) {
             for cases in CASES.chunks(Wide::<S>::LANES) {
-                let (mut correction, mut previous) = (Wide::splat(simd, 1.0), Wide::splat(simd, 1.0));
+                let mut correction = Wide::splat(simd, 1.0);
+                let mut previous = Wide::splat(simd, 1.0);
                 for (lane, case) in cases.iter().enumerate() {
-                    (correction.as_mut_slice()[lane], previous.as_mut_slice()[lane]) = (case.0, case.1);
+                    (correction.as_mut_slice()[lane], previous.as_mut_slice()[lane]) =
+                        (case.0, case.1);
                 }
                 let stalled = has_stalled(correction, previous);
                 for (lane, case) in cases.iter().enumerate() {
@@ -94,7 +99,11 @@ mod tests {
     #[test]
     fn a_number_and_a_lane_stop_by_the_same_rule() {
         for (correction, previous, expected) in CASES {
-            assert_eq!(has_stalled(correction, previous), expected, "{correction} after {previous}");
+            assert_eq!(
+                has_stalled(correction, previous),
+                expected,
+                "{correction} after {previous}"
+            );
         }
         assert!(Lanes::Best.dispatch(InLanes).is_ok() || cfg!(not(target_arch = "x86_64")));
     }
@@ -102,9 +111,18 @@ mod tests {
     #[test]
     fn rounding_of_a_large_number_is_allowed_for() {
         let mut allowed = Vec::new();
-        allowances(1e-13, &[2.0, 1.0], [(0, 1, 3.0), (0, 0, -1.0)].into_iter(), &[1e4, 1e6], &mut allowed);
+        allowances(
+            1e-13,
+            &[2.0, 1.0],
+            [(0, 1, 3.0), (0, 0, -1.0)].into_iter(),
+            &[1e4, 1e6],
+            &mut allowed,
+        );
         let expected = [2e-13 + 4.0 * f64::EPSILON * (3e6 + 1e4), 1e-13];
-        assert!(allowed.iter().zip(expected).all(|(a, b)| (a - b).abs() <= 1e-12 * b), "{allowed:?}");
+        assert!(
+            allowed.iter().zip(expected).all(|(a, b)| (a - b).abs() <= 1e-12 * b),
+            "{allowed:?}"
+        );
         let rounding = rounding(1e-13);
         assert!(share(1e-9, 1e6, 1.0, rounding) < 1e-12 && share(1e-9, 0.0, 1.0, rounding) == 1e-9);
     }

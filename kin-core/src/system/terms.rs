@@ -38,8 +38,8 @@ impl System {
         Ok(rhs.into_iter().map(|x| 0.0 - x).collect())
     }
 
-    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors: wrong
-    /// length, not finite.
+    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors:
+    /// wrong length, not finite.
     pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
         let mut instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;
@@ -50,10 +50,11 @@ impl System {
         Ok(q_d)
     }
 
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of each row a
-    /// second cubed.
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of
+    /// each row a second cubed.
     ///
-    /// Errors: wrong length, not finite, a hand-written constraint without [`crate::Constraint::jerk_rhs`].
+    /// Errors: wrong length, not finite, a hand-written constraint without
+    /// [`crate::Constraint::jerk_rhs`].
     pub fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;
@@ -86,7 +87,8 @@ impl System {
         let mut linear = self.linear();
         linear.forget();
         self.linearize(q, &instant, linear.values_mut())?;
-        let sizes = scale::sizes(&self.layout, &self.equations, linear.values(), (q, t), &self.links);
+        let sizes =
+            scale::sizes(&self.layout, &self.equations, linear.values(), (q, t), &self.links);
         linear.set_sizes(&sizes);
         linear.measure();
         Ok(linear)

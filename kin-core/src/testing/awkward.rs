@@ -50,9 +50,11 @@ fn flat_parallelogram_is_singular_by_name() {
 #[test]
 fn flat_parallelogram_ends_a_run_that_is_not_checked() {
     // Flat at t = 0, which the sweep reaches from above.
-    let (system, times) = (parallelogram(Law::linear(0.0, 1.0)), [0.3, 0.2, 0.1, 0.0]);
-    let error =
-        system.run_with(times, &Options { follow: Follow::Unchecked, ..Options::default() }).unwrap_err();
+    let system = parallelogram(Law::linear(0.0, 1.0));
+    let times = [0.3, 0.2, 0.1, 0.0];
+    let error = system
+        .run_with(times, &Options { follow: Follow::Unchecked, ..Options::default() })
+        .unwrap_err();
     assert!(matches!(error, Error::SingularAt { t: 0.0, .. }), "{error}");
     assert_eq!(error.motion().unwrap().times(), [0.3, 0.2, 0.1]);
     assert!(error.to_string().contains("`error.motion()`"), "{error}");
@@ -64,7 +66,8 @@ fn flat_parallelogram_ends_a_run_that_is_not_checked() {
 #[test]
 fn toggle_has_its_time() {
     // l2 = 1, l3 = 0.8: sin t = 0.8 is the end.
-    let (system, end) = (slider_crank([1.0, 0.8, 0.0], 1.0, [0.0, 1.8]), 0.8_f64.asin());
+    let system = slider_crank([1.0, 0.8, 0.0], 1.0, [0.0, 1.8]);
+    let end = 0.8_f64.asin();
     let error = system.run(linspace(0.0, 2.0, 21)).unwrap_err();
     let Error::Toggle { t, asked, movable, .. } = &error else { panic!("{error}") };
     assert!((t - end).abs() < 1e-12 && (asked - 1.0).abs() < 1e-12, "{t} {end} {asked}");
@@ -72,9 +75,14 @@ fn toggle_has_its_time() {
     assert_eq!(error.motion().unwrap().len(), 10);
     // Unchecked, the end is where no step succeeds any more.
     let error = system
-        .run_with(linspace(0.0, 2.0, 21), &Options { follow: Follow::Unchecked, ..Options::default() })
+        .run_with(
+            linspace(0.0, 2.0, 21),
+            &Options { follow: Follow::Unchecked, ..Options::default() },
+        )
         .unwrap_err();
-    let Error::NoConvergence { constraint, row, last: Some(last), .. } = &error else { panic!("{error}") };
+    let Error::NoConvergence { constraint, row, last: Some(last), .. } = &error else {
+        panic!("{error}")
+    };
     assert_eq!((constraint.as_str(), row.as_str()), ("loop", "y"));
     assert!(*last <= end && *last > end - 1e-3, "{last} {end}");
 }
@@ -90,10 +98,13 @@ fn loop_that_cannot_close_is_no_convergence() {
 
 #[test]
 fn prediction_carries_through_a_change_point_between_times() {
-    // The times straddle the flat position; there the parallelogram could become an antiparallelogram.
+    // The times straddle the flat position; there the parallelogram could become an
+    // antiparallelogram.
     let mut system = parallelogram(Law::linear(-0.105, 1.0));
     let (s, c) = (-0.105_f64).sin_cos();
-    system.set_initial(&[0.5 * c, 0.5 * s, -0.105, 1.5 + c, s, 0.0, 3.0 + 0.5 * c, 0.5 * s, -0.105]).unwrap();
+    system
+        .set_initial(&[0.5 * c, 0.5 * s, -0.105, 1.5 + c, s, 0.0, 3.0 + 0.5 * c, 0.5 * s, -0.105])
+        .unwrap();
     let motion = system.run(linspace(0.0, 0.21, 22)).unwrap();
     for k in 0..22 {
         assert!(
@@ -115,7 +126,8 @@ fn motor_may_start_far_from_the_guess() {
 #[test]
 fn contradiction_is_told_with_its_equations() {
     let mut m = Mechanism::new("contradiction");
-    let (a, b) = (m.link("a", 1.0).unwrap(), m.link("spare", 1.0).unwrap());
+    let a = m.link("a", 1.0).unwrap();
+    let b = m.link("spare", 1.0).unwrap();
     m.add("O", revolute(Ground, a, v(0.0, 0.0), a.start())).unwrap();
     m.add("P", revolute(Ground, a, v(0.0, 0.0), a.end())).unwrap();
     m.add("motor", drive_angle(a, Law::ramp(1.0))).unwrap();
@@ -132,7 +144,8 @@ fn contradiction_is_told_with_its_equations() {
 fn rod_of_length_zero_at_the_guess_is_no_obstacle() {
     // All poses zero: the distance of the two points has no derivative there.
     let mut m = Mechanism::new("rod");
-    let (crank, rocker) = (m.link("crank", 1.0).unwrap(), m.link("rocker", 3.0).unwrap());
+    let crank = m.link("crank", 1.0).unwrap();
+    let rocker = m.link("rocker", 3.0).unwrap();
     m.add("O", revolute(Ground, crank, v(0.0, 0.0), crank.start())).unwrap();
     m.add("C", revolute(Ground, rocker, v(4.0, 0.0), rocker.start())).unwrap();
     m.add("rod", rod(crank, rocker, v(0.0, 0.0), v(0.0, 0.0), 3.0)).unwrap();
@@ -144,7 +157,10 @@ fn rod_of_length_zero_at_the_guess_is_no_obstacle() {
 #[test]
 fn nothing_at_all_runs() {
     let motion = Mechanism::new("nothing").build().unwrap().run([0.0, 1.0]).unwrap();
-    assert_eq!((motion.len(), motion.q(0).len(), motion.headers()), (2, 0, vec!["t [s]".to_string()]));
+    assert_eq!(
+        (motion.len(), motion.q(0).len(), motion.headers()),
+        (2, 0, vec!["t [s]".to_string()])
+    );
 }
 
 #[test]
@@ -166,17 +182,20 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
     let error = system.residual(&[-1.0], 0.0).unwrap_err();
     let told = "C of `slot` is not finite: `x.sqrt()` is not a number (operand -1).\n  at x = -1.";
     assert!(
-        matches!(&error, Error::NotFinite { quantity: "C", .. }) && error.to_string().contains(told),
+        matches!(&error, Error::NotFinite { quantity: "C", .. })
+            && error.to_string().contains(told),
         "{error}"
     );
     assert!(matches!(system.jacobian(&[0.0], 0.0), Err(Error::NotFinite { quantity: "C_q", .. })));
 }
 
-/// Where C_q is regular no rank is told that it has not, whatever has stopped Newton's method there.
+/// Where C_q is regular no rank is told that it has not, whatever has stopped Newton's method
+/// there.
 #[test]
 fn a_regular_position_is_not_told_as_singular() {
     use crate::solve::newton::{Failure, Newton, Steps};
-    let (system, options) = (parallelogram(Law::linear(0.4, 1.0)), Options::default());
+    let system = parallelogram(Law::linear(0.4, 1.0));
+    let options = Options::default();
     let pose = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         [0.5 * cos, 0.5 * sin, angle, 1.5 + cos, sin, 0.0, 3.0 + 0.5 * cos, 0.5 * sin, angle]
@@ -188,7 +207,10 @@ fn a_regular_position_is_not_told_as_singular() {
     assert!(matches!(error, Error::NoConvergence { .. }), "{error}");
     // Nearly flat the rank is full, and is told as it is; nearer still it is not.
     let error = system.singular(0.0, &pose(1e-6), None);
-    assert!(matches!(&error, Error::SingularAt { rank: 9, pivot, .. } if *pivot > 1e-7), "{error:?}");
+    assert!(
+        matches!(&error, Error::SingularAt { rank: 9, pivot, .. } if *pivot > 1e-7),
+        "{error:?}"
+    );
     assert!(error.to_string().contains("C_q (9 x 9) is singular but for rounding"), "{error}");
     let error = system.singular(0.0, &pose(1e-8), None);
     assert!(matches!(&error, Error::SingularAt { rank: 8, .. }), "{error:?}");

@@ -21,7 +21,9 @@ fn phi(k: usize, t: f64) -> f64 {
 
 /// Poses of the links of length 1 at time t.
 fn poses(n: usize, t: f64) -> Vec<f64> {
-    let (mut x, mut y, mut theta) = (0.0, 0.0, 0.0);
+    let mut x = 0.0;
+    let mut y = 0.0;
+    let mut theta = 0.0;
     let link = |k: usize| {
         theta += phi(k, t);
         let (s, c) = f64::sin_cos(theta);
@@ -52,7 +54,8 @@ fn chain(n: usize, off: f64) -> System {
                 m.add("motor 0", drive_angle(body, law)).unwrap();
             }
             Some(last) => {
-                m.add(&format!("pin {k}"), planar::revolute(last, body, v(0.5, 0.0), v(-0.5, 0.0))).unwrap();
+                m.add(&format!("pin {k}"), planar::revolute(last, body, v(0.5, 0.0), v(-0.5, 0.0)))
+                    .unwrap();
                 m.add(&format!("motor {k}"), relative(last, body, law)).unwrap();
             }
         }
@@ -64,7 +67,8 @@ fn chain(n: usize, off: f64) -> System {
 #[test]
 fn chain_of_30_000_coordinates_is_the_recursion() {
     let n = 10_000;
-    let (system, options) = (chain(n, 0.0), Options::default());
+    let system = chain(n, 0.0);
+    let options = Options::default();
     let mut newton = Newton::new(&system, &options);
     first_position::assemble(&mut newton, 0.02).unwrap();
     let exact = poses(n, 0.02);
@@ -87,13 +91,17 @@ fn chain_assembles_from_a_rough_guess_and_steps() {
 fn large_singular_system_is_told() {
     let n = 60;
     let mut m = Mechanism::new("chain");
-    let bodies: Vec<PlanarBody> =
-        (0..n).map(|k| m.planar(&format!("link {k}"), pose(k as f64 + 0.5, 0.0, 0.0)).unwrap()).collect();
+    let bodies: Vec<PlanarBody> = (0..n)
+        .map(|k| m.planar(&format!("link {k}"), pose(k as f64 + 0.5, 0.0, 0.0)).unwrap())
+        .collect();
     m.add("pin 0", planar::revolute(Ground, bodies[0], v(0.0, 0.0), v(-0.5, 0.0))).unwrap();
     m.add("motor 0", drive_angle(bodies[0], Law::ramp(1.0))).unwrap();
     for k in 1..n {
-        m.add(&format!("pin {k}"), planar::revolute(bodies[k - 1], bodies[k], v(0.5, 0.0), v(-0.5, 0.0)))
-            .unwrap();
+        m.add(
+            &format!("pin {k}"),
+            planar::revolute(bodies[k - 1], bodies[k], v(0.5, 0.0), v(-0.5, 0.0)),
+        )
+        .unwrap();
         let (i, j) = if k == n - 1 { (0, 1) } else { (k - 1, k) };
         m.add(&format!("motor {k}"), relative(bodies[i], bodies[j], Law::constant(0.0))).unwrap();
     }

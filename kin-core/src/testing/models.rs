@@ -14,7 +14,8 @@ pub fn v(x: f64, y: f64) -> Vec2 {
 
 /// The lecture's two-link manipulator, lengths in units of `u` metres, from a rough guess.
 pub fn two_link(u: f64) -> System {
-    let (l2, l3) = (0.2 / u, 0.35 / u);
+    let l2 = 0.2 / u;
+    let l3 = 0.35 / u;
     let mut m = Mechanism::new("two-link manipulator");
     let body1 = m.planar("body1", pose(0.0168 / u, -0.00559 / u, -0.02)).unwrap();
     let body2 = m.planar("body2", pose(0.0808 / u, 0.0667 / u, 0.539)).unwrap();
@@ -29,7 +30,8 @@ pub fn two_link(u: f64) -> System {
 
 pub fn slider_crank(l: [f64; 3], omega: f64, guess: [f64; 2]) -> System {
     let mut m = Mechanism::new("slider-crank");
-    let (theta3, x) = (m.angle("theta3", guess[0]).unwrap(), m.length("x", guess[1]).unwrap());
+    let theta3 = m.angle("theta3", guess[0]).unwrap();
+    let x = m.length("x", guess[1]).unwrap();
     m.add("loop", SliderCrank { theta3, x, l, omega }).unwrap();
     m.build().unwrap()
 }

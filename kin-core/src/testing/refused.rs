@@ -24,7 +24,10 @@ fn not_square_names_what_is_untouched() {
     m.add("motor", drive_angle(a, Law::ramp(1.0))).unwrap();
     let error = m.build().unwrap_err();
     let found = error.diagnosis().unwrap();
-    assert_eq!((found.coordinates, found.equations, found.rank, found.freedoms.len()), (6, 3, 3, 3));
+    assert_eq!(
+        (found.coordinates, found.equations, found.rank, found.freedoms.len()),
+        (6, 3, 3, 3)
+    );
     assert!(
         found
             .freedoms
@@ -49,7 +52,9 @@ fn constraints_are_refused_by_name() {
     let mut m = Mechanism::new("m");
     let a = m.link("a", 1.0).unwrap();
     let o = v(0.0, 0.0);
-    assert!(matches!(m.add("O", revolute(a, a, o, o)), Err(Error::RepeatedBody { name, .. }) if name == "a"));
+    assert!(
+        matches!(m.add("O", revolute(a, a, o, o)), Err(Error::RepeatedBody { name, .. }) if name == "a")
+    );
     let same = Follow { x: a.x(), other: a.x(), law: Law::ramp(1.0) };
     assert!(matches!(m.add("O", same), Err(Error::RepeatedBody { name, .. }) if name == "a.R_x"));
     assert!(
@@ -59,9 +64,13 @@ fn constraints_are_refused_by_name() {
         matches!(m.add("O", revolute(any_planar(), a, o, o)), Err(Error::ForeignBody { argument, .. }) if argument == "i")
     );
     let nan = m.add("O", revolute(Ground, a, o, v(0.0, f64::NAN)));
-    assert!(matches!(nan, Err(Error::ParameterNotFinite { parameter, .. }) if parameter == "u_j.y"));
+    assert!(
+        matches!(nan, Err(Error::ParameterNotFinite { parameter, .. }) if parameter == "u_j.y")
+    );
     let nan = m.add("O", drive_angle(a, Law::ramp(f64::INFINITY)));
-    assert!(matches!(nan, Err(Error::ParameterNotFinite { parameter, .. }) if parameter == "law.rate"));
+    assert!(
+        matches!(nan, Err(Error::ParameterNotFinite { parameter, .. }) if parameter == "law.rate")
+    );
     assert!(matches!(m.add("", drive_angle(a, Law::ramp(1.0))), Err(Error::EmptyName { .. })));
     m.add("O", drive_angle(a, Law::ramp(1.0))).unwrap();
     assert!(matches!(m.add("O", drive_angle(a, Law::ramp(1.0))), Err(Error::DuplicateName { .. })));
@@ -75,8 +84,10 @@ fn constraints_are_refused_by_name() {
 
 #[test]
 fn handles_of_another_mechanism_are_foreign() {
-    let (mut m, mut other) = (Mechanism::new("m"), Mechanism::new("other"));
-    let (a, b) = (m.link("a", 1.0).unwrap(), other.link("a", 1.0).unwrap());
+    let mut m = Mechanism::new("m");
+    let mut other = Mechanism::new("other");
+    let a = m.link("a", 1.0).unwrap();
+    let b = other.link("a", 1.0).unwrap();
     let error = m.add("A", revolute(a, b, a.end(), b.start())).unwrap_err();
     assert!(matches!(&error, Error::ForeignBody { argument, .. } if argument == "j"), "{error}");
     assert!(m.set_pose(b, pose(0.0, 0.0, 0.0)).is_err() && m.guess(b.theta(), 1.0).is_err());
@@ -85,12 +96,17 @@ fn handles_of_another_mechanism_are_foreign() {
 #[test]
 fn times_and_options_are_checked() {
     let system = two_link(1.0);
-    for times in [vec![], vec![0.0, f64::NAN], vec![0.0, 0.0], vec![0.0, 1.0, 0.5], vec![f64::INFINITY]] {
+    for times in
+        [vec![], vec![0.0, f64::NAN], vec![0.0, 0.0], vec![0.0, 1.0, 0.5], vec![f64::INFINITY]]
+    {
         assert!(matches!(system.run(&times), Err(Error::InvalidTimes { .. })), "{times:?}");
     }
     let options = Options { stop: Stop::Converged { tolerance: f64::NAN }, ..Options::default() };
     assert!(matches!(system.run_with([0.0], &options), Err(Error::InvalidOptions { .. })));
-    assert!(matches!(system.residual(&[0.0], 0.0), Err(Error::WrongLength { expected: 9, found: 1, .. })));
+    assert!(matches!(
+        system.residual(&[0.0], 0.0),
+        Err(Error::WrongLength { expected: 9, found: 1, .. })
+    ));
     assert!(system.position(f64::NAN).is_err());
 }
 
@@ -103,7 +119,9 @@ fn parameters_are_read_and_set_by_name() {
     let after = system.position(0.0).unwrap();
     assert!((after.q[8] - before.q[8]).abs() > 1e-3 && after.report.residual < 1e-14);
     assert!(matches!(system.set("C.u_i.x", f64::NAN), Err(Error::ParameterNotFinite { .. })));
-    assert!(matches!(system.set("C.k", 1.0), Err(Error::UnknownName { known, .. }) if known.len() == 4));
+    assert!(
+        matches!(system.set("C.k", 1.0), Err(Error::UnknownName { known, .. }) if known.len() == 4)
+    );
     assert!(system.set("nothing", 1.0).is_err() && system.set("motor.law.rate", 1.0).is_err());
 }
 
@@ -111,7 +129,8 @@ fn parameters_are_read_and_set_by_name() {
 fn names_follow_the_order_of_declaration_and_addition() {
     let system = two_link(1.0);
     assert_eq!(system.coordinate_names()[3..6], ["body2.R_x", "body2.R_y", "body2.theta"]);
-    let names = ["ground.x", "ground.y", "ground.theta", "O.x", "O.y", "A.x", "A.y", "link2", "link3"];
+    let names =
+        ["ground.x", "ground.y", "ground.theta", "O.x", "O.y", "A.x", "A.y", "link2", "link3"];
     assert_eq!(system.equation_names(), names);
     assert_eq!(system.constraint_names(), ["ground", "O", "A", "link2", "link3"]);
 }

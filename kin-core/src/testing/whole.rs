@@ -11,7 +11,10 @@ use crate::solve::newton::{Options, Stop};
 
 /// R3, its velocity and its acceleration in closed form.
 fn two_link_exact(t: f64) -> [[f64; 2]; 3] {
-    let (a, b, w, o) = (0.5 * t + FRAC_PI_6, 0.75 * t + 0.5 * FRAC_PI_6, 0.5, 0.75);
+    let a = 0.5 * t + FRAC_PI_6;
+    let b = 0.75 * t + 0.5 * FRAC_PI_6;
+    let w = 0.5;
+    let o = 0.75;
     let e = |k: usize, angle: f64| {
         [[angle.cos(), angle.sin()], [-angle.sin(), angle.cos()], [-angle.cos(), -angle.sin()]][k]
     };
@@ -42,7 +45,8 @@ fn two_link_manipulator_is_the_closed_form() {
     assert!(motion.residuals().iter().all(|r| *r < 1e-14));
     // Prediction from one time takes one step, prediction from three takes none.
     assert!(
-        motion.iterations()[1..3].iter().all(|n| *n == 1) && motion.iterations()[3..].iter().all(|n| *n == 0)
+        motion.iterations()[1..3].iter().all(|n| *n == 1)
+            && motion.iterations()[3..].iter().all(|n| *n == 0)
     );
     assert!(motion.summary().starts_with(
         "two-link manipulator: 9 coordinates, 9 equations, 2401 times, predictions met the equations"
@@ -61,10 +65,19 @@ fn two_link_manipulator_is_the_reference_at_one_second() {
         0.3191600072704383,
         1.0117993877991494,
     ];
-    let qdd =
-        [-0.013007400580329766, -0.02134964941498658, 0.0, -0.0782197592600334, -0.12615338055215508, 0.0];
+    let qdd = [
+        -0.013007400580329766,
+        -0.02134964941498658,
+        0.0,
+        -0.0782197592600334,
+        -0.12615338055215508,
+        0.0,
+    ];
     for k in 0..6 {
-        assert!((motion.q(1)[3 + k] - q[k]).abs() < 1e-14 && (motion.qdd(1)[3 + k] - qdd[k]).abs() < 1e-14);
+        assert!(
+            (motion.q(1)[3 + k] - q[k]).abs() < 1e-14
+                && (motion.qdd(1)[3 + k] - qdd[k]).abs() < 1e-14
+        );
     }
 }
 
@@ -83,8 +96,8 @@ fn unit_of_length_changes_nothing() {
 #[test]
 fn backwards_is_the_same_motion() {
     let system = two_link(1.0);
-    let (forth, back) =
-        (system.run(linspace(0.0, 2.0, 21)).unwrap(), system.run(linspace(2.0, 0.0, 21)).unwrap());
+    let forth = system.run(linspace(0.0, 2.0, 21)).unwrap();
+    let back = system.run(linspace(2.0, 0.0, 21)).unwrap();
     for k in 0..21 {
         assert!(forth.q(k).iter().zip(back.q(20 - k)).all(|(a, b)| (a - b).abs() < 1e-14));
     }
@@ -106,7 +119,8 @@ fn slider_crank_is_the_elimination() {
         for (k, t) in motion.times().iter().enumerate() {
             let s = (h - l2 * (10.0 * t).sin()) / l3;
             let theta3 = if branch > 0.0 { s.asin() } else { PI - s.asin() };
-            let (c, x) = (theta3.cos(), l2 * (10.0 * t).cos() + l3 * theta3.cos());
+            let c = theta3.cos();
+            let x = l2 * (10.0 * t).cos() + l3 * theta3.cos();
             let rate = -10.0 * l2 * (10.0 * t).cos() / (l3 * c);
             assert!(
                 (motion.q(k)[0] - theta3).abs() < 1e-13 && (motion.q(k)[1] - x).abs() < 1e-13,
@@ -119,7 +133,9 @@ fn slider_crank_is_the_elimination() {
 
 #[test]
 fn four_bar_assembles_from_nothing_as_preferred() {
-    let (d, b, c) = (3.0_f64, 3.5_f64, 3.0_f64);
+    let d = 3.0_f64;
+    let b = 3.5_f64;
+    let c = 3.0_f64;
     let along = (b * b - c * c + d * d) / (2.0 * d);
     let across = (b * b - along * along).sqrt();
     for (preferred, side) in [(100.0, 1.0), (-100.0, -1.0), (130.0, 1.0), (60.0, 1.0)] {
@@ -153,11 +169,13 @@ fn coupler_point_moves_as_its_position_does() {
     assert_eq!(motion.point(PlanarBody::from(Ground), v(1.0, 2.0)).unwrap().r()[5], v(1.0, 2.0));
 }
 
-/// Slider-crank in absolute coordinates, hand-written and compiled constraints side by side, near its
-/// singular position.
+/// Slider-crank in absolute coordinates, hand-written and compiled constraints side by side, near
+/// its singular position.
 #[test]
 fn compiled_and_hand_written_constraints_run_together() {
-    let (l2, l3, h) = (0.2, 0.205, 0.004);
+    let l2 = 0.2;
+    let l3 = 0.205;
+    let h = 0.004;
     let mut m = Mechanism::new("slider-crank");
     let crank = m.link("crank", l2).unwrap();
     let rod = m.link("rod", l3).unwrap();
@@ -165,14 +183,18 @@ fn compiled_and_hand_written_constraints_run_together() {
     m.add("O", revolute(Ground, crank, v(0.0, 0.0), crank.start())).unwrap();
     m.add("A", planar::revolute(crank, rod, crank.end(), rod.start())).unwrap();
     m.add("B", revolute(rod, slider, rod.end(), v(0.0, 0.0))).unwrap();
-    m.add("slide", planar::prismatic(Ground, slider, v(0.0, h), v(0.0, 0.0), v(0.0, 1.0), 0.0)).unwrap();
+    m.add("slide", planar::prismatic(Ground, slider, v(0.0, h), v(0.0, 0.0), v(0.0, 1.0), 0.0))
+        .unwrap();
     m.add("motor", drivers::drive_angle(crank, Law::linear(0.1, 2.0))).unwrap();
     let motion = m.build().unwrap().run(linspace(0.0, 3.2, 65)).unwrap();
     for (k, t) in motion.times().iter().enumerate() {
         let theta2 = 0.1 + 2.0 * t;
         let theta3 = ((h - l2 * theta2.sin()) / l3).asin();
         let x = l2 * theta2.cos() + l3 * theta3.cos();
-        assert!((motion.q(k)[5] - theta3).abs() < 1e-12 && (motion.q(k)[6] - x).abs() < 1e-12, "t = {t}");
+        assert!(
+            (motion.q(k)[5] - theta3).abs() < 1e-12 && (motion.q(k)[6] - x).abs() < 1e-12,
+            "t = {t}"
+        );
     }
 }
 
@@ -193,7 +215,8 @@ fn leg(
 fn stewart_platform_keeps_its_legs_and_its_norm() {
     use crate::numbers::algebra::{EulerParameters, Vec3};
     let mut m = Mechanism::new("platform");
-    let tilted = SpatialPose::new(Vec3::new(0.1, -0.2, 0.7), EulerParameters::new(2.0, 0.3, 0.2, -0.4));
+    let tilted =
+        SpatialPose::new(Vec3::new(0.1, -0.2, 0.7), EulerParameters::new(2.0, 0.3, 0.2, -0.4));
     let platform = m.spatial("platform", tilted).unwrap();
     let corner = |i: usize, size: f64, spread: f64, z: f64| {
         let angle = TAU * (i / 2) as f64 / 3.0 + if i.is_multiple_of(2) { -spread } else { spread };
@@ -201,17 +224,20 @@ fn stewart_platform_keeps_its_legs_and_its_norm() {
     };
     let laws: Vec<Law> = (0..6)
         .map(|i| {
-            let (length, phase) = (
-                (corner(i, 0.5, PI / 4.0, 1.0) - corner(i, 1.0, PI / 12.0, 0.0)).norm(),
-                i as f64 * PI / 3.0,
-            );
+            let length = (corner(i, 0.5, PI / 4.0, 1.0) - corner(i, 1.0, PI / 12.0, 0.0)).norm();
+            let phase = i as f64 * PI / 3.0;
             Law::constant(length - 0.1 * phase.sin()) + Law::sine(0.1, PI, phase)
         })
         .collect();
     for (i, law) in laws.iter().enumerate() {
         m.add(
             &format!("leg {i}"),
-            leg(platform, corner(i, 0.5, PI / 4.0, 0.0), corner(i, 1.0, PI / 12.0, 0.0), law.clone()),
+            leg(
+                platform,
+                corner(i, 0.5, PI / 4.0, 0.0),
+                corner(i, 1.0, PI / 12.0, 0.0),
+                law.clone(),
+            ),
         )
         .unwrap();
     }
@@ -238,7 +264,8 @@ fn stewart_platform_keeps_its_legs_and_its_norm() {
 fn velocity_and_acceleration_are_those_of_the_run() {
     let system = two_link(1.0);
     let motion = system.run([0.0, 0.4]).unwrap();
-    let (q, qd) = (motion.q(1), motion.qd(1));
+    let q = motion.q(1);
+    let qd = motion.qd(1);
     let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14);
     assert!(
         close(&system.velocity(q, 0.4).unwrap(), qd)

@@ -1,13 +1,14 @@
-//! First derivatives of one value by all columns at once, from the value inwards: cheaper than column by
-//! column where a value is a long chain of sums and products.
+//! First derivatives of one value by all columns at once, from the value inwards: cheaper than
+//! column by column where a value is a long chain of sums and products.
 
 use std::collections::BTreeMap;
 
 use super::partial::{By, input_derivative};
 use crate::{Column, Graph, Input, Node, Op, Part};
 
-/// Operations that going inwards from each of `rows` promises to save against column by column: the products
-/// and sums that each of the two builds, before simplification and without a look at what is in common.
+/// Operations that going inwards from each of `rows` promises to save against column by column: the
+/// products and sums that each of the two builds, before simplification and without a look at what
+/// is in common.
 pub fn promise_of_columns(g: &Graph, rows: &[Node], columns: &[Column]) -> usize {
     let inward = rows.iter().map(|&row| inward_work(g, row)).sum();
     forward_work(g, rows, columns).saturating_sub(inward)
@@ -23,12 +24,14 @@ fn forward_work(g: &Graph, rows: &[Node], columns: &[Column]) -> usize {
             moves[node.index()] = match g.op(node) {
                 Op::Input(input) => moves_with(input, column),
                 Op::Mul(a, b) => {
-                    let (left, right) = (moves[a.index()], moves[b.index()]);
+                    let left = moves[a.index()];
+                    let right = moves[b.index()];
                     work += [0, 1, 3][usize::from(left) + usize::from(right)];
                     left || right
                 }
                 Op::Add(a, b) | Op::Sub(a, b) => {
-                    let (left, right) = (moves[a.index()], moves[b.index()]);
+                    let left = moves[a.index()];
+                    let right = moves[b.index()];
                     work += usize::from(left && right);
                     left || right
                 }
@@ -69,8 +72,8 @@ fn moving(g: &Graph, rows: &[Node]) -> Vec<Node> {
     g.reachable(rows).into_iter().filter(|&node| g.depends(node).on_q).collect()
 }
 
-/// ∂node/∂column for each of `columns`, zeros included; `None` if the node is made of coordinates by anything
-/// but sums and products, whose derivatives need no care.
+/// ∂node/∂column for each of `columns`, zeros included; `None` if the node is made of coordinates
+/// by anything but sums and products, whose derivatives need no care.
 pub fn by_columns(g: &mut Graph, node: Node, columns: &[Column]) -> Option<Vec<Node>> {
     let inwards = gradient(g, node)?;
     let zero = g.zero();
@@ -131,7 +134,8 @@ mod tests {
             .collect();
         let mut nodes: Vec<Node> = inputs.iter().map(|&input| g.input(input)).collect();
         for _ in 0..40 {
-            let (a, b) = (nodes[random.below(nodes.len())], nodes[random.below(nodes.len())]);
+            let a = nodes[random.below(nodes.len())];
+            let b = nodes[random.below(nodes.len())];
             let node = match random.below(5) {
                 0 => g.add(a, b),
                 1 => g.sub(a, b),
@@ -141,14 +145,16 @@ mod tests {
             };
             nodes.push(node);
         }
-        let numbers = inputs.into_iter().map(|input| (input, random.below(5) as f64 - 2.0)).collect();
+        let numbers =
+            inputs.into_iter().map(|input| (input, random.below(5) as f64 - 2.0)).collect();
         (g, nodes[nodes.len() - 1], numbers)
     }
 
     #[test]
     fn inwards_is_column_by_column() {
         let mut random = SplitMix(5);
-        let (mut compared, mut zeros) = (0, 0);
+        let mut compared = 0;
+        let mut zeros = 0;
         for _ in 0..300 {
             let (mut g, row, numbers) = row(&mut random);
             let columns: Vec<Column> =
@@ -156,7 +162,8 @@ mod tests {
             let found = by_columns(&mut g, row, &columns).expect("sums and products");
             for (column, found) in columns.into_iter().zip(found) {
                 let expected = Partial::by_column(column).of(&mut g, row);
-                let (found, expected) = (value(&g, found, &numbers), value(&g, expected, &numbers));
+                let found = value(&g, found, &numbers);
+                let expected = value(&g, expected, &numbers);
                 if expected.abs() < 2f64.powi(50) {
                     assert_eq!(found, expected);
                     compared += 1;
@@ -170,7 +177,8 @@ mod tests {
     #[test]
     fn other_functions_of_coordinates_are_left_alone() {
         let mut g = Graph::default();
-        let (x, y) = (g.input(Input::State(0, Part::Theta)), g.input(Input::Parameter(0)));
+        let x = g.input(Input::State(0, Part::Theta));
+        let y = g.input(Input::Parameter(0));
         let columns = [Column { argument: 0, part: Part::Theta }];
         let root = g.call(Function::Sqrt, x);
         assert!(by_columns(&mut g, root, &columns).is_none());

@@ -19,8 +19,12 @@ impl Curve {
         let zero = g.zero();
         match input {
             Input::Time => Jet { first: g.input(Input::TimeRate), second: zero },
-            Input::State(argument, Part::Sin) => self.angle(g, argument, Part::Sin, Part::Cos, false),
-            Input::State(argument, Part::Cos) => self.angle(g, argument, Part::Cos, Part::Sin, true),
+            Input::State(argument, Part::Sin) => {
+                self.angle(g, argument, Part::Sin, Part::Cos, false)
+            }
+            Input::State(argument, Part::Cos) => {
+                self.angle(g, argument, Part::Cos, Part::Sin, true)
+            }
             Input::State(argument, part) => {
                 let first = g.input(Input::Rate(argument, part));
                 Jet { first, second: self.second_rate(g, argument, part) }
@@ -37,12 +41,14 @@ impl Curve {
         }
     }
 
-    /// (sin θ)′ = θ̇ cos θ, (sin θ)″ = θ̈ cos θ − θ̇² sin θ; (cos θ)′ = −θ̇ sin θ, (cos θ)″ = −θ̈ sin θ −
-    /// θ̇² cos θ
+    /// (sin θ)′ = θ̇ cos θ, (sin θ)″ = θ̈ cos θ − θ̇² sin θ; (cos θ)′ = −θ̇ sin θ, (cos θ)″ = −θ̈
+    /// sin θ − θ̇² cos θ
     fn angle(self, g: &mut Graph, argument: usize, part: Part, other: Part, minus: bool) -> Jet {
-        let (this, other) = (g.input(Input::State(argument, part)), g.input(Input::State(argument, other)));
+        let this = g.input(Input::State(argument, part));
+        let other = g.input(Input::State(argument, other));
         let rate = g.input(Input::Rate(argument, Part::Theta));
-        let (first, rate_squared) = (g.mul(rate, other), g.mul(rate, rate));
+        let first = g.mul(rate, other);
+        let rate_squared = g.mul(rate, rate);
         let bent = g.mul(rate_squared, this);
         let first = if minus { g.neg(first) } else { first };
         let second_rate = self.second_rate(g, argument, Part::Theta);

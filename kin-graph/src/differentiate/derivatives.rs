@@ -1,5 +1,5 @@
-//! All derivatives of the rows that a constraint is asked for, as nodes of the same graph, and what follows
-//! from them for good.
+//! All derivatives of the rows that a constraint is asked for, as nodes of the same graph, and what
+//! follows from them for good.
 
 use super::{Jets, Partial, by_columns, promise_of_columns};
 use crate::schedule::{fused, looked_up, operations};
@@ -7,8 +7,8 @@ use crate::{Column, Graph, Input, Node, Op, Part};
 
 /// Every derivative of the rows.
 pub struct Derivatives {
-    /// C, of tables of pieces one expression with numbers that are looked up; the derivatives are those of
-    /// this.
+    /// C, of tables of pieces one expression with numbers that are looked up; the derivatives are
+    /// those of this.
     pub rows: Vec<Node>,
     /// (row, local column, value), structural non-zeros only.
     pub jacobian: Vec<(usize, usize, Node)>,
@@ -18,8 +18,8 @@ pub struct Derivatives {
     pub acceleration_rhs: Vec<Node>,
 }
 
-/// The terms that can change with t, be other than zero, or be other than linear, and the entries of C_q that
-/// are numbers for good.
+/// The terms that can change with t, be other than zero, or be other than linear, and the entries
+/// of C_q that are numbers for good.
 pub struct Promises {
     pub c_on_t: bool,
     pub c_q_on_t: bool,
@@ -64,21 +64,26 @@ impl Derivatives {
         g.reachable(&outputs).into_iter().filter_map(reads).collect()
     }
 
-    /// True if the rows are linear in the coordinates for good: with a gradient of numbers, and coordinates
-    /// that enter by sums and products alone, for steps and kinks have such gradients too.
+    /// True if the rows are linear in the coordinates for good: with a gradient of numbers, and
+    /// coordinates that enter by sums and products alone, for steps and kinks have such gradients
+    /// too.
     pub fn is_linear(&self, g: &Graph) -> bool {
-        let smooth =
-            |op: Op| matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_));
+        let smooth = |op: Op| {
+            matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_))
+        };
         self.jacobian.iter().all(|entry| g.constant_value(entry.2).is_some())
-            && g.reachable(&self.rows).into_iter().all(|node| !g.depends(node).on_q || smooth(g.op(node)))
+            && g.reachable(&self.rows)
+                .into_iter()
+                .all(|node| !g.depends(node).on_q || smooth(g.op(node)))
     }
 
     /// The promises of the graph about the terms.
     pub fn promises(&self, g: &Graph) -> Promises {
         let on_t = |n: &Node| g.depends(*n).on_t;
-        let [c_t, q_d] =
-            [&self.velocity_rhs, &self.acceleration_rhs].map(|side| side.iter().any(|&n| !g.is_zero(n)));
-        let number = |entry: &(usize, usize, Node)| g.constant_value(entry.2).filter(|c| c.is_finite());
+        let [c_t, q_d] = [&self.velocity_rhs, &self.acceleration_rhs]
+            .map(|side| side.iter().any(|&n| !g.is_zero(n)));
+        let number =
+            |entry: &(usize, usize, Node)| g.constant_value(entry.2).filter(|c| c.is_finite());
         Promises {
             c_on_t: self.rows.iter().any(on_t),
             c_q_on_t: self.jacobian.iter().any(|entry| on_t(&entry.2)),
@@ -90,7 +95,11 @@ impl Derivatives {
     }
 }
 
-fn jacobian(g: &mut Graph, rows: &[Node], local: impl Fn(Column) -> usize) -> Vec<(usize, usize, Node)> {
+fn jacobian(
+    g: &mut Graph,
+    rows: &[Node],
+    local: impl Fn(Column) -> usize,
+) -> Vec<(usize, usize, Node)> {
     let columns = g.columns(rows);
     let mut entries = column_by_column(g, rows, &columns);
     if promise_of_columns(g, rows, &columns) >= MUCH {
@@ -99,19 +108,21 @@ fn jacobian(g: &mut Graph, rows: &[Node], local: impl Fn(Column) -> usize) -> Ve
     entries.into_iter().map(|(row, column, value)| (row, local(columns[column]), value)).collect()
 }
 
-/// A promise below which another order gained nothing where it was tried; to try takes longer than all other
-/// derivatives.
+/// A promise below which another order gained nothing where it was tried; to try takes longer than
+/// all other derivatives.
 const MUCH: usize = 200;
 
-/// Takes each row's derivatives from the row inwards, if that has the same structure and saves a quarter of
-/// the operations of C and C_q: column by column a long chain is gone through once for each column.
+/// Takes each row's derivatives from the row inwards, if that has the same structure and saves a
+/// quarter of the operations of C and C_q: column by column a long chain is gone through once for
+/// each column.
 fn inwards_if_cheaper(
     g: &mut Graph,
     rows: &[Node],
     columns: &[Column],
     entries: &mut [(usize, usize, Node)],
 ) {
-    let found: Option<Vec<Vec<Node>>> = rows.iter().map(|&row| by_columns(g, row, columns)).collect();
+    let found: Option<Vec<Vec<Node>>> =
+        rows.iter().map(|&row| by_columns(g, row, columns)).collect();
     let Some(found) = found else { return };
     let others: Vec<Node> = entries.iter().map(|&(row, column, _)| found[row][column]).collect();
     let zeros = found.iter().flatten().filter(|&&value| g.is_zero(value)).count();
@@ -130,7 +141,8 @@ fn inwards_if_cheaper(
 
 /// (row, column, value) of the structural non-zeros.
 fn column_by_column(g: &mut Graph, rows: &[Node], columns: &[Column]) -> Vec<(usize, usize, Node)> {
-    let mut partials: Vec<Partial> = columns.iter().map(|&column| Partial::by_column(column)).collect();
+    let mut partials: Vec<Partial> =
+        columns.iter().map(|&column| Partial::by_column(column)).collect();
     let mut entries = Vec::new();
     for (k, &row) in rows.iter().enumerate() {
         // The same for each column: all of them have seen the rows before.

@@ -1,5 +1,6 @@
-//! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is the whole
-//! acceleration right side. Along a curve q + s q̇ + ½ s² q̈ the second one has the term of q̈ too.
+//! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is
+//! the whole acceleration right side. Along a curve q + s q̇ + ½ s² q̈ the second one has the term
+//! of q̈ too.
 
 use super::curve::Curve;
 use super::moves::{Motion, Moves};
@@ -14,8 +15,8 @@ pub struct Jet {
     pub second: Node,
 }
 
-/// Jets along (q̇, ṫ); each node is differentiated once. First derivatives stand alone: the second derivative
-/// of f(u) needs the first of f′(u), which can contain f(u) again.
+/// Jets along (q̇, ṫ); each node is differentiated once. First derivatives stand alone: the second
+/// derivative of f(u) needs the first of f′(u), which can contain f(u) again.
 #[derive(Default)]
 pub struct Jets {
     first: Memo<Node>,
@@ -30,8 +31,8 @@ impl Tangents for Jets {
     }
 }
 
-/// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through sums, and
-/// doubled once.
+/// A second derivative as `outer + 2 cross`: the products of first derivatives are gathered through
+/// sums, and doubled once.
 #[derive(Clone, Copy, Default)]
 struct Second {
     outer: Node,
@@ -100,7 +101,8 @@ impl Jets {
             }
             Op::Div(a, b) if g.bursts(b) => {
                 let inverse = inverse(g, b);
-                let (left, right) = (scaled(g, self, inverse, a), scaled(g, self, inverse, b));
+                let left = scaled(g, self, inverse, a);
+                let right = scaled(g, self, inverse, b);
                 let right = g.mul(node, right);
                 let whole = g.sub(left, right);
                 where_finite(g, b, whole)
@@ -110,7 +112,9 @@ impl Jets {
                 let numerator = g.sub(d(a), yb);
                 g.div(numerator, b)
             }
-            Op::Powi(a, n) if n < 0 && g.bursts(a) => self.relative_power_first(g, a, f64::from(n), node),
+            Op::Powi(a, n) if n < 0 && g.bursts(a) => {
+                self.relative_power_first(g, a, f64::from(n), node)
+            }
             Op::Call2(Function2::Powf, a, b) if relative_exponent(g, a, b).is_some() => {
                 let n = relative_exponent(g, a, b).unwrap_or_default();
                 let relative = self.relative_power_first(g, a, n, node);
@@ -145,7 +149,9 @@ impl Jets {
                 both(g, Graph::add, product, dd(c))
             }
             Op::Div(a, b) => plain(self.quotient(g, a, b, node)),
-            Op::Powi(a, n) if n < 0 && g.bursts(a) => plain(self.relative_power(g, a, f64::from(n), node)),
+            Op::Powi(a, n) if n < 0 && g.bursts(a) => {
+                plain(self.relative_power(g, a, f64::from(n), node))
+            }
             Op::Call2(Function2::Powf, a, b) if relative_exponent(g, a, b).is_some() => {
                 let n = relative_exponent(g, a, b).unwrap_or_default();
                 let relative = self.relative_power(g, a, n, node);
@@ -153,12 +159,14 @@ impl Jets {
                 plain(where_large(g, a, n, relative, whole))
             }
             Op::Select(c, a, b) => {
-                let (a, b) = (dd(a).whole(g), dd(b).whole(g));
+                let a = dd(a).whole(g);
+                let b = dd(b).whole(g);
                 plain(g.select(c, a, b))
             }
             Op::Call2(Function2::Max | Function2::Min, a, b) => {
                 let first = rules::takes_first(g, node);
-                let (a, b) = (dd(a).whole(g), dd(b).whole(g));
+                let a = dd(a).whole(g);
+                let b = dd(b).whole(g);
                 plain(g.select(first, a, b))
             }
             Op::Leaf(of) => plain(self.leaf(g, of, LeafNumber::Second)),
@@ -168,7 +176,8 @@ impl Jets {
 
     /// (a b)″ = a″ b + a b″ + 2 a′ b′
     fn product(&self, g: &mut Graph, a: Node, b: Node) -> Second {
-        let (ja, jb) = (self.known(g, a), self.known(g, b));
+        let ja = self.known(g, a);
+        let jb = self.known(g, b);
         let cross = g.mul(ja.first, jb.first);
         let outer = sum_of_products(g, [(ja.second, b), (a, jb.second)]);
         Second { outer, cross }
@@ -179,15 +188,18 @@ impl Jets {
         if g.bursts(b) {
             let inverse = inverse(g, b);
             let first = self.first.of(y);
-            let (whole, relative) =
-                (self.scaled_second(g, inverse, a, Depth::FULL), scaled(g, self, inverse, b));
-            let (cross, bent) = (g.mul(first, relative), self.scaled_second(g, inverse, b, Depth::FULL));
-            let (cross, last) = (double(g, cross), g.mul(y, bent));
+            let whole = self.scaled_second(g, inverse, a, Depth::FULL);
+            let relative = scaled(g, self, inverse, b);
+            let cross = g.mul(first, relative);
+            let bent = self.scaled_second(g, inverse, b, Depth::FULL);
+            let cross = double(g, cross);
+            let last = g.mul(y, bent);
             let whole = g.sub(whole, cross);
             let whole = g.sub(whole, last);
             return where_finite(g, b, whole);
         }
-        let (ja, jb) = (self.known(g, a), self.known(g, b));
+        let ja = self.known(g, a);
+        let jb = self.known(g, b);
         let cross = g.mul(self.first.of(y), jb.first);
         let cross = double(g, cross);
         let last = g.mul(y, jb.second);
@@ -198,8 +210,10 @@ impl Jets {
 
     /// y = aⁿ:  y′ = n y a′/a
     fn relative_power_first(&self, g: &mut Graph, a: Node, n: f64, y: Node) -> Node {
-        let (inverse, n) = (inverse(g, a), g.constant(n));
-        let (relative, factor) = (scaled(g, self, inverse, a), g.mul(n, y));
+        let inverse = inverse(g, a);
+        let n = g.constant(n);
+        let relative = scaled(g, self, inverse, a);
+        let factor = g.mul(n, y);
         let whole = g.mul(factor, relative);
         where_finite(g, a, whole)
     }
@@ -207,10 +221,14 @@ impl Jets {
     /// y = aⁿ, with α = a′/a:  y″ = n y (a″/a + (n − 1) α²)
     fn relative_power(&mut self, g: &mut Graph, a: Node, n: f64, y: Node) -> Node {
         let inverse = inverse(g, a);
-        let (relative, bent) = (scaled(g, self, inverse, a), self.scaled_second(g, inverse, a, Depth::FULL));
-        let (square, lower, n) = (g.mul(relative, relative), g.constant(n - 1.0), g.constant(n));
+        let relative = scaled(g, self, inverse, a);
+        let bent = self.scaled_second(g, inverse, a, Depth::FULL);
+        let square = g.mul(relative, relative);
+        let lower = g.constant(n - 1.0);
+        let n = g.constant(n);
         let square = g.mul(lower, square);
-        let (sum, factor) = (g.add(bent, square), g.mul(n, y));
+        let sum = g.add(bent, square);
+        let factor = g.mul(n, y);
         let whole = g.mul(factor, sum);
         where_finite(g, a, whole)
     }
@@ -234,18 +252,21 @@ impl Jets {
             }
             Op::Add(a, b) | Op::Sub(a, b) => {
                 let depth = depth.sum()?;
-                let (left, right) = (self.scaled_second(g, c, a, depth), self.scaled_second(g, c, b, depth));
+                let left = self.scaled_second(g, c, a, depth);
+                let right = self.scaled_second(g, c, b, depth);
                 if matches!(g.op(u), Op::Add(..)) { g.add(left, right) } else { g.sub(left, right) }
             }
             // a″ b + 2 a′ b′ + a b″
             Op::Mul(a, b) => {
                 let depth = depth.product()?;
-                let (cb, ca) = (g.mul(c, b), g.mul(c, a));
-                let (left, right) =
-                    (self.scaled_second(g, cb, a, depth), self.scaled_second(g, ca, b, depth));
+                let cb = g.mul(c, b);
+                let ca = g.mul(c, a);
+                let left = self.scaled_second(g, cb, a, depth);
+                let right = self.scaled_second(g, ca, b, depth);
                 let cross = scaled(g, self, c, a);
                 let cross = scaled(g, self, cross, b);
-                let (cross, sum) = (double(g, cross), g.add(left, right));
+                let cross = double(g, cross);
+                let sum = g.add(left, right);
                 g.add(sum, cross)
             }
             // f′ a″ + (f′)′ a′
@@ -253,13 +274,15 @@ impl Jets {
                 let slope = rules::derivative(g, f, a, u);
                 self.first(g, slope);
                 let bent = scaled(g, self, c, slope);
-                let (factor, bent) = (g.mul(c, slope), scaled(g, self, bent, a));
+                let factor = g.mul(c, slope);
+                let bent = scaled(g, self, bent, a);
                 let straight = self.scaled_second(g, factor, a, depth.product()?);
                 g.add(straight, bent)
             }
             Op::Select(condition, a, b) => {
                 let depth = depth.sum()?;
-                let (left, right) = (self.scaled_second(g, c, a, depth), self.scaled_second(g, c, b, depth));
+                let left = self.scaled_second(g, c, a, depth);
+                let right = self.scaled_second(g, c, b, depth);
                 g.select(condition, left, right)
             }
             _ => return None,
@@ -270,7 +293,8 @@ impl Jets {
     fn chain_first(&self, g: &mut Graph, arguments: &[Argument]) -> Node {
         let zero = g.zero();
         arguments.iter().fold(zero, |sum, argument| {
-            let (a, tangent) = (argument.node, self.first.of(argument.node));
+            let a = argument.node;
+            let tangent = self.first.of(argument.node);
             if g.is_zero(tangent) {
                 return sum;
             }
@@ -301,8 +325,8 @@ impl Jets {
             let outer_first = self.first(g, outer);
             let motion = self.moves.of(a);
             let term = if g.bursts(a) {
-                let (bent, straight) =
-                    (scaled(g, self, outer_first, a), self.scaled_second(g, outer, a, Depth::FULL));
+                let bent = scaled(g, self, outer_first, a);
+                let straight = self.scaled_second(g, outer, a, Depth::FULL);
                 let term = g.add(bent, straight);
                 where_finite(g, a, term)
             } else {
@@ -323,8 +347,8 @@ impl Jets {
         if jets.iter().all(|jet| g.is_zero(jet.first) && g.is_zero(jet.second)) {
             return g.zero();
         }
-        let (first, second) =
-            (jets.iter().map(|jet| jet.first).collect(), jets.iter().map(|jet| jet.second).collect());
+        let first = jets.iter().map(|jet| jet.first).collect();
+        let second = jets.iter().map(|jet| jet.second).collect();
         let condition =
             |a: &Node| if let Motion::When(moves) = self.moves.of(*a) { Some(moves) } else { None };
         let moves = arguments.iter().map(condition).collect();
@@ -333,8 +357,13 @@ impl Jets {
     }
 }
 
-/// The arguments of a function node, each with the function's derivative by it; none for conditions.
-fn with_arguments(g: &mut Graph, node: Node, chain: impl FnOnce(&mut Graph, &[Argument]) -> Node) -> Node {
+/// The arguments of a function node, each with the function's derivative by it; none for
+/// conditions.
+fn with_arguments(
+    g: &mut Graph,
+    node: Node,
+    chain: impl FnOnce(&mut Graph, &[Argument]) -> Node,
+) -> Node {
     match g.op(node) {
         Op::Call(f, a) => chain(
             g,
@@ -344,12 +373,14 @@ fn with_arguments(g: &mut Graph, node: Node, chain: impl FnOnce(&mut Graph, &[Ar
                 tame: f.facts().is_tame(),
             }],
         ),
-        Op::Powi(a, n) => {
-            chain(g, &[Argument { node: a, derivative: &|g| rules::power_derivative(g, a, n), tame: true }])
-        }
-        Op::Law(law, a, order) => {
-            chain(g, &[Argument { node: a, derivative: &|g| g.law(law, a, order + 1), tame: false }])
-        }
+        Op::Powi(a, n) => chain(
+            g,
+            &[Argument { node: a, derivative: &|g| rules::power_derivative(g, a, n), tame: true }],
+        ),
+        Op::Law(law, a, order) => chain(
+            g,
+            &[Argument { node: a, derivative: &|g| g.law(law, a, order + 1), tame: false }],
+        ),
         Op::Call2(f, a, b) => {
             let by = rules::derivatives2(g, f, a, b, node);
             let by_a = Argument { node: a, derivative: &|_| by.0, tame: false };
@@ -364,7 +395,12 @@ fn inverse(g: &mut Graph, a: Node) -> Node {
     g.div(one, a)
 }
 
-fn both(g: &mut Graph, combine: fn(&mut Graph, Node, Node) -> Node, a: Second, b: Second) -> Second {
+fn both(
+    g: &mut Graph,
+    combine: fn(&mut Graph, Node, Node) -> Node,
+    a: Second,
+    b: Second,
+) -> Second {
     Second { outer: combine(g, a.outer, b.outer), cross: combine(g, a.cross, b.cross) }
 }
 

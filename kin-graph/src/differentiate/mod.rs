@@ -1,5 +1,5 @@
-//! Differentiation over the graph, by its own constructors: derivatives are born simplified and share what
-//! they have in common.
+//! Differentiation over the graph, by its own constructors: derivatives are born simplified and
+//! share what they have in common.
 
 mod adjoint;
 mod curve;

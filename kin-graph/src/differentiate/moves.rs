@@ -1,18 +1,18 @@
 //! The rule of tangents that vanish.
 //!
-//! f(u)′ = f′(u) u′ is not a number where f′(u) is infinite and u′ is zero, and there are two ways to be
-//! zero. Of √(max(1 − a², 0)) with a² > 1 the side that is taken is a constant: nothing moves there, and the
-//! term is zero. Of √(x²) at x = 0 the tangent only happens to be zero: there is no slope, and it stays not a
-//! number, so that the failure is told.
+//! f(u)′ = f′(u) u′ is not a number where f′(u) is infinite and u′ is zero, and there are two ways
+//! to be zero. Of √(max(1 − a², 0)) with a² > 1 the side that is taken is a constant: nothing moves
+//! there, and the term is zero. Of √(x²) at x = 0 the tangent only happens to be zero: there is no
+//! slope, and it stays not a number, so that the failure is told.
 //!
-//! So a tangent is zero *by structure* where what is differentiated by does not reach the value: the value is
-//! made of parameters and constants alone, or what is taken of `max`, `min`, `clamp`, `if` and `match` is.
-//! Then every term that has it for a factor is zero. Everywhere else zero is a number like any other. The
-//! dual route keeps to the same rule by a mark in each number (`kin_core::real`), the search for what is to
-//! blame too.
+//! So a tangent is zero *by structure* where what is differentiated by does not reach the value:
+//! the value is made of parameters and constants alone, or what is taken of `max`, `min`, `clamp`,
+//! `if` and `match` is. Then every term that has it for a factor is zero. Everywhere else zero is a
+//! number like any other. The dual route keeps to the same rule by a mark in each number
+//! (`kin_core::real`), the search for what is to blame too.
 //!
-//! Here the condition under which a value moves is a node like any other. It is built for values that choose
-//! only, so that nothing else pays.
+//! Here the condition under which a value moves is a node like any other. It is built for values
+//! that choose only, so that nothing else pays.
 
 use super::{Memo, rules};
 use crate::{Function2, Graph, Node, Op};
@@ -56,7 +56,8 @@ impl Moves {
 
     fn chosen(&self, g: &mut Graph, c: Node, a: Node, b: Node) -> Motion {
         let not = g.not(c);
-        let (a, b) = (both(g, c, self.of(a)), both(g, not, self.of(b)));
+        let a = both(g, c, self.of(a));
+        let b = both(g, not, self.of(b));
         either(g, a, b)
     }
 }
@@ -65,7 +66,9 @@ impl Motion {
     /// The tangent of something that moves so, where it moves: elsewhere it may be anything.
     pub fn inner(self, g: &Graph, tangent: Node) -> Node {
         match (self, g.op(tangent)) {
-            (Motion::When(moves), Op::Select(c, inner, zero)) if c == moves && g.is_zero(zero) => inner,
+            (Motion::When(moves), Op::Select(c, inner, zero)) if c == moves && g.is_zero(zero) => {
+                inner
+            }
             _ => tangent,
         }
     }

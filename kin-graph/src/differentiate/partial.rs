@@ -50,8 +50,8 @@ impl Partial {
         self.known(node)
     }
 
-    /// Nodes that have to be differentiated before `node`, and itself. Operands come before their users, so a
-    /// loop over them replaces a recursion as deep as the expression.
+    /// Nodes that have to be differentiated before `node`, and itself. Operands come before their
+    /// users, so a loop over them replaces a recursion as deep as the expression.
     pub fn unknown(&self, g: &Graph, node: Node) -> Vec<Node> {
         g.unknown(&[node], |n| self.memo.has(n))
     }
@@ -89,16 +89,20 @@ impl Partial {
             Op::Sub(a, b) => g.sub(self.known(a), self.known(b)),
             Op::Neg(a) => g.neg(self.known(a)),
             Op::Mul(a, b) => {
-                let (left, right) = (g.mul(self.known(a), b), g.mul(a, self.known(b)));
+                let left = g.mul(self.known(a), b);
+                let right = g.mul(a, self.known(b));
                 g.add(left, right) // a′ b + a b′
             }
             Op::Fma(a, b, c) => {
-                let (left, right) = (g.mul(self.known(a), b), g.mul(a, self.known(b)));
+                let left = g.mul(self.known(a), b);
+                let right = g.mul(a, self.known(b));
                 let product = g.add(left, right);
                 g.add(product, self.known(c)) // a′ b + a b′ + c′
             }
             Op::Div(a, b) => self.quotient(g, a, b, node),
-            Op::Call(f, a) => self.chain(g, a, f.facts().is_tame(), |g| rules::derivative(g, f, a, node)),
+            Op::Call(f, a) => {
+                self.chain(g, a, f.facts().is_tame(), |g| rules::derivative(g, f, a, node))
+            }
             Op::Powi(a, n) if n < 0 && g.bursts(a) => self.relative_power(g, a, f64::from(n), node),
             Op::Powi(a, n) => self.chain(g, a, true, |g| rules::power_derivative(g, a, n)),
             Op::Law(law, a, order) => self.chain(g, a, false, |g| g.law(law, a, order + 1)),
@@ -115,7 +119,8 @@ impl Partial {
             }
             Op::Call2(f, a, b) => {
                 let (by_a, by_b) = rules::derivatives2(g, f, a, b, node);
-                let (left, right) = (self.chain(g, a, false, |_| by_a), self.chain(g, b, false, |_| by_b));
+                let left = self.chain(g, a, false, |_| by_a);
+                let right = self.chain(g, b, false, |_| by_b);
                 g.add(left, right)
             }
             Op::Select(c, a, b) => g.select(c, self.known(a), self.known(b)),
@@ -131,9 +136,15 @@ impl Partial {
         }
     }
 
-    /// f′ a′, where f′ is only built if a′ is not a structural zero. It is zero where a does not move, if f
-    /// is not `tame`: finite in its slope.
-    fn chain(&mut self, g: &mut Graph, a: Node, tame: bool, outer: impl FnOnce(&mut Graph) -> Node) -> Node {
+    /// f′ a′, where f′ is only built if a′ is not a structural zero. It is zero where a does not
+    /// move, if f is not `tame`: finite in its slope.
+    fn chain(
+        &mut self,
+        g: &mut Graph,
+        a: Node,
+        tame: bool,
+        outer: impl FnOnce(&mut Graph) -> Node,
+    ) -> Node {
         let tangent = self.known(a);
         if g.is_zero(tangent) {
             return tangent;
@@ -162,7 +173,8 @@ impl Partial {
         }
         let one = g.constant(1.0);
         let inverse = g.div(one, b);
-        let (left, right) = (scaled(g, self, inverse, a), scaled(g, self, inverse, b));
+        let left = scaled(g, self, inverse, a);
+        let right = scaled(g, self, inverse, b);
         let right = g.mul(y, right);
         let whole = g.sub(left, right);
         where_finite(g, b, whole)
@@ -170,9 +182,11 @@ impl Partial {
 
     /// y = aⁿ:  y′ = n y a′/a, which does not lose what is small as aⁿ⁻¹ does.
     fn relative_power(&mut self, g: &mut Graph, a: Node, n: f64, y: Node) -> Node {
-        let (one, factor) = (g.constant(1.0), g.constant(n));
+        let one = g.constant(1.0);
+        let factor = g.constant(n);
         let inverse = g.div(one, a);
-        let (relative, factor) = (scaled(g, self, inverse, a), g.mul(factor, y));
+        let relative = scaled(g, self, inverse, a);
+        let factor = g.mul(factor, y);
         let whole = g.mul(factor, relative);
         where_finite(g, a, whole)
     }
@@ -182,13 +196,15 @@ impl Partial {
         let arguments = g.leaves[of.leaf].arguments.clone();
         let zero = g.zero();
         arguments.iter().enumerate().fold(zero, |sum, (k, &a)| {
-            let term = self.chain(g, a, false, |g| g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k)));
+            let term = self
+                .chain(g, a, false, |g| g.leaf_output(of.leaf, of.output, LeafNumber::Partial(k)));
             g.add(sum, term)
         })
     }
 }
 
-/// Derivative of an input: the coordinates themselves, and the parts of states that are functions of them.
+/// Derivative of an input: the coordinates themselves, and the parts of states that are functions
+/// of them.
 pub(super) fn input_derivative(g: &mut Graph, input: Input, by: By) -> Node {
     let (argument, part) = match (input, by) {
         (Input::Time, By::Time) | (Input::Column(0), By::Variable) => return g.constant(1.0),

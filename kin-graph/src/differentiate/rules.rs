@@ -29,20 +29,22 @@ pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (
     (by_u, by_v)
 }
 
-/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or that is
-/// not a number.
+/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or
+/// that is not a number.
 pub fn takes_first(g: &mut Graph, z: Node) -> Node {
     let (comparison, u, v) = match g.op(z) {
         Op::Call2(Function2::Min, u, v) => (Comparison::LessEqual, u, v),
         Op::Call2(_, u, v) => (Comparison::GreaterEqual, u, v),
         _ => return g.bool(true),
     };
-    let (wins, alone) = (g.compare(comparison, u, v), g.compare(Comparison::NotEqual, v, v));
+    let wins = g.compare(comparison, u, v);
+    let alone = g.compare(Comparison::NotEqual, v, v);
     g.or(wins, alone)
 }
 
 /// n uⁿ⁻¹, the derivative of uⁿ.
 pub fn power_derivative(g: &mut Graph, u: Node, n: i32) -> Node {
-    let (factor, power) = (g.constant(f64::from(n)), g.powi(u, n.saturating_sub(1)));
+    let factor = g.constant(f64::from(n));
+    let power = g.powi(u, n.saturating_sub(1));
     g.mul(factor, power)
 }

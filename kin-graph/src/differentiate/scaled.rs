@@ -1,10 +1,11 @@
-//! Products of a factor and a tangent that may be too large for a number on the way, though the product is
-//! not.
+//! Products of a factor and a tangent that may be too large for a number on the way, though the
+//! product is not.
 //!
-//! In 1/(1 + eᵘ) the divisor and its tangents overflow long before the quotient has anything to say: 0 · ∞ is
-//! not a number. Of what grows as an exponential or a power (`Graph::bursts`) the factor outside is
-//! multiplied first, (c eᵘ) u′ for c (eᵘ)′, and where the value itself has overflowed a function that is
-//! finite there is flat. All else is multiplied as it stands: nothing is paid where nothing grows.
+//! In 1/(1 + eᵘ) the divisor and its tangents overflow long before the quotient has anything to
+//! say: 0 · ∞ is not a number. Of what grows as an exponential or a power (`Graph::bursts`) the
+//! factor outside is multiplied first, (c eᵘ) u′ for c (eᵘ)′, and where the value itself has
+//! overflowed a function that is finite there is flat. All else is multiplied as it stands: nothing
+//! is paid where nothing grows.
 
 use crate::{Comparison, Function, Function2, Graph, Node, Op};
 
@@ -16,8 +17,8 @@ pub(super) trait Tangents {
     fn tangent(&self, node: Node) -> Node;
 }
 
-/// Products and functions inside of one another that are gone into; beyond them tangents are taken as they
-/// are.
+/// Products and functions inside of one another that are gone into; beyond them tangents are taken
+/// as they are.
 const DEEPEST: usize = 6;
 /// The same of sums.
 const LONGEST: usize = 256;
@@ -66,19 +67,23 @@ fn parts(g: &mut Graph, by: &impl Tangents, c: Node, u: Node, depth: Depth) -> O
         }
         Op::Add(a, b) | Op::Sub(a, b) => {
             let depth = depth.sum()?;
-            let (left, right) = (inside(g, by, c, a, depth), inside(g, by, c, b, depth));
+            let left = inside(g, by, c, a, depth);
+            let right = inside(g, by, c, b, depth);
             if matches!(g.op(u), Op::Add(..)) { g.add(left, right) } else { g.sub(left, right) }
         }
         Op::Mul(a, b) => {
             let depth = depth.product()?;
-            let (cb, ca) = (g.mul(c, b), g.mul(c, a));
-            let (left, right) = (inside(g, by, cb, a, depth), inside(g, by, ca, b, depth));
+            let cb = g.mul(c, b);
+            let ca = g.mul(c, a);
+            let left = inside(g, by, cb, a, depth);
+            let right = inside(g, by, ca, b, depth);
             g.add(left, right)
         }
         Op::Div(a, b) => {
             let depth = depth.product()?;
             let over = g.div(c, b);
-            let (left, again) = (inside(g, by, over, a, depth), g.mul(over, u));
+            let left = inside(g, by, over, a, depth);
+            let again = g.mul(over, u);
             let right = inside(g, by, again, b, depth);
             g.sub(left, right)
         }
@@ -89,20 +94,23 @@ fn parts(g: &mut Graph, by: &impl Tangents, c: Node, u: Node, depth: Depth) -> O
         }
         Op::Select(condition, a, b) => {
             let depth = depth.sum()?;
-            let (left, right) = (inside(g, by, c, a, depth), inside(g, by, c, b, depth));
+            let left = inside(g, by, c, a, depth);
+            let right = inside(g, by, c, b, depth);
             g.select(condition, left, right)
         }
         Op::Call2(Function2::Max | Function2::Min, a, b) => {
-            let (first, depth) = (rules::takes_first(g, u), depth.sum()?);
-            let (left, right) = (inside(g, by, c, a, depth), inside(g, by, c, b, depth));
+            let first = rules::takes_first(g, u);
+            let depth = depth.sum()?;
+            let left = inside(g, by, c, a, depth);
+            let right = inside(g, by, c, b, depth);
             g.select(first, left, right)
         }
         _ => return None,
     })
 }
 
-/// The term where u is finite: a function that is finite where u has overflowed is flat there. Not so at a
-/// pole, where it may jump.
+/// The term where u is finite: a function that is finite where u has overflowed is flat there. Not
+/// so at a pole, where it may jump.
 pub(super) fn where_finite(g: &mut Graph, u: Node, term: Node) -> Node {
     if !g.overflows(u) || g.is_zero(term) {
         return term;
@@ -112,19 +120,26 @@ pub(super) fn where_finite(g: &mut Graph, u: Node, term: Node) -> Node {
     g.select(finite, term, zero)
 }
 
-/// The exponent of a power whose slope by its base is taken beside its value: a number, the base being one
-/// that bursts.
+/// The exponent of a power whose slope by its base is taken beside its value: a number, the base
+/// being one that bursts.
 pub(super) fn relative_exponent(g: &Graph, base: Node, exponent: Node) -> Option<f64> {
     g.constant_value(exponent).filter(|_| g.bursts(base))
 }
 
-/// Takes `relative` where a base is larger than 1, since nothing can vanish there, and `plain` elsewhere; a
-/// falling power has no zero of the base to fear, and takes `relative` everywhere.
-pub(super) fn where_large(g: &mut Graph, base: Node, exponent: f64, relative: Node, plain: Node) -> Node {
+/// Takes `relative` where a base is larger than 1, since nothing can vanish there, and `plain`
+/// elsewhere; a falling power has no zero of the base to fear, and takes `relative` everywhere.
+pub(super) fn where_large(
+    g: &mut Graph,
+    base: Node,
+    exponent: f64,
+    relative: Node,
+    plain: Node,
+) -> Node {
     if exponent < 0.0 {
         return relative;
     }
-    let (size, one) = (g.call(Function::Abs, base), g.constant(1.0));
+    let size = g.call(Function::Abs, base);
+    let one = g.constant(1.0);
     let large = g.compare(Comparison::Greater, size, one);
     g.select(large, relative, plain)
 }

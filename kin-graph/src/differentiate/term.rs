@@ -1,4 +1,5 @@
-//! The nodes of a graph as numbers, so that the formulas of the list of functions can be written to it.
+//! The nodes of a graph as numbers, so that the formulas of the list of functions can be written to
+//! it.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -15,7 +16,10 @@ pub(super) enum Term<'a, 'g> {
 }
 
 /// The nodes of terms.
-pub(super) fn nodes_of<const N: usize>(graph: Shared<'_, '_>, terms: [Term<'_, '_>; N]) -> [Node; N] {
+pub(super) fn nodes_of<const N: usize>(
+    graph: Shared<'_, '_>,
+    terms: [Term<'_, '_>; N],
+) -> [Node; N] {
     terms.map(|term| node_of(&mut graph.borrow_mut(), term))
 }
 
@@ -35,7 +39,11 @@ impl<'a, 'g> Term<'a, 'g> {
     }
 
     /// An operation on one term, and what it is of a constant.
-    fn map(self, node: impl FnOnce(&mut Graph, Node) -> Node, constant: impl FnOnce(f64) -> f64) -> Self {
+    fn map(
+        self,
+        node: impl FnOnce(&mut Graph, Node) -> Node,
+        constant: impl FnOnce(f64) -> f64,
+    ) -> Self {
         match self {
             Term::Constant(x) => Term::Constant(constant(x)),
             Term::Node(graph, a) => Term::Node(graph, node(&mut graph.borrow_mut(), a)),
@@ -54,7 +62,8 @@ impl<'a, 'g> Term<'a, 'g> {
             (_, _, None) => self,
             (a, b, Some(graph)) => {
                 let g = &mut graph.borrow_mut();
-                let (a, b) = (node_of(g, a), node_of(g, b));
+                let a = node_of(g, a);
+                let b = node_of(g, b);
                 Term::Node(graph, node(g, a, b))
             }
         }
@@ -108,7 +117,8 @@ impl<'a, 'g> Number for Term<'a, 'g> {
             (_, _, None) => Holds::Known(false),
             (a, b, Some(graph)) => {
                 let g = &mut graph.borrow_mut();
-                let (a, b) = (node_of(g, a), node_of(g, b));
+                let a = node_of(g, a);
+                let b = node_of(g, b);
                 Holds::Node(graph, g.compare(comparison, a, b))
             }
         }
@@ -125,7 +135,8 @@ impl<'a, 'g> Number for Term<'a, 'g> {
             }
             Holds::Node(graph, condition) => {
                 let g = &mut graph.borrow_mut();
-                let (a, b) = (node_of(g, a), node_of(g, b));
+                let a = node_of(g, a);
+                let b = node_of(g, b);
                 Term::Node(graph, g.select(condition, a, b))
             }
         }
@@ -162,7 +173,8 @@ impl<'a, 'g> Holds<'a, 'g> {
             (Holds::Known(a), Holds::Known(b)) => Holds::Known(known(a, b)),
             (Holds::Node(graph, _), _) | (_, Holds::Node(graph, _)) => {
                 let g = &mut graph.borrow_mut();
-                let (a, b) = (of(g, self), of(g, other));
+                let a = of(g, self);
+                let b = of(g, other);
                 Holds::Node(graph, node(g, a, b))
             }
         }

@@ -1,5 +1,5 @@
-//! Every derivative rule, at ordinary and at nasty points, against central differences and against the
-//! second-order jets.
+//! Every derivative rule, at ordinary and at nasty points, against central differences and against
+//! the second-order jets.
 
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
@@ -56,15 +56,18 @@ fn every_function_of_two_agrees_with_central_differences() {
     let [p, q] = [0, 1].map(|k| Input::State(k, Part::Theta));
     for &f in Function2::ALL {
         let mut g = Graph::default();
-        let (x, y) = (g.input(p), g.input(q));
+        let x = g.input(p);
+        let y = g.input(q);
         let z = g.call2(f, x, y);
         let columns = g.columns(&[z]);
         for at in [[0.7, 1.9], [2.6, 0.45], [1.1, 3.0]] {
-            let eval =
-                |g: &Graph, node, at: [f64; 2]| value(g, node, &HashMap::from([(p, at[0]), (q, at[1])]));
+            let eval = |g: &Graph, node, at: [f64; 2]| {
+                value(g, node, &HashMap::from([(p, at[0]), (q, at[1])]))
+            };
             for (k, column) in columns.iter().enumerate() {
                 let exact = Partial::by_column(*column).of(&mut g, z);
-                let (mut up, mut down) = (at, at);
+                let mut up = at;
+                let mut down = at;
                 up[k] += h;
                 down[k] -= h;
                 let central = (eval(&g, z, up) - eval(&g, z, down)) / (2.0 * h);
@@ -103,14 +106,19 @@ fn derivatives_at_nasty_points_are_the_documented_ones() {
         let x = g.input(Input::Column(0));
         let y = g.call(f, x);
         let first = Partial::by_variable().of(&mut g, y);
-        assert_eq!(value(&g, first, &HashMap::from([(Input::Column(0), at)])), expected, "{f:?} at {at}");
+        assert_eq!(
+            value(&g, first, &HashMap::from([(Input::Column(0), at)])),
+            expected,
+            "{f:?} at {at}"
+        );
     }
 }
 
 /// Along x = x0 + v s the second jet is f″ v², for any composition.
 #[test]
 fn jets_are_derivatives_along_the_motion() {
-    let (state, rate) = (Input::State(0, Part::R(0)), Input::Rate(0, Part::R(0)));
+    let state = Input::State(0, Part::R(0));
+    let rate = Input::Rate(0, Part::R(0));
     for &f in Function::ALL {
         let mut g = Graph::default();
         let x = g.input(state);
@@ -143,7 +151,8 @@ fn jets_are_derivatives_along_the_motion() {
 /// Along x = x0 + v s + ½ a s² the second jet is f″ v² + f′ a; of an angle by sine and cosine too.
 #[test]
 fn jets_along_a_curve_have_the_term_of_the_second_rate() {
-    let (beyond, [v, a]) = (5, [1.7, -0.6]);
+    let beyond = 5;
+    let [v, a] = [1.7, -0.6];
     for &f in Function::ALL {
         let mut g = Graph::default();
         let x = g.input(Input::State(0, Part::R(0)));
@@ -155,7 +164,8 @@ fn jets_along_a_curve_have_the_term_of_the_second_rate() {
         let jet = Jets::along_curve(beyond).of(&mut g, y);
         for at in ordinary(f) {
             let rates = [(Input::Rate(0, Part::R(0)), v), (Input::Rate(beyond, Part::R(0)), a)];
-            let inputs = HashMap::from_iter(rates.into_iter().chain([(Input::State(0, Part::R(0)), at)]));
+            let inputs =
+                HashMap::from_iter(rates.into_iter().chain([(Input::State(0, Part::R(0)), at)]));
             let expected = value(&g, second, &inputs) * v * v + value(&g, first, &inputs) * a;
             let got = value(&g, jet.second, &inputs);
             assert!(
@@ -185,7 +195,8 @@ fn jets_along_a_curve_have_the_term_of_the_second_rate() {
 #[test]
 fn power_of_zero_is_finite() {
     let mut g = Graph::default();
-    let (x, e) = (g.input(Input::Column(0)), g.constant(1.5));
+    let x = g.input(Input::Column(0));
+    let e = g.constant(1.5);
     let y = g.call2(Function2::Powf, x, e);
     let first = Partial::by_variable().of(&mut g, y);
     assert_eq!(value(&g, first, &HashMap::from([(Input::Column(0), 0.0)])), 0.0);

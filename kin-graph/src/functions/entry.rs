@@ -47,13 +47,14 @@ pub enum Growth {
     Bursting,
 }
 
-/// Error that f64's elementary functions are allowed: the manual of glibc lists at most 4 units in the last
-/// place for all of them, other platforms' libraries state 1 or 2.   \[units in the last place\]
+/// Error that f64's elementary functions are allowed: the manual of glibc lists at most 4 units in
+/// the last place for all of them, other platforms' libraries state 1 or 2.   \[units in the last
+/// place\]
 pub const ALLOWED: f64 = 8.0;
 
-/// Of angles larger than this sine, cosine and tangent are allowed an error that is 8 times as large: glibc
-/// takes so many turns off them that its cosine of 5.3e255, which is 4.7e-19, is off by 7 units in the last
-/// place; no f64 is nearer to a multiple of a quarter turn.   \[rad\]
+/// Of angles larger than this sine, cosine and tangent are allowed an error that is 8 times as
+/// large: glibc takes so many turns off them that its cosine of 5.3e255, which is 4.7e-19, is off
+/// by 7 units in the last place; no f64 is nearer to a multiple of a quarter turn.   \[rad\]
 const LARGE_ANGLE: f64 = 1e5;
 
 /// A function that has a value everywhere and rises or falls all along.

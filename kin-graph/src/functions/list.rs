@@ -2,11 +2,13 @@
 
 /// Hands every function of one number to a macro.
 ///
-/// An entry is `/// what it is`, its name, the name of its method, that name as it is written, and in braces
+/// An entry is `/// what it is`, its name, the name of its method, that name as it is written, and
+/// in braces
 /// * `value`: its value in f64;
-/// * `definition`, of what is not in every library: the same by other functions of the list, in any numbers;
-///   the test takes its 60 digits from there;
-/// * `slope`: its derivative by the argument u, y being its value, in any numbers (helpers: `rules.rs`);
+/// * `definition`, of what is not in every library: the same by other functions of the list, in any
+///   numbers; the test takes its 60 digits from there;
+/// * `slope`: its derivative by the argument u, y being its value, in any numbers (helpers:
+///   `rules.rs`);
 /// * `facts`: domain, range, extrema, poles, growth, error ([`Facts`](crate::functions::Facts)).
 #[macro_export]
 macro_rules! functions_of_one {
@@ -222,20 +224,20 @@ macro_rules! functions_of_one {
     };
 }
 
-/// Hands every function of two numbers to a macro, as [`functions_of_one`](crate::functions_of_one) does; the
-/// operator `%` is a method of [`std::ops::Rem`].
+/// Hands every function of two numbers to a macro, as [`functions_of_one`](crate::functions_of_one)
+/// does; the operator `%` is a method of [`std::ops::Rem`].
 ///
 /// * `value`: its value in f64;
-/// * `definition`: the same by other functions of the list, in any numbers: bounds, derivatives and 60 digits
-///   of one that is not written by hand for them are taken from there;
+/// * `definition`: the same by other functions of the list, in any numbers: bounds, derivatives and
+///   60 digits of one that is not written by hand for them are taken from there;
 /// * `slopes`: ∂z/∂u and ∂z/∂v of z = f(u, v), in any numbers;
 /// * `facts`: exactness, jumps, growth ([`FactsOfTwo`](crate::functions::FactsOfTwo)).
 #[macro_export]
 macro_rules! functions_of_two {
     ($to:ident) => {
         $to! {
-            /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes; singular at
-            /// (0, 0) unless both are constant.
+            /// The angle of the point (x, y) = (`x`, `self`) in (−π, π] rad, right on both axes;
+            /// singular at (0, 0) unless both are constant.
             Atan2 atan2 "atan2" {
                 value: f64::atan2;
                 slopes: |u, v, _| {
@@ -252,8 +254,9 @@ macro_rules! functions_of_two {
                 slopes: |u, v, z| (u / z.clone(), v / z);
                 facts: SMOOTH;
             }
-            /// xⁿ. A constant n has slopes n xⁿ⁻¹, n (n − 1) xⁿ⁻², …, infinite at x = 0 where the power left
-            /// is negative and its factor is not 0. A variable n needs x > 0, or x = 0 and n > 0.
+            /// xⁿ. A constant n has slopes n xⁿ⁻¹, n (n − 1) xⁿ⁻², …, infinite at x = 0 where the
+            /// power left is negative and its factor is not 0. A variable n needs x > 0, or x = 0
+            /// and n > 0.
             Powf powf "powf" {
                 value: f64::powf;
                 definition: |u, v| (v * u.call(Function::Ln)).call(Function::Exp);

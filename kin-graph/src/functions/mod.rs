@@ -1,9 +1,9 @@
 //! The functions of one and of two numbers, by what their entries in the one list (`list.rs`) say.
 //!
-//! The list is two macros that hand themselves to another macro, so that whatever has to do something for
-//! every function (numbers of another kind, tests) does it for exactly these:
-//! `kin_graph::functions_of_one!(callback)` expands to `callback! { /// … Sin sin "sin" { … } … }`. Their
-//! formulas in any numbers are in `rules.rs`.
+//! The list is two macros that hand themselves to another macro, so that whatever has to do
+//! something for every function (numbers of another kind, tests) does it for exactly these:
+//! `kin_graph::functions_of_one!(callback)` expands to `callback! { /// … Sin sin "sin" { … } … }`.
+//! Their formulas in any numbers are in `rules.rs`.
 
 mod entry;
 mod list;

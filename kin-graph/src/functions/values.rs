@@ -6,11 +6,11 @@ pub fn asinh(x: f64) -> f64 {
     if x.abs() > 1e300 { (x.abs().ln() + std::f64::consts::LN_2).copysign(x) } else { x.asinh() }
 }
 
-/// arcosh x to rounding, NaN below 1. That of the standard library loses all digits near 1: it adds 1 before
-/// it takes the logarithm.
+/// arcosh x to rounding, NaN below 1. That of the standard library loses all digits near 1: it adds
+/// 1 before it takes the logarithm.
 ///
-/// With t = x − 1 it is ln(1 + t + √(2 t + t²)); from 2 on ln(2 x − 1/(x + √(x² − 1))), and ln x + ln 2 where
-/// 1/x is below rounding.
+/// With t = x − 1 it is ln(1 + t + √(2 t + t²)); from 2 on ln(2 x − 1/(x + √(x² − 1))), and ln x +
+/// ln 2 where 1/x is below rounding.
 pub fn acosh(x: f64) -> f64 {
     if x < 1.0 {
         f64::NAN
@@ -24,8 +24,8 @@ pub fn acosh(x: f64) -> f64 {
     }
 }
 
-/// artanh x to rounding, infinite at ±1, NaN beyond: ½ ln(1 + 2 |x|/(1 − |x|)) of the sign of x. Of a
-/// negative x the standard library takes the logarithm of a difference that is nearly zero.
+/// artanh x to rounding, infinite at ±1, NaN beyond: ½ ln(1 + 2 |x|/(1 − |x|)) of the sign of x. Of
+/// a negative x the standard library takes the logarithm of a difference that is nearly zero.
 pub fn atanh(x: f64) -> f64 {
     let a = x.abs();
     let twice = a + a;

@@ -48,7 +48,9 @@ impl Digits {
 
     fn against(&self, other: &Digits) -> Ordering {
         match (self.digits.is_empty(), other.digits.is_empty()) {
-            (false, false) => self.exponent.cmp(&other.exponent).then_with(|| self.digits.cmp(&other.digits)),
+            (false, false) => {
+                self.exponent.cmp(&other.exponent).then_with(|| self.digits.cmp(&other.digits))
+            }
             (zero, also) => also.cmp(&zero),
         }
     }
@@ -64,7 +66,9 @@ impl Graph {
     /// A number with many digits of which an f64 is known that stands for it.
     pub fn constant_of(&mut self, text: &str, nearest: f64) -> Node {
         let read = Digits::read(text).filter(|_| nearest.is_finite());
-        let Some((digits, exact)) = read.zip(Digits::exact(nearest)) else { return self.constant(nearest) };
+        let Some((digits, exact)) = read.zip(Digits::exact(nearest)) else {
+            return self.constant(nearest);
+        };
         let order = digits.against(&exact);
         self.rounded |= order != Ordering::Equal;
         if order == Ordering::Equal || !self.as_written {
@@ -79,10 +83,14 @@ impl Graph {
         self.intern(Op::Decimal(number))
     }
 
-    /// A decimal of which no more is known than the nearest f64 and whether it is above that: no other node
-    /// is the same number.
+    /// A decimal of which no more is known than the nearest f64 and whether it is above that: no
+    /// other node is the same number.
     pub fn decimal_beside(&mut self, nearest: f64, above: bool) -> Node {
-        self.decimals.push(Decimal { digits: Digits { exponent: 0, digits: String::new() }, nearest, above });
+        self.decimals.push(Decimal {
+            digits: Digits { exponent: 0, digits: String::new() },
+            nearest,
+            above,
+        });
         self.intern(Op::Decimal(self.decimals.len() - 1))
     }
 }
@@ -120,7 +128,8 @@ mod tests {
     #[test]
     fn otherwise_it_is_the_nearest() {
         let mut g = Graph::default();
-        let (half, tenth) = (g.decimal("0.5"), g.constant(0.1));
+        let half = g.decimal("0.5");
+        let tenth = g.constant(0.1);
         assert!(!g.is_rounded() && g.constant_value(half) == Some(0.5));
         assert!(g.decimal("0.1") == tenth && g.is_rounded());
     }

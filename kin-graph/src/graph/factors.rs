@@ -29,7 +29,8 @@ impl Factors {
 
     /// Takes out what both have, each factor as often as both have it.
     pub(super) fn take_common(&mut self, other: &mut Factors) -> Factors {
-        let (mut common, mut rest) = (Factors::default(), Factors::default());
+        let mut common = Factors::default();
+        let mut rest = Factors::default();
         for &factor in self.as_slice() {
             match other.as_slice().iter().position(|known| *known == factor) {
                 Some(place) => {
@@ -48,7 +49,8 @@ impl Factors {
 impl Graph {
     /// Factors of a product, a few levels deep.
     pub(super) fn factors(&self, a: Node) -> Factors {
-        let (mut done, mut open) = (Factors::default(), Factors::default());
+        let mut done = Factors::default();
+        let mut open = Factors::default();
         open.push(a);
         while let Some(node) = open.pop() {
             match self.op(node) {

@@ -1,6 +1,6 @@
-//! The hash of operations. A macro runs as it was compiled, without optimization, and std's hash, made
-//! against attackers, is a fifth of its time there; this one is that of rustc's own tables (FxHash): a
-//! product and a turn for each number.
+//! The hash of operations. A macro runs as it was compiled, without optimization, and std's hash,
+//! made against attackers, is a fifth of its time there; this one is that of rustc's own tables
+//! (FxHash): a product and a turn for each number.
 
 use std::hash::{BuildHasherDefault, Hasher};
 

@@ -17,7 +17,8 @@ impl Graph {
 
     /// The condition that a number is finite.
     pub fn is_finite(&mut self, a: Node) -> Node {
-        let (size, largest) = (self.call(Function::Abs, a), self.constant(f64::MAX));
+        let size = self.call(Function::Abs, a);
+        let largest = self.constant(f64::MAX);
         self.compare(Comparison::LessEqual, size, largest)
     }
 

@@ -1,6 +1,6 @@
-//! The scalar graph: every value of a constraint as hash-consed nodes. Equal expressions are one node, so
-//! common subexpressions vanish while building. Nodes are numbered in order of creation; nothing depends on
-//! hash iteration.
+//! The scalar graph: every value of a constraint as hash-consed nodes. Equal expressions are one
+//! node, so common subexpressions vanish while building. Nodes are numbered in order of creation;
+//! nothing depends on hash iteration.
 
 mod decimal;
 mod factors;
@@ -92,13 +92,14 @@ impl Node {
 }
 
 impl Graph {
-    /// A graph in which nothing is rounded: a decimal that no f64 is stays itself, and an operation on
-    /// constants is done only where its result is exact.
+    /// A graph in which nothing is rounded: a decimal that no f64 is stays itself, and an operation
+    /// on constants is done only where its result is exact.
     pub fn as_written() -> Self {
         Graph { as_written: true, ..Graph::default() }
     }
 
-    /// True if anything in the graph is not quite as written: then [`Graph::as_written`] has another graph.
+    /// True if anything in the graph is not quite as written: then [`Graph::as_written`] has
+    /// another graph.
     pub fn is_rounded(&self) -> bool {
         self.rounded
     }
@@ -110,8 +111,9 @@ impl Graph {
 
     /// True if a node is made of numbers alone.
     pub fn is_number(&self, node: Node) -> bool {
-        let given =
-            |n: &Node| matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..));
+        let given = |n: &Node| {
+            matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..))
+        };
         !self.reachable(&[node]).iter().any(given)
     }
 
@@ -141,7 +143,8 @@ impl Graph {
 
     /// The number that a node always is; of a condition 1 if it always holds, 0 if it never does.
     pub fn known_value(&self, node: Node) -> Option<f64> {
-        self.constant_value(node).or_else(|| self.truth(node).map(|holds| f64::from(u8::from(holds))))
+        self.constant_value(node)
+            .or_else(|| self.truth(node).map(|holds| f64::from(u8::from(holds))))
     }
 
     pub fn constant_value(&self, node: Node) -> Option<f64> {
@@ -166,12 +169,15 @@ impl Graph {
         let node = Node(self.ops.len() as u32);
         self.ops.push(op);
         let depends = match op {
-            Op::Input(Input::State(..) | Input::Column(_)) => Depends { on_q: true, ..Depends::default() },
+            Op::Input(Input::State(..) | Input::Column(_)) => {
+                Depends { on_q: true, ..Depends::default() }
+            }
             Op::Input(Input::Time) => Depends { on_t: true, ..Depends::default() },
             _ => {
                 let mut all = Depends::default();
                 self.each_operand(node, |operand| all = all.or(self.depends(operand)));
-                all.chooses |= matches!(op, Op::Select(..) | Op::Call2(Function2::Max | Function2::Min, ..));
+                all.chooses |=
+                    matches!(op, Op::Select(..) | Op::Call2(Function2::Max | Function2::Min, ..));
                 self.note_growth(op, &mut all);
                 all
             }
@@ -201,7 +207,9 @@ impl Graph {
             }
             Op::Call2(f, ..) => all.grow(f.facts().growth),
             Op::Div(_, b) => all.has_poles |= self.depends(b).varies(),
-            Op::Law(..) | Op::Leaf(_) | Op::Opaque(..) => (all.bursts, all.has_poles) = (false, true),
+            Op::Law(..) | Op::Leaf(_) | Op::Opaque(..) => {
+                (all.bursts, all.has_poles) = (false, true)
+            }
             _ => {}
         }
         all.bursts &= all.varies();
@@ -213,8 +221,8 @@ impl Graph {
         self.intern(op)
     }
 
-    /// The operation of `node` on other operands. Values of the user's own keep theirs: their text names
-    /// them.
+    /// The operation of `node` on other operands. Values of the user's own keep theirs: their text
+    /// names them.
     pub fn with_operands(&mut self, node: Node, of: impl Fn(Node) -> Node) -> Node {
         let op = match self.op(node) {
             Op::Leaf(used) => Op::Leaf(self.leaf_with_operands(used, of)),
@@ -269,8 +277,8 @@ impl Graph {
         self.ops.is_empty()
     }
 
-    /// A call of a generic function, known by its arguments that carry derivatives; the same number each
-    /// time.
+    /// A call of a generic function, known by its arguments that carry derivatives; the same number
+    /// each time.
     pub fn leaf(&mut self, call: usize, arguments: Vec<Node>) -> usize {
         let leaf = Leaf { call, arguments };
         self.leaves.iter().position(|known| *known == leaf).unwrap_or_else(|| {

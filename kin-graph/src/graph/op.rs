@@ -14,8 +14,8 @@ pub enum Input {
     Time,
     /// ṫ, the factor of every derivative by time.
     TimeRate,
-    /// The coordinate of a local column, where bodies and their states are not told apart; the variable of a
-    /// law is column 0.
+    /// The coordinate of a local column, where bodies and their states are not told apart; the
+    /// variable of a law is column 0.
     Column(usize),
     /// A numeric parameter, by its number.
     Parameter(usize),
@@ -23,8 +23,8 @@ pub enum Input {
     Timed(usize),
 }
 
-/// Part of a state. `R`, `Theta` and `P` are coordinates, the others depend on them. The value of a bare
-/// coordinate is its `Theta` too.
+/// Part of a state. `R`, `Theta` and `P` are coordinates, the others depend on them. The value of a
+/// bare coordinate is its `Theta` too.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Part {
     R(usize),
@@ -75,7 +75,8 @@ pub enum Op {
     Input(Input),
     /// Bits of an f64.
     Constant(u64),
-    /// A number that no f64 is, by its number among [`super::Graph::decimals`]; only in a graph as written.
+    /// A number that no f64 is, by its number among [`super::Graph::decimals`]; only in a graph as
+    /// written.
     Decimal(usize),
     Add(Node, Node),
     Sub(Node, Node),
@@ -89,7 +90,8 @@ pub enum Op {
     Powi(Node, i32),
     /// k-th derivative of a law at x.
     Law(usize, Node, u8),
-    /// One scalar of a value that is only known at run time and has no derivative: its number and component.
+    /// One scalar of a value that is only known at run time and has no derivative: its number and
+    /// component.
     Opaque(usize, usize),
     /// An output of a call of the user's generic function.
     Leaf(LeafUse),
@@ -103,13 +105,16 @@ pub enum Op {
 }
 
 impl Op {
-    /// The same operation on other operands; what holds none itself, values and calls of the user's own too,
-    /// stays as it is.
+    /// The same operation on other operands; what holds none itself, values and calls of the user's
+    /// own too, stays as it is.
     pub fn with_operands(self, of: impl Fn(Node) -> Node) -> Op {
         match self {
-            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) | Op::Leaf(_) => {
-                self
-            }
+            Op::Input(_)
+            | Op::Constant(_)
+            | Op::Decimal(_)
+            | Op::Truth(_)
+            | Op::Opaque(..)
+            | Op::Leaf(_) => self,
             Op::Neg(a) => Op::Neg(of(a)),
             Op::Call(f, a) => Op::Call(f, of(a)),
             Op::Powi(a, n) => Op::Powi(of(a), n),

@@ -1,14 +1,16 @@
-//! Operations of one graph built anew in another: what has become known meanwhile folds and simplifies on the
-//! way.
+//! Operations of one graph built anew in another: what has become known meanwhile folds and
+//! simplifies on the way.
 
 use super::{Graph, Node, Op};
 
 impl Graph {
-    /// The operation on other operands by the constructors of this graph. Inputs, laws and foreign values are
-    /// the caller's: they give `None`.
+    /// The operation on other operands by the constructors of this graph. Inputs, laws and foreign
+    /// values are the caller's: they give `None`.
     pub fn rebuilt(&mut self, op: Op, of: impl Fn(Node) -> Node) -> Option<Node> {
         Some(match op {
-            Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..) | Op::Decimal(_) => return None,
+            Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..) | Op::Decimal(_) => {
+                return None;
+            }
             Op::Constant(bits) => self.constant(f64::from_bits(bits)),
             Op::Truth(holds) => self.bool(holds),
             Op::Add(a, b) => self.add(of(a), of(b)),
@@ -39,11 +41,15 @@ mod tests {
 
     #[test]
     fn what_has_become_a_number_folds() {
-        let (mut from, mut to) = (Graph::default(), Graph::default());
-        let (x, y) = (from.input(Input::Column(0)), from.input(Input::Column(1)));
+        let mut from = Graph::default();
+        let mut to = Graph::default();
+        let x = from.input(Input::Column(0));
+        let y = from.input(Input::Column(1));
         let product = from.mul(x, y);
-        let (own, zero) = (to.input(Input::Time), to.zero());
-        let of = |zero_for_x: bool| move |node: Node| if node == x && zero_for_x { zero } else { own };
+        let own = to.input(Input::Time);
+        let zero = to.zero();
+        let of =
+            |zero_for_x: bool| move |node: Node| if node == x && zero_for_x { zero } else { own };
         assert_eq!(to.rebuilt(from.op(product), of(true)), Some(zero));
         let square = to.mul(own, own);
         assert_eq!(

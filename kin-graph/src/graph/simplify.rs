@@ -1,7 +1,7 @@
-//! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common factors,
-//! constants; never by a tolerance. Constants are folded as f64 computes them; in a graph as written only
-//! where that is exact. `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x; everything else keeps the
-//! value up to rounding.
+//! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common
+//! factors, constants; never by a tolerance. Constants are folded as f64 computes them; in a graph
+//! as written only where that is exact. `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x;
+//! everything else keeps the value up to rounding.
 
 use super::{Graph, Input, Node, Op, Part};
 use crate::{Function, Function2};
@@ -25,8 +25,8 @@ impl Graph {
         self.constant_value(a) == Some(1.0)
     }
 
-    /// The result of an operation on constants as f64 computes it, unless it is rounded and the graph is as
-    /// written.
+    /// The result of an operation on constants as f64 computes it, unless it is rounded and the
+    /// graph is as written.
     fn folded(&mut self, result: f64, exact: bool) -> Option<Node> {
         self.rounded |= !exact;
         (exact || !self.as_written).then(|| self.constant(result))
@@ -36,7 +36,9 @@ impl Graph {
     fn negated(&mut self, a: Node) -> Option<Node> {
         match self.op(a) {
             Op::Neg(x) => Some(x),
-            Op::Constant(bits) if f64::from_bits(bits) < 0.0 => Some(self.constant(-f64::from_bits(bits))),
+            Op::Constant(bits) if f64::from_bits(bits) < 0.0 => {
+                Some(self.constant(-f64::from_bits(bits)))
+            }
             _ => None,
         }
     }
@@ -173,7 +175,8 @@ impl Graph {
         self.intern(Op::Mul(a.min(b), a.max(b)))
     }
 
-    /// `a` as constant · rest, but only where the constant is a power of two: pulling it out is then exact.
+    /// `a` as constant · rest, but only where the constant is a power of two: pulling it out is
+    /// then exact.
     fn split_constant(&self, a: Node) -> (f64, Node) {
         match self.op(a) {
             Op::Mul(c, x) => match self.constant_value(c) {
@@ -256,7 +259,8 @@ impl Graph {
                 self.neg(sin) // sin(−x) → −sin x
             }
             (Function::Cos, Op::Neg(x)) => self.call(Function::Cos, x), // cos(−x) → cos x
-            (Function::Cos, Op::Call(Function::Asin, x)) | (Function::Sin, Op::Call(Function::Acos, x)) => {
+            (Function::Cos, Op::Call(Function::Asin, x))
+            | (Function::Sin, Op::Call(Function::Acos, x)) => {
                 let rest = self.one_minus_square(x);
                 self.call(Function::Sqrt, rest) // cos(arcsin x), sin(arccos x) → √(1 − x²)
             }
@@ -268,7 +272,8 @@ impl Graph {
     /// 1 − x² as (1 − x)(1 + x), which keeps its digits where x is near 1.
     pub fn one_minus_square(&mut self, x: Node) -> Node {
         let one = self.constant(1.0);
-        let (below, above) = (self.sub(one, x), self.add(one, x));
+        let below = self.sub(one, x);
+        let above = self.add(one, x);
         self.mul(below, above)
     }
 
@@ -291,15 +296,23 @@ impl Graph {
     }
 
     /// x (y ± z) for a = x y and b = x z, where they have factors in common.
-    fn factor(&mut self, a: Node, b: Node, combine: fn(&mut Graph, Node, Node) -> Node) -> Option<Node> {
+    fn factor(
+        &mut self,
+        a: Node,
+        b: Node,
+        combine: fn(&mut Graph, Node, Node) -> Node,
+    ) -> Option<Node> {
         if self.bursts(a) || self.bursts(b) {
             return None; // the rest could overflow where the terms do not
         }
-        let ((ca, xa), (cb, xb)) = (self.split_constant(a), self.split_constant(b));
+        let (ca, xa) = self.split_constant(a);
+        let (cb, xb) = self.split_constant(b);
         if ca != cb && ca != 1.0 && cb != 1.0 && is_power_of_two(ca.max(cb) / ca.min(cb)) {
             let least = self.constant(ca.min(cb));
-            let (a, b) = (self.constant(ca / ca.min(cb)), self.constant(cb / ca.min(cb)));
-            let (a, b) = (self.mul(a, xa), self.mul(b, xb));
+            let a = self.constant(ca / ca.min(cb));
+            let b = self.constant(cb / ca.min(cb));
+            let a = self.mul(a, xa);
+            let b = self.mul(b, xb);
             let rest = combine(self, a, b);
             return Some(self.mul(least, rest)); // 4 x + 2 y → 2 (2 x + y)
         }
@@ -307,12 +320,14 @@ impl Graph {
         if !is_product(a) && !is_product(b) {
             return None; // two different factors
         }
-        let (mut left, mut right) = (self.factors(a), self.factors(b));
+        let mut left = self.factors(a);
+        let mut right = self.factors(b);
         let common = left.take_common(&mut right);
         if common.as_slice().is_empty() {
             return None;
         }
-        let (rest_a, rest_b) = (self.product(left.as_slice()), self.product(right.as_slice()));
+        let rest_a = self.product(left.as_slice());
+        let rest_b = self.product(right.as_slice());
         let rest = combine(self, rest_a, rest_b);
         let common = self.product(common.as_slice());
         Some(self.mul(common, rest))

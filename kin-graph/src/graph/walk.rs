@@ -10,8 +10,8 @@ impl Graph {
         operands
     }
 
-    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is taken, of a
-    /// condition none.
+    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is
+    /// taken, of a condition none.
     pub fn numbers_behind(&self, node: Node, holds: impl Fn(Node) -> bool) -> Vec<Node> {
         match self.op(node) {
             Op::Select(c, a, b) => vec![if holds(c) { a } else { b }],
@@ -33,7 +33,9 @@ impl Graph {
             }
             Op::Select(a, b, c) | Op::Fma(a, b, c) => [a, b, c].into_iter().for_each(show),
             Op::Opaque(number, _) => self.opaques[number].iter().copied().for_each(show),
-            Op::Leaf(LeafUse { leaf, what, .. }) => self.leaf_operands(leaf, what).into_iter().for_each(show),
+            Op::Leaf(LeafUse { leaf, what, .. }) => {
+                self.leaf_operands(leaf, what).into_iter().for_each(show)
+            }
         }
     }
 
@@ -52,7 +54,8 @@ impl Graph {
         let mut columns: Vec<Column> = Vec::new();
         for node in self.reachable(outputs) {
             if let Op::Input(Input::State(argument, part)) = self.op(node) {
-                columns.extend(coordinates_behind(part).iter().map(|&part| Column { argument, part }));
+                columns
+                    .extend(coordinates_behind(part).iter().map(|&part| Column { argument, part }));
             }
         }
         columns.sort();
@@ -60,11 +63,12 @@ impl Graph {
         columns
     }
 
-    /// `nodes` and what they are computed from, in order of creation, without going beyond what is known
-    /// already.
+    /// `nodes` and what they are computed from, in order of creation, without going beyond what is
+    /// known already.
     pub fn unknown(&self, nodes: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let mut seen = vec![false; self.ops.len()];
-        let (mut open, mut found) = (nodes.to_vec(), Vec::new());
+        let mut open = nodes.to_vec();
+        let mut found = Vec::new();
         while let Some(node) = open.pop() {
             if !seen[node.index()] && !known(node) {
                 seen[node.index()] = true;
@@ -81,8 +85,8 @@ impl Graph {
         self.reachable_from(outputs, |_| false)
     }
 
-    /// The same where the operands of `known` nodes are not needed. One pass backwards sees each node after
-    /// all of its users.
+    /// The same where the operands of `known` nodes are not needed. One pass backwards sees each
+    /// node after all of its users.
     pub fn reachable_from(&self, outputs: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let last = outputs.iter().max().map_or(0, |last| last.index() + 1);
         let mut needed = vec![false; last];

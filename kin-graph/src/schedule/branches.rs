@@ -1,9 +1,10 @@
-//! Which nodes are needed in one branch of a choice only: long branches become code of which only the one
-//! that is taken runs.
+//! Which nodes are needed in one branch of a choice only: long branches become code of which only
+//! the one that is taken runs.
 //!
-//! All selections by one condition that lie equally deep below the outputs are one choice, so that a value
-//! and its derivatives ask once. A node belongs to the innermost branch that holds all of its uses. A choice
-//! of few operations stays a selection: a processor makes both values faster than it asks.
+//! All selections by one condition that lie equally deep below the outputs are one choice, so that
+//! a value and its derivatives ask once. A node belongs to the innermost branch that holds all of
+//! its uses. A choice of few operations stays a selection: a processor makes both values faster
+//! than it asks.
 
 use std::collections::BTreeMap;
 
@@ -13,8 +14,8 @@ use crate::{Graph, Node, Op};
 /// Work below which both branches are computed.
 const SHORT: usize = 16;
 
-/// Branches in branches beyond this depth are computed outside: emitted code is read by a compiler that
-/// recurses.
+/// Branches in branches beyond this depth are computed outside: emitted code is read by a compiler
+/// that recurses.
 const DEEPEST: usize = 256;
 
 /// A place where nodes are computed: the whole code, or a branch of a choice.
@@ -37,8 +38,8 @@ pub struct Choice {
 #[derive(Default)]
 pub struct Branches {
     choices: Vec<Choice>,
-    /// The choice of each selection by number of the node, counted from 1; 0 of all other nodes. Empty where
-    /// there is no choice.
+    /// The choice of each selection by number of the node, counted from 1; 0 of all other nodes.
+    /// Empty where there is no choice.
     choice_of: Vec<u32>,
     lookups: Vec<Lookup>,
     /// Which nodes are numbers of a table.
@@ -51,8 +52,8 @@ impl Branches {
         Branches::default()
     }
 
-    /// The choices worth asking for among `outputs`, without going beyond the `given` nodes; tables are used
-    /// where they `can` be read.
+    /// The choices worth asking for among `outputs`, without going beyond the `given` nodes; tables
+    /// are used where they `can` be read.
     pub fn new(
         g: &Graph,
         outputs: &[Node],
@@ -107,9 +108,14 @@ impl Branches {
         }
     }
 
-    /// Every node that has to be computed for `outputs` outside the branches of their choices, and the
-    /// `given` nodes that these read, in order of creation.
-    pub(super) fn reachable(&self, g: &Graph, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Node> {
+    /// Every node that has to be computed for `outputs` outside the branches of their choices, and
+    /// the `given` nodes that these read, in order of creation.
+    pub(super) fn reachable(
+        &self,
+        g: &Graph,
+        outputs: &[Node],
+        given: impl Fn(Node) -> bool,
+    ) -> Vec<Node> {
         if self.choices.is_empty() && self.lookups.is_empty() {
             return g.reachable_from(outputs, given);
         }
@@ -129,8 +135,8 @@ impl Branches {
         found
     }
 
-    /// Shows what has to be known before a node is computed: its operands, of a choice its condition and what
-    /// its branches read.
+    /// Shows what has to be known before a node is computed: its operands, of a choice its
+    /// condition and what its branches read.
     pub fn each_operand(&self, g: &Graph, node: Node, mut show: impl FnMut(Node)) {
         if let Some((lookup, _)) = self.cell(node) {
             return self.lookups[lookup].searched().for_each(show);
@@ -180,16 +186,17 @@ impl Places {
             levels.resize_with(levels.len().max(own + 1), Vec::new);
             levels[own].push(node);
             let below = own + usize::from(selects(g, tables, node).is_some());
-            tables
-                .each_operand(g, node, |operand| level[operand.index()] = below.max(level[operand.index()]));
+            tables.each_operand(g, node, |operand| {
+                level[operand.index()] = below.max(level[operand.index()])
+            });
         }
         let mut scope = vec![None; g.len()];
         outputs.iter().for_each(|output| scope[output.index()] = Some(WHOLE));
         Places { levels, scope, found: Vec::new(), choice: vec![None; g.len()] }
     }
 
-    /// Finds the scope of every node, level by level: all selections of a level are placed before what they
-    /// choose between.
+    /// Finds the scope of every node, level by level: all selections of a level are placed before
+    /// what they choose between.
     fn find(&mut self, g: &Graph, tables: &Branches) {
         let levels = std::mem::take(&mut self.levels);
         for level in &levels {
@@ -203,18 +210,29 @@ impl Places {
                     }
                 }
             }
-            choices.into_iter().for_each(|(condition, selections)| self.choose(g, condition, selections));
+            choices
+                .into_iter()
+                .for_each(|(condition, selections)| self.choose(g, condition, selections));
         }
         self.levels = levels;
     }
 
-    /// Places selections by one condition where all of them are needed, and their values in its branches.
+    /// Places selections by one condition where all of them are needed, and their values in its
+    /// branches.
     fn choose(&mut self, g: &Graph, condition: Node, selections: Vec<Node>) {
         let mut scopes = selections.iter().map(|&node| self.scope_of(node));
         let first = scopes.next().unwrap_or(WHOLE);
         let outside = scopes.fold(first, |a, b| self.common(a, b));
-        let (choice, depth) = (self.found.len(), self.depth(outside) + 1);
-        self.found.push(Found { condition, selections: vec![], outside, depth, work: 0, open: true });
+        let choice = self.found.len();
+        let depth = self.depth(outside) + 1;
+        self.found.push(Found {
+            condition,
+            selections: vec![],
+            outside,
+            depth,
+            work: 0,
+            open: true,
+        });
         self.use_in(condition, outside);
         for &node in &selections {
             (self.scope[node.index()], self.choice[node.index()]) = (Some(outside), Some(choice));
@@ -252,7 +270,8 @@ impl Places {
         a
     }
 
-    /// Closes choices that are not worth a question, or too deep; inner ones were found after outer ones.
+    /// Closes choices that are not worth a question, or too deep; inner ones were found after outer
+    /// ones.
     fn close(&mut self, g: &Graph, short: usize) {
         for &node in self.levels.iter().flatten() {
             let scope = self.scope_of(node);
@@ -293,7 +312,8 @@ impl Places {
             }
         }
         let mut branches = Branches { choice_of: vec![0; g.len()], ..tables };
-        for (found, mut reads) in self.found.into_iter().zip(reads).filter(|(found, _)| found.open) {
+        for (found, mut reads) in self.found.into_iter().zip(reads).filter(|(found, _)| found.open)
+        {
             reads.sort_unstable();
             reads.dedup();
             let Found { condition, selections, .. } = found;
@@ -305,7 +325,8 @@ impl Places {
         branches
     }
 
-    /// Notes that a node is used in a scope: every choice between that and the node's own scope reads it.
+    /// Notes that a node is used in a scope: every choice between that and the node's own scope
+    /// reads it.
     fn read(&self, node: Node, mut scope: Scope, reads: &mut [Vec<Node>]) {
         let own = self.open(self.scope_of(node));
         while scope != own && scope != WHOLE {

@@ -1,5 +1,5 @@
-//! Where rounding decides: the argument of √ at 0, a comparison of equal numbers. There a b − c d must be 0
-//! where both products are the same number, which the fused form does not promise.
+//! Where rounding decides: the argument of √ at 0, a comparison of equal numbers. There a b − c d
+//! must be 0 where both products are the same number, which the fused form does not promise.
 
 use crate::{Function, Function2, Graph, Node, Op};
 
@@ -20,8 +20,8 @@ pub fn exact(g: &Graph, nodes: &[Node]) -> Vec<bool> {
             Op::Neg(a) if is_exact => mark(a),
             _ => {}
         }
-        // The operands of a value of the user's own are written as they were read: the same number wherever
-        // they are used.
+        // The operands of a value of the user's own are written as they were read: the same number
+        // wherever they are used.
         if pinned[node.index()] || matches!(g.op(node), Op::Opaque(..)) {
             g.each_operand(node, |operand| pinned[operand.index()] = true);
         }

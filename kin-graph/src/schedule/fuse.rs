@@ -1,7 +1,8 @@
 //! Sums become chains of fused multiply-adds: a b + c d + e is fma(a, b, fma(c, d, e)).
 //!
-//! A product that several sums share is computed once where a sum can begin with it, which saves that sum a
-//! multiplication; elsewhere each sum multiplies for itself, since a fused product costs nothing.
+//! A product that several sums share is computed once where a sum can begin with it, which saves
+//! that sum a multiplication; elsewhere each sum multiplies for itself, since a fused product costs
+//! nothing.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -52,7 +53,8 @@ enum Written {
 
 impl Fusion {
     fn new(g: &Graph, outputs: &[Node], nodes: &[Node]) -> Self {
-        let (uses, exact) = (super::uses(g, &Branches::none(), nodes, outputs), edges::exact(g, nodes));
+        let uses = super::uses(g, &Branches::none(), nodes, outputs);
+        let exact = edges::exact(g, nodes);
         let is_free = |node: Node| !exact[node.index()];
         let is_alone = |node: Node| is_free(node) && uses[node.index()] == 1;
         let mut values = vec![false; g.len()];
@@ -83,14 +85,18 @@ impl Fusion {
         !self.sums.of(node).is_empty()
     }
 
-    /// Products to compute once, because sums without a better beginning share them: those that most sums
-    /// share first, of equal ones the earliest.
+    /// Products to compute once, because sums without a better beginning share them: those that
+    /// most sums share first, of equal ones the earliest.
     fn share_beginnings(&mut self, nodes: &[Node]) {
-        let is_open =
-            |terms: &&[Term]| !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()]);
-        let open: Vec<&[Term]> = nodes.iter().map(|node| self.sums.of(*node)).filter(is_open).collect();
+        let is_open = |terms: &&[Term]| {
+            !terms.is_empty() && !terms.iter().any(|(_, term)| self.values[term.index()])
+        };
+        let open: Vec<&[Term]> =
+            nodes.iter().map(|node| self.sums.of(*node)).filter(is_open).collect();
         let mut counts = vec![0_usize; self.values.len()];
-        open.iter().flat_map(|terms| terms.iter()).for_each(|(_, product)| counts[product.index()] += 1);
+        open.iter()
+            .flat_map(|terms| terms.iter())
+            .for_each(|(_, product)| counts[product.index()] += 1);
         let shared = nodes.iter().enumerate().filter(|(_, node)| counts[node.index()] > 1);
         let mut waiting: BinaryHeap<(usize, Reverse<usize>)> =
             shared.map(|(place, node)| (counts[node.index()], Reverse(place))).collect();
@@ -109,7 +115,10 @@ impl Fusion {
                 waiting.extend((left > 1).then_some((left, place)));
                 continue;
             }
-            for &sum in sums_with.of(product).iter().filter(|sum| !std::mem::replace(&mut begun[**sum], true))
+            for &sum in sums_with
+                .of(product)
+                .iter()
+                .filter(|sum| !std::mem::replace(&mut begun[**sum], true))
             {
                 open[sum].iter().for_each(|(_, product)| counts[product.index()] -= 1);
             }
@@ -118,8 +127,8 @@ impl Fusion {
         chosen.into_iter().for_each(|product: Node| self.values[product.index()] = true);
     }
 
-    /// Which sums and multiples are better computed with the other sign, by number of the node: where more
-    /// outputs ask for that. Sums take either sign of their terms.
+    /// Which sums and multiples are better computed with the other sign, by number of the node:
+    /// where more outputs ask for that. Sums take either sign of their terms.
     fn negated(&self, g: &Graph, outputs: &[Node], nodes: &[Node]) -> Vec<bool> {
         let mut votes = vec![0; g.len()];
         let mut negated = vec![false; g.len()];
@@ -131,10 +140,12 @@ impl Fusion {
             if self.is_sum(node) {
                 let terms = self.sums.of(node);
                 // Only minuses and no product to fuse them with: one of the terms had better turn.
-                let all_minus = terms
-                    .iter()
-                    .all(|(minus, term)| *minus != negated[node.index()] && self.values[term.index()]);
-                if let (true, Some((_, term))) = (all_minus, terms.iter().find(|(_, term)| turns(*term))) {
+                let all_minus = terms.iter().all(|(minus, term)| {
+                    *minus != negated[node.index()] && self.values[term.index()]
+                });
+                if let (true, Some((_, term))) =
+                    (all_minus, terms.iter().find(|(_, term)| turns(*term)))
+                {
                     votes[term.index()] -= 1;
                 }
                 continue;
@@ -166,21 +177,31 @@ impl Fusion {
                 (minus != negated, g.raw(Op::Mul(c, a)))
             }
             Op::Mul(a, b) => {
-                let ((minus_a, a), (minus_b, b)) = (self.built[a.index()], self.built[b.index()]);
+                let (minus_a, a) = self.built[a.index()];
+                let (minus_b, b) = self.built[b.index()];
                 (minus_a != minus_b, g.raw(Op::Mul(a, b)))
             }
             Op::Div(a, b) => {
-                let ((minus_a, a), (minus_b, b)) = (self.built[a.index()], self.built[b.index()]);
+                let (minus_a, a) = self.built[a.index()];
+                let (minus_b, b) = self.built[b.index()];
                 (minus_a != minus_b, g.raw(Op::Div(a, b)))
             }
-            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) => (false, node),
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) => {
+                (false, node)
+            }
             _ => {
-                let plain: Vec<(Node, Node)> =
-                    g.operands(node).into_iter().map(|operand| (operand, self.plain(g, operand))).collect();
+                let plain: Vec<(Node, Node)> = g
+                    .operands(node)
+                    .into_iter()
+                    .map(|operand| (operand, self.plain(g, operand)))
+                    .collect();
                 (
                     false,
                     g.with_operands(node, |operand| {
-                        plain.iter().find(|(of, _)| *of == operand).map_or(operand, |(_, node)| *node)
+                        plain
+                            .iter()
+                            .find(|(of, _)| *of == operand)
+                            .map_or(operand, |(_, node)| *node)
                     }),
                 )
             }
@@ -193,13 +214,15 @@ impl Fusion {
         if minus { g.raw(Op::Neg(built)) } else { built }
     }
 
-    /// Begins with a number, if there is one, and adds the other terms in the order in which they were built.
+    /// Begins with a number, if there is one, and adds the other terms in the order in which they
+    /// were built.
     fn sum(&self, g: &mut Graph, terms: &[Term], negated: bool) -> Node {
         let mut terms: Vec<(bool, Written)> =
             terms.iter().map(|&term| self.written(g, term, negated)).collect();
         let is_product = |term: &(bool, Written)| matches!(term.1, Written::Product(..));
         let fused = terms.iter().any(is_product);
-        // A minus is free in a fused operation and in a subtraction, but not in front of the first number.
+        // A minus is free in a fused operation and in a subtraction, but not in front of the first
+        // number.
         let rank = |term: &(bool, Written)| match (is_product(term), term.0) {
             (false, false) => 0,
             (false, true) if fused => 1,
@@ -226,7 +249,8 @@ impl Fusion {
     fn written(&self, g: &Graph, (minus, term): Term, negated: bool) -> (bool, Written) {
         match g.op(term) {
             Op::Mul(a, b) if !self.values[term.index()] => {
-                let ((minus_a, a), (minus_b, b)) = (self.built[a.index()], self.built[b.index()]);
+                let (minus_a, a) = self.built[a.index()];
+                let (minus_b, b) = self.built[b.index()];
                 (minus ^ negated ^ minus_a ^ minus_b, Written::Product(a, b))
             }
             _ => {

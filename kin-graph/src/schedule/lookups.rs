@@ -1,5 +1,5 @@
-//! Numbers that are looked up: chains of selections between given numbers, by tests of one number, are rows
-//! and columns of a table. Chains by the same tests find their row once.
+//! Numbers that are looked up: chains of selections between given numbers, by tests of one number,
+//! are rows and columns of a table. Chains by the same tests find their row once.
 
 use super::tables::{Chain, Test, chain, depths, is_given};
 use crate::{Comparison, Graph, Node};
@@ -18,12 +18,15 @@ pub struct Lookup {
 /// Of each node the lookup and the column that it is, counted from 1; 0 of all others.
 pub type Cells = Vec<(u32, u32)>;
 
-/// The look-ups among `nodes` that `can` be read; a chain that is part of another one is none of its own.
+/// The look-ups among `nodes` that `can` be read; a chain that is part of another one is none of
+/// its own.
 pub fn lookups(g: &Graph, nodes: &[Node], can: impl Fn(&Lookup) -> bool) -> (Vec<Lookup>, Cells) {
     let Some(depths) = depths(g, nodes) else { return (vec![], vec![]) };
     let (mut found, mut cells): (Vec<Lookup>, Cells) = (vec![], vec![(0, 0); g.len()]);
     let mut inner = vec![false; g.len()];
-    for &root in nodes.iter().rev().filter(|node| depths.get(node.index()).is_some_and(|&depth| depth > 0)) {
+    for &root in
+        nodes.iter().rev().filter(|node| depths.get(node.index()).is_some_and(|&depth| depth > 0))
+    {
         if inner[root.index()] {
             continue;
         }
@@ -61,11 +64,15 @@ impl Lookup {
         Lookup { tests: vec![], knots: vec![], columns: vec![], chain }
     }
 
-    /// True if a chain finds its numbers in this table; its last pieces may be one where their numbers are
-    /// the same.
+    /// True if a chain finds its numbers in this table; its last pieces may be one where their
+    /// numbers are the same.
     fn take(&mut self, chain: &Chain) -> bool {
-        let (own, other) = (&self.chain.steps, &chain.steps);
-        let same = own.iter().zip(other).all(|(a, b)| a.condition == b.condition && a.negated == b.negated);
+        let own = &self.chain.steps;
+        let other = &chain.steps;
+        let same = own
+            .iter()
+            .zip(other)
+            .all(|(a, b)| a.condition == b.condition && a.negated == b.negated);
         if same && other.len() > own.len() {
             self.chain = chain.clone();
         }
@@ -79,8 +86,9 @@ impl Lookup {
             column.resize(steps.len() + 1, last);
         }
         self.tests = steps[0].tests.iter().map(|(test, _)| *test).collect();
-        self.knots =
-            (0..self.tests.len()).map(|k| steps.iter().map(|step| step.tests[k].1).collect()).collect();
+        self.knots = (0..self.tests.len())
+            .map(|k| steps.iter().map(|step| step.tests[k].1).collect())
+            .collect();
     }
 
     /// The nodes that are looked for.
@@ -88,8 +96,8 @@ impl Lookup {
         self.tests.iter().map(|test| test.of)
     }
 
-    /// Where all knots are constants in order, so that the row is found by halving: of each test whether it
-    /// begins to hold somewhere, and not ends to.
+    /// Where all knots are constants in order, so that the row is found by halving: of each test
+    /// whether it begins to hold somewhere, and not ends to.
     pub fn begins(&self, g: &Graph) -> Option<Vec<bool>> {
         let begins = |(test, knots): (&Test, &Vec<Node>)| {
             let numbers: Vec<f64> =
@@ -119,14 +127,25 @@ mod tests {
     use crate::{Function, Input};
 
     /// A chain by these tests of x, with its own numbers for values.
-    fn chain_of(g: &mut Graph, comparison: Comparison, knots: &[f64], negated: bool, turned: bool) -> Node {
+    fn chain_of(
+        g: &mut Graph,
+        comparison: Comparison,
+        knots: &[f64],
+        negated: bool,
+        turned: bool,
+    ) -> Node {
         let x = g.input(Input::Column(0));
         let mut all = g.constant(100.0);
         for (k, &knot) in knots.iter().enumerate().rev() {
-            let (knot, own) = (g.constant(knot), g.constant(k as f64 + 1.0));
-            let condition =
-                if turned { g.compare(comparison, knot, x) } else { g.compare(comparison, x, knot) };
-            all = if negated { g.select(condition, all, own) } else { g.select(condition, own, all) };
+            let knot = g.constant(knot);
+            let own = g.constant(k as f64 + 1.0);
+            let condition = if turned {
+                g.compare(comparison, knot, x)
+            } else {
+                g.compare(comparison, x, knot)
+            };
+            all =
+                if negated { g.select(condition, all, own) } else { g.select(condition, own, all) };
         }
         all
     }
@@ -149,7 +168,8 @@ mod tests {
                 _ => {}
             }
             let comparison = Comparison::ALL[random.below(4)];
-            let (negated, turned) = (random.below(2) == 0, random.below(2) == 0);
+            let negated = random.below(2) == 0;
+            let turned = random.below(2) == 0;
             let mut g = Graph::default();
             let root = chain_of(&mut g, comparison, &knots, negated, turned);
             let lookup = only(&g, root);
@@ -162,7 +182,10 @@ mod tests {
                 };
                 let changes = knots.windows(2).map(|pair| (holds(&pair[0]), holds(&pair[1])));
                 for (before, after) in changes {
-                    assert!(before == after || after == begins[0], "{knots:?} {comparison:?} at {x}");
+                    assert!(
+                        before == after || after == begins[0],
+                        "{knots:?} {comparison:?} at {x}"
+                    );
                 }
             }
         }

@@ -1,12 +1,13 @@
-//! From the graph as mathematics to the graph as code: the same values with fewer operations, and the order
-//! in which to compute them.
+//! From the graph as mathematics to the graph as code: the same values with fewer operations, and
+//! the order in which to compute them.
 //!
-//! The graph that differentiation works on is canonical: powers of two and signs stand outside, sums have two
-//! terms. That is best for finding equal expressions and bad for a processor. Here powers of two go back to
-//! where they cost nothing (`scale`), sums become chains of fused multiply-adds (`fuse`), and operations are
-//! put in an order that needs few registers (`order`), of long branches only the one that is taken
-//! (`branches`). Last bits may change; no tolerance is used. All of it is linear in the number of nodes: it
-//! runs whenever a user's crate is compiled, and without optimization.
+//! The graph that differentiation works on is canonical: powers of two and signs stand outside,
+//! sums have two terms. That is best for finding equal expressions and bad for a processor. Here
+//! powers of two go back to where they cost nothing (`scale`), sums become chains of fused
+//! multiply-adds (`fuse`), and operations are put in an order that needs few registers (`order`),
+//! of long branches only the one that is taken (`branches`). Last bits may change; no tolerance is
+//! used. All of it is linear in the number of nodes: it runs whenever a user's crate is compiled,
+//! and without optimization.
 
 mod branches;
 mod edges;
@@ -26,8 +27,8 @@ pub use tables::{Test, looked_up};
 
 use crate::{Graph, Node, Op};
 
-/// A list for some of a graph's nodes. Most have none: without optimization even an empty `Vec` each takes
-/// time.
+/// A list for some of a graph's nodes. Most have none: without optimization even an empty `Vec`
+/// each takes time.
 struct Lists<T> {
     /// Of each node the number of its list; 0 is the empty one.
     places: Vec<usize>,
@@ -53,8 +54,8 @@ impl<T> Lists<T> {
     }
 }
 
-/// Nodes with the values of `outputs`, their sums fused: [`prepare`] without a look at powers of two, of
-/// which large graphs gain nothing.
+/// Nodes with the values of `outputs`, their sums fused: [`prepare`] without a look at powers of
+/// two, of which large graphs gain nothing.
 pub fn fused(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     fuse::fuse(g, outputs)
 }
@@ -70,7 +71,10 @@ pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
 /// How many operations `outputs` take; signs are free, a processor adds and subtracts alike.
 pub fn operations(g: &Graph, outputs: &[Node]) -> usize {
     let free = |node: &Node| {
-        matches!(g.op(*node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Neg(_))
+        matches!(
+            g.op(*node),
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Neg(_)
+        )
     };
     g.reachable(outputs).iter().filter(|node| !free(node)).count()
 }

@@ -1,5 +1,5 @@
-//! In which order to compute: each output as soon as it can be had, and next the one after which fewest
-//! values wait for a later use.
+//! In which order to compute: each output as soon as it can be had, and next the one after which
+//! fewest values wait for a later use.
 
 use super::{Branches, Lists};
 use crate::{Graph, Node, Op};
@@ -18,12 +18,20 @@ type Code<'a> = (&'a Graph, &'a Branches);
 /// So many outputs, those that take the least, are looked at before one is chosen.
 const CANDIDATES: usize = 8;
 
-/// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut where an
-/// output is complete. What only a branch of a choice needs is in the order of that branch.
-pub fn order(g: &Graph, branches: &Branches, outputs: &[Node], given: impl Fn(Node) -> bool) -> Vec<Group> {
-    let (nodes, mut known) = (branches.reachable(g, outputs, &given), vec![false; g.len()]);
+/// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut
+/// where an output is complete. What only a branch of a choice needs is in the order of that
+/// branch.
+pub fn order(
+    g: &Graph,
+    branches: &Branches,
+    outputs: &[Node],
+    given: impl Fn(Node) -> bool,
+) -> Vec<Group> {
+    let nodes = branches.reachable(g, outputs, &given);
+    let mut known = vec![false; g.len()];
     nodes.iter().for_each(|&node| known[node.index()] = given(node));
-    let (mut seen, mut turn) = (vec![0; g.len()], 0);
+    let mut seen = vec![0; g.len()];
+    let mut turn = 0;
     // Which outputs wait for a node, and for how many each.
     let mut waiting: Lists<usize> = Lists::new(g.len());
     let mut missing = vec![0; outputs.len()];
@@ -43,7 +51,10 @@ pub fn order(g: &Graph, branches: &Branches, outputs: &[Node], given: impl Fn(No
         for place in 0..open.len().min(CANDIDATES) {
             turn += 1;
             let nodes = needed((g, branches), outputs[open[place]], &known, &mut seen, turn);
-            let key = (waiting_values((g, branches), &nodes, outputs[open[place]], &mut left), nodes.len());
+            let key = (
+                waiting_values((g, branches), &nodes, outputs[open[place]], &mut left),
+                nodes.len(),
+            );
             if best.as_ref().is_none_or(|(least, ..)| key < *least) {
                 best = Some((key, place, nodes));
             }
@@ -63,7 +74,12 @@ pub fn order(g: &Graph, branches: &Branches, outputs: &[Node], given: impl Fn(No
 }
 
 /// How many more values wait for a later use when `nodes` are computed and `output` is written.
-fn waiting_values((g, branches): Code<'_>, nodes: &[Node], output: Node, left: &mut [usize]) -> isize {
+fn waiting_values(
+    (g, branches): Code<'_>,
+    nodes: &[Node],
+    output: Node,
+    left: &mut [usize],
+) -> isize {
     let mut waiting = nodes.iter().filter(|node| takes_place(g, **node)).count() as isize;
     let mut take = |node: Node, left: &mut [usize]| {
         left[node.index()] -= 1;
@@ -74,12 +90,14 @@ fn waiting_values((g, branches): Code<'_>, nodes: &[Node], output: Node, left: &
     take(output, left);
     nodes.iter().for_each(|&node| branches.each_operand(g, node, |operand| take(operand, left)));
     left[output.index()] += 1;
-    nodes.iter().for_each(|&node| branches.each_operand(g, node, |operand| left[operand.index()] += 1));
+    nodes
+        .iter()
+        .for_each(|&node| branches.each_operand(g, node, |operand| left[operand.index()] += 1));
     waiting
 }
 
-/// The nodes that `output` needs beyond the `known`, operands first, each as late as possible. Nodes `seen`
-/// in this turn are not looked at again.
+/// The nodes that `output` needs beyond the `known`, operands first, each as late as possible.
+/// Nodes `seen` in this turn are not looked at again.
 fn needed(
     (g, branches): Code<'_>,
     output: Node,
@@ -97,8 +115,8 @@ fn needed(
             open.push((node, true));
             let operands = open.len();
             branches.each_operand(g, node, |operand| open.push((operand, false)));
-            // The last one is looked at first: of a fused operation the sum so far, which waits in one
-            // register while the product takes two.
+            // The last one is looked at first: of a fused operation the sum so far, which waits in
+            // one register while the product takes two.
             if !matches!(g.op(node), Op::Fma(..)) {
                 open[operands..].reverse();
             }

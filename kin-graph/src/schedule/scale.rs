@@ -1,5 +1,5 @@
-//! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve other sums
-//! too.
+//! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve
+//! other sums too.
 
 use super::{Branches, Lists};
 use crate::{Graph, Input, Node, Op, is_power_of_two};
@@ -26,7 +26,9 @@ pub fn powers_inwards(g: &mut Graph, outputs: &[Node]) -> Option<Vec<Node>> {
 /// (k, x) if `node` is 2ᵏ x, k ≠ 0.
 fn power_of_two(g: &Graph, node: Node) -> Option<(i32, Node)> {
     let Op::Mul(c, x) = g.op(node) else { return None };
-    let c = g.constant_value(c).filter(|c| is_power_of_two(*c) && (2f64.powi(-8)..=256.0).contains(c))?;
+    let c = g
+        .constant_value(c)
+        .filter(|c| is_power_of_two(*c) && (2f64.powi(-8)..=256.0).contains(c))?;
     Some((c.log2() as i32, x))
 }
 
@@ -84,10 +86,15 @@ impl Scaling {
 
     /// 2ᵏ times `node`, which has been built.
     fn of(&self, node: Node, k: i32) -> Node {
-        self.demands.of(node).iter().find(|demand| demand.k == k).map_or(node, |demand| demand.built)
+        self.demands
+            .of(node)
+            .iter()
+            .find(|demand| demand.k == k)
+            .map_or(node, |demand| demand.built)
     }
 
-    /// Decides how each power that is asked of `node` is made, and asks its operands for what that takes.
+    /// Decides how each power that is asked of `node` is made, and asks its operands for what that
+    /// takes.
     fn plan(&mut self, g: &Graph, node: Node) {
         let mut done = 0;
         while let Some(&Demand { k, .. }) = self.demands.of(node).get(done) {
@@ -100,7 +107,9 @@ impl Scaling {
                 Plan::Constant(_, x) => self.demand(x, 0),
                 Plan::Operands(first, second) => {
                     let mut powers = [first, second].into_iter();
-                    g.each_operand(node, |operand| self.demand(operand, powers.next().unwrap_or(0)));
+                    g.each_operand(node, |operand| {
+                        self.demand(operand, powers.next().unwrap_or(0))
+                    });
                 }
             }
         }
@@ -123,8 +132,8 @@ impl Scaling {
         }
     }
 
-    /// How well 2ᵏ goes to a factor: where it is asked for anyway, to sums that are shared and not needed as
-    /// such, to coordinates.
+    /// How well 2ᵏ goes to a factor: where it is asked for anyway, to sums that are shared and not
+    /// needed as such, to coordinates.
     fn rank(&self, g: &Graph, node: Node, k: i32) -> (bool, bool, bool) {
         let asked = self.demands.of(node).iter().any(|demand| demand.k == k);
         let (input, moves) = match g.op(node) {

@@ -1,5 +1,5 @@
-//! Each pass on graphs of its own, and all of them on random graphs whose values are whole numbers, so that
-//! no rounding hides a mistake.
+//! Each pass on graphs of its own, and all of them on random graphs whose values are whole numbers,
+//! so that no rounding hides a mistake.
 
 use std::collections::HashMap;
 
@@ -15,8 +15,10 @@ fn graph(random: &mut SplitMix) -> (Graph, Vec<Node>) {
     nodes.extend([1.0, 2.0, 4.0, 3.0].map(|c| g.constant(c)));
     let linear = nodes.len();
     for k in 0..60 {
-        let (a, b) = (nodes[random.below(nodes.len())], nodes[random.below(nodes.len())]);
-        let (c, d) = (nodes[random.below(linear)], nodes[random.below(linear)]);
+        let a = nodes[random.below(nodes.len())];
+        let b = nodes[random.below(nodes.len())];
+        let c = nodes[random.below(linear)];
+        let d = nodes[random.below(linear)];
         let node = match random.below(6) {
             0 => g.add(a, b),
             1 => g.sub(a, b),
@@ -52,7 +54,8 @@ fn values_stay_and_operations_do_not_grow() {
         let (mut g, outputs) = graph(&mut random);
         let at = inputs(&std::array::from_fn::<f64, 6, _>(|_| random.below(7) as f64 - 3.0));
         let scheduled = prepare(&mut g, &outputs);
-        let (before, after) = (operations(&g, &outputs), operations(&g, &scheduled));
+        let before = operations(&g, &outputs);
+        let after = operations(&g, &scheduled);
         assert!(after <= before, "{before} operations became {after}");
         fewer += usize::from(after < before);
         for (&output, &node) in outputs.iter().zip(&scheduled) {
@@ -90,7 +93,8 @@ fn every_node_is_computed_once_after_its_operands_and_before_the_output_that_nee
 #[test]
 fn a_sum_of_products_is_a_chain() {
     let (mut g, [a, b, c, d, e]) = letters();
-    let (ab, cd) = (g.mul(a, b), g.mul(c, d));
+    let ab = g.mul(a, b);
+    let cd = g.mul(c, d);
     let sum = g.sub(ab, cd);
     let sum = g.add(sum, e);
     let scheduled = prepare(&mut g, &[sum]);
@@ -113,7 +117,8 @@ fn a_factor_two_goes_where_it_serves_many() {
     let (mut g, [a, b, u, v, w]) = letters();
     let two = g.constant(2.0);
     let rows = [(u, v), (v, w), (w, u), (u, w)].map(|(x, y)| {
-        let (ax, by) = (g.mul(a, x), g.mul(b, y));
+        let ax = g.mul(a, x);
+        let by = g.mul(b, y);
         let sum = g.add(ax, by);
         g.mul(two, sum)
     });
@@ -128,7 +133,8 @@ fn a_factor_two_goes_where_it_serves_many() {
 #[test]
 fn a_sum_takes_the_sign_that_its_outputs_ask_for() {
     let (mut g, [a, b, c, d, e]) = letters();
-    let (ab, cd) = (g.mul(a, b), g.mul(c, d));
+    let ab = g.mul(a, b);
+    let cd = g.mul(c, d);
     let sum = g.add(ab, cd);
     let minus = g.neg(sum);
     let more = g.add(sum, e);
@@ -141,12 +147,17 @@ fn a_sum_takes_the_sign_that_its_outputs_ask_for() {
 #[test]
 fn equal_products_cancel_under_a_root() {
     let (mut g, [a, b, c, d]) = letters();
-    let (ab, cd) = (g.mul(a, b), g.mul(c, d));
+    let ab = g.mul(a, b);
+    let cd = g.mul(c, d);
     let difference = g.sub(ab, cd);
     let root = g.call(Function::Sqrt, difference);
     let at = inputs(&[0.1, 0.3, 0.1, 0.3]);
     let scheduled = prepare(&mut g, &[root]);
     assert_eq!(value(&g, scheduled[0], &at), 0.0);
     let scheduled = prepare(&mut g, &[difference]);
-    assert_ne!(value(&g, scheduled[0], &at), 0.0, "what is fused leaves the rounding of one product");
+    assert_ne!(
+        value(&g, scheduled[0], &at),
+        0.0,
+        "what is fused leaves the rounding of one product"
+    );
 }

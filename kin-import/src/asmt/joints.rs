@@ -43,7 +43,8 @@ const KINDS: [&str; 20] = [
 ];
 
 /// Why a motion or a limit is left out.
-pub(super) const NO_JOINT: &str = "no joint that is read is the one that it names, or is between its markers";
+pub(super) const NO_JOINT: &str =
+    "no joint that is read is the one that it names, or is between its markers";
 
 /// Axes with a smaller sine between them are parallel.   \[-\]
 const PARALLEL: f64 = 1e-9;
@@ -62,7 +63,8 @@ fn offset(of: &Tree<'_>) -> Result<f64, Mistake> {
 
 /// The distance of the markers; 0 where none is given.
 fn distance(of: &Tree<'_>) -> Result<f64, Mistake> {
-    of.get("distanceIJ").map_or(Ok(0.0), |_| of.numbers::<1>("distanceIJ").map(|[distance]| distance.abs()))
+    of.get("distanceIJ")
+        .map_or(Ok(0.0), |_| of.numbers::<1>("distanceIJ").map(|[distance]| distance.abs()))
 }
 
 impl Reading {
@@ -91,26 +93,33 @@ impl Reading {
         Ok(())
     }
 
-    /// Adds the constraint of a joint. True if motions and limits can be of this joint: not of a coupling,
-    /// nor of a joint that is left out.
+    /// Adds the constraint of a joint. True if motions and limits can be of this joint: not of a
+    /// coupling, nor of a joint that is left out.
     fn add_joint(
         &mut self,
         of: &Tree<'_>,
         (name, line): (&str, usize),
         [i, j]: [Marker; 2],
     ) -> Result<bool, Mistake> {
-        let (h_i, h_j) = (i.axis(2), self.along(&i, &j));
+        let h_i = i.axis(2);
+        let h_j = self.along(&i, &j);
         let p = |m: &Marker| kin::EulerParameters::from_rotation(m.a);
         let p_ij = p(&i) * p(&j).conjugate();
-        let (a, b) = (j.body, i.body);
+        let a = j.body;
+        let b = i.body;
         match of.text {
             "RevoluteJoint" => {
-                self.add(name, line, spatial::revolute(a, b, j.u, i.u, h_j, h_i).zero(j.axis(0), i.axis(0)))?;
+                self.add(
+                    name,
+                    line,
+                    spatial::revolute(a, b, j.u, i.u, h_j, h_i).zero(j.axis(0), i.axis(0)),
+                )?;
             }
             "CylindricalJoint" => {
-                // Its forces are those about marker J, as in OndselSolver: the axis across which it holds is
-                // that of body I, turned round so that turn and slide are those of J in I.
-                let joint = spatial::cylindrical(b, a, i.u, j.u, -h_i, -h_j).zero(i.axis(0), j.axis(0));
+                // Its forces are those about marker J, as in OndselSolver: the axis across which it
+                // holds is that of body I, turned round so that turn and slide are those of J in I.
+                let joint =
+                    spatial::cylindrical(b, a, i.u, j.u, -h_i, -h_j).zero(i.axis(0), j.axis(0));
                 self.add(name, line, joint)?;
             }
             "TranslationalJoint" => {
@@ -126,7 +135,9 @@ impl Reading {
                 self.add(name, line, joint)?;
             }
             "FixedJoint" => self.add(name, line, spatial::weld(a, b, j.u, i.u, p_ij))?,
-            "PointInLineJoint" => self.add(name, line, spatial::point_on_line(a, b, j.u, i.u, h_i))?,
+            "PointInLineJoint" => {
+                self.add(name, line, spatial::point_on_line(a, b, j.u, i.u, h_i))?
+            }
             "PointInPlaneJoint" => {
                 let at = i.u + h_i * offset(of)?;
                 self.add(name, line, spatial::point_in_plane(a, b, j.u, at, h_i))?
@@ -157,8 +168,8 @@ impl Reading {
             .then(|| format!("both of its markers are on {on}, so that it cannot move anything"))
     }
 
-    /// The joint that a motion or a limit is of: the one that its line `MotionJoint` names, else the one
-    /// between its own two markers. `None` where no joint that was read is meant.
+    /// The joint that a motion or a limit is of: the one that its line `MotionJoint` names, else
+    /// the one between its own two markers. `None` where no joint that was read is meant.
     pub(super) fn joint_of(&self, of: &Tree<'_>) -> Option<&Joint> {
         if let Ok((path, _)) = of.value("MotionJoint") {
             return self.joints.iter().find(|joint| joint.path == path);
@@ -175,7 +186,8 @@ impl Reading {
         line: usize,
         [i, j]: [&Marker; 2],
     ) -> Result<Option<&'static str>, Mistake> {
-        let (a, b) = (j.body, i.body);
+        let a = j.body;
+        let b = i.body;
         let [z_i, z_j] = [i, j].map(|m| Axis::new(m.axis(2), m.axis(0)));
         match of.text {
             "AngleJoint" => {
@@ -183,7 +195,9 @@ impl Reading {
                 // Its equation is that of a cosine.
                 let angle = angle.cos().acos();
                 if angle.sin() < PARALLEL {
-                    return Ok(Some("its axes are parallel, where the angle between them holds nothing"));
+                    return Ok(Some(
+                        "its axes are parallel, where the angle between them holds nothing",
+                    ));
                 }
                 self.add(name, line, spatial::angle(a, b, z_j, z_i, angle))?;
             }
@@ -205,14 +219,17 @@ impl Reading {
                     return Ok(Some("its distance is zero, where its equation has no slope"));
                 }
                 match kind {
-                    "SphSphJoint" => self.add(name, line, spatial::distance(a, b, j.u, i.u, distance))?,
+                    "SphSphJoint" => {
+                        self.add(name, line, spatial::distance(a, b, j.u, i.u, distance))?
+                    }
                     "CylSphJoint" => {
                         let joint = spatial::spherical_cylindrical(a, b, j.u, i.u, z_i, distance);
                         self.add(name, line, joint)?;
                     }
                     _ => {
                         let h_j = Axis::new(self.along(i, j), j.axis(0));
-                        let joint = spatial::revolute_cylindrical(a, b, j.u, i.u, h_j, z_i, distance, 0.0);
+                        let joint =
+                            spatial::revolute_cylindrical(a, b, j.u, i.u, h_j, z_i, distance, 0.0);
                         self.add(name, line, joint)?;
                     }
                 }
@@ -221,11 +238,17 @@ impl Reading {
         Ok(None)
     }
 
-    pub(super) fn add(&mut self, name: &str, line: usize, joint: impl IntoConstraint) -> Result<(), Mistake> {
+    pub(super) fn add(
+        &mut self,
+        name: &str,
+        line: usize,
+        joint: impl IntoConstraint,
+    ) -> Result<(), Mistake> {
         self.mechanism.add(name, joint).map(|_| ()).map_err(refused(line))
     }
 
-    /// The axis of marker J the way that the one of marker I points where the parts stand: z, or −z.
+    /// The axis of marker J the way that the one of marker I points where the parts stand: z, or
+    /// −z.
     pub(super) fn along(&self, i: &Marker, j: &Marker) -> Vec3 {
         if i.global(2).dot(j.global(2)) < 0.0 { -j.axis(2) } else { j.axis(2) }
     }
@@ -240,7 +263,8 @@ impl Reading {
                 return Ok(());
             }
         };
-        let ((end, at), (way, _)) = (of.value("Limit")?, of.value("Type")?);
+        let (end, at) = of.value("Limit")?;
+        let (way, _) = of.value("Type")?;
         let Some(joint) = self.joint_of(of) else {
             self.leave(of, NO_JOINT, false);
             return Ok(());
@@ -257,12 +281,18 @@ impl Reading {
             return Ok(());
         }
         let value = Formula::read(end).map_err(|reason| Mistake::at(at, reason))?;
-        let value = value.constant().ok_or_else(|| Mistake::at(at, "a limit does not change with time"))?;
+        let value =
+            value.constant().ok_or_else(|| Mistake::at(at, "a limit does not change with time"))?;
         let known = self.limits.get(&name).copied().unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let (from, to) = match way {
             "=>" | ">=" => (value, known.1),
             "=<" | "<=" => (known.0, value),
-            _ => return Err(Mistake::at(of.line, format!("`{way}` is no kind of limit: `=>` or `=<`"))),
+            _ => {
+                return Err(Mistake::at(
+                    of.line,
+                    format!("`{way}` is no kind of limit: `=>` or `=<`"),
+                ));
+            }
         };
         self.limits.insert(name.clone(), (from, to));
         self.mechanism.limit(&name, from, to).map_err(refused(at))

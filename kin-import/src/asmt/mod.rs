@@ -1,8 +1,8 @@
 //! The reader of `.asmt`, the files of OndselSolver.
 //!
-//! A file is an assembly of parts. Parts and the assembly itself (the ground) hold reference points, these
-//! hold markers; joints and motions name two markers, I and J, by their paths. The axis of a joint is z of
-//! its markers; angles and ways are those of J as I sees them.
+//! A file is an assembly of parts. Parts and the assembly itself (the ground) hold reference
+//! points, these hold markers; joints and motions name two markers, I and J, by their paths. The
+//! axis of a joint is z of its markers; angles and ways are those of J as I sees them.
 
 mod couplings;
 mod joints;
@@ -20,8 +20,8 @@ const MOST_TIMES: f64 = 1e6;
 
 /// Reads the text of an `.asmt` file.
 ///
-/// Parts become spatial bodies with their masses, joints and motions constraints under their names, limits
-/// those of measures; units are metre, second, kilogram.
+/// Parts become spatial bodies with their masses, joints and motions constraints under their names,
+/// limits those of measures; units are metre, second, kilogram.
 ///
 /// ```
 /// # fn main() -> Result<(), kin_import::Mistake> {
@@ -33,9 +33,10 @@ const MOST_TIMES: f64 = 1e6;
 /// # }
 /// ```
 ///
-/// Errors: a file that is none of these, a number that is none, a marker that nothing has, a law that is
-/// not understood, each with its line. What Kin has no place for is no error: [`Imported::left_out`]. It has
-/// also what is incomplete: an empty name, a motion of no joint, a joint between two markers of one body.
+/// Errors: a file that is none of these, a number that is none, a marker that nothing has, a law
+/// that is not understood, each with its line. What Kin has no place for is no error:
+/// [`Imported::left_out`]. It has also what is incomplete: an empty name, a motion of no joint, a
+/// joint between two markers of one body.
 pub fn asmt(text: &str) -> Result<Imported, Mistake> {
     let file = Tree::read(text)?;
     let assembly = file.get("Assembly").ok_or_else(|| {
@@ -102,8 +103,8 @@ impl Reading {
         Ok(())
     }
 
-    /// The name of a block, and its line. A block without a name is called after its kind and its line, which
-    /// is noted.
+    /// The name of a block, and its line. A block without a name is called after its kind and its
+    /// line, which is noted.
     fn name_of(&mut self, of: &Tree<'_>) -> (String, usize) {
         if let Ok((name, line)) = of.value("Name") {
             return (name.to_string(), line);
@@ -140,11 +141,16 @@ fn refused(line: usize) -> impl Fn(kin::Error) -> Mistake {
 fn times(assembly: &Tree<'_>) -> Result<Vec<f64>, Mistake> {
     let Some(parameters) = assembly.get("SimulationParameters") else { return Ok(Vec::new()) };
     let number = |name: &str| parameters.numbers::<1>(name).map(|[value]| value);
-    let (from, to, step) = (number("tstart")?, number("tend")?, number("hout")?);
+    let from = number("tstart")?;
+    let to = number("tend")?;
+    let step = number("hout")?;
     let count = ((to - from) / step).round();
     if !(0.0..MOST_TIMES).contains(&count) {
         let line = parameters.line;
-        return Err(Mistake::at(line, format!("no times go from {from} to {to} in steps of {step}")));
+        return Err(Mistake::at(
+            line,
+            format!("no times go from {from} to {to} in steps of {step}"),
+        ));
     }
     Ok(linspace(from, to, count as usize + 1))
 }

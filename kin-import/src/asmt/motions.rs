@@ -28,21 +28,26 @@ impl Reading {
         match of.text {
             "RotationalMotion" => {
                 let law = law(of, "RotationZ")?;
-                let (h_i, h_j) = (Axis::new(i.axis(2), i.axis(0)), Axis::new(self.along(&i, &j), j.axis(0)));
+                let h_i = Axis::new(i.axis(2), i.axis(0));
+                let h_j = Axis::new(self.along(&i, &j), j.axis(0));
                 let (name, line) = self.name_of(of);
                 self.add(&name, line, drivers::drive_turn(j.body, i.body, h_j, h_i, law))
             }
             "TranslationalMotion" => {
                 let law = law(of, "TranslationZ")?;
                 let (name, line) = self.name_of(of);
-                self.add(&name, line, drivers::drive_slide(j.body, i.body, j.u, i.u, i.axis(2), law))
+                self.add(
+                    &name,
+                    line,
+                    drivers::drive_slide(j.body, i.body, j.u, i.u, i.axis(2), law),
+                )
             }
             _ => self.general(of, [i, j]),
         }
     }
 
-    /// The markers of the joint that a motion moves, or its own, as in OndselSolver where `MotionJoint` says
-    /// nothing; `None` where it has neither.
+    /// The markers of the joint that a motion moves, or its own, as in OndselSolver where
+    /// `MotionJoint` says nothing; `None` where it has neither.
     fn markers_of(&self, of: &Tree<'_>) -> Result<Option<[Marker; 2]>, Mistake> {
         match of.value("MotionJoint") {
             Ok(_) => Ok(self.joint_of(of).map(|joint| [joint.i, joint.j])),
@@ -86,8 +91,9 @@ fn scaled(law: &Law, sign: f64) -> Law {
     if sign < 0.0 { law.clone() * sign } else { law.clone() }
 }
 
-/// For turns about three axes, one after the other as they move along: the frame whose z, y and x these are,
-/// the sign of x, and which component of a way its x, y and z are. `None` where one axis comes twice.
+/// For turns about three axes, one after the other as they move along: the frame whose z, y and x
+/// these are, the sign of x, and which component of a way its x, y and z are. `None` where one axis
+/// comes twice.
 type Ordered = (Mat3, f64, [(usize, f64); 3]);
 
 fn ordered(order: [f64; 3]) -> Option<Ordered> {
@@ -97,7 +103,8 @@ fn ordered(order: [f64; 3]) -> Option<Ordered> {
         return None;
     }
     let unit = |k: usize| Vec3::from(std::array::from_fn(|m| if m == k { 1.0 } else { 0.0 }));
-    let (z, y) = (unit(first), unit(second));
+    let z = unit(first);
+    let y = unit(second);
     let x = y.cross(z);
     let sign = x.dot(unit(third));
     Some((Mat3::from_columns([x, y, z]), sign, [(third, sign), (second, 1.0), (first, 1.0)]))

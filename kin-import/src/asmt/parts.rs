@@ -8,7 +8,8 @@ use super::{Reading, refused};
 use crate::imported::Mistake;
 use crate::tree::Tree;
 
-/// Rows of a matrix may miss length 1 and right angles by this: files are written by hand and rounded.
+/// Rows of a matrix may miss length 1 and right angles by this: files are written by hand and
+/// rounded.
 const ROUNDED: f64 = 1e-4;
 
 /// A frame on a body.
@@ -42,7 +43,8 @@ impl Marker {
 pub struct Markers(HashMap<String, Marker>);
 
 impl Markers {
-    /// The markers I and J that a joint or a motion names; `None` where it names one of them or none.
+    /// The markers I and J that a joint or a motion names; `None` where it names one of them or
+    /// none.
     ///
     /// Errors: a marker that nothing has.
     pub fn of(&self, of: &Tree<'_>) -> Result<Option<[Marker; 2]>, Mistake> {
@@ -68,14 +70,16 @@ struct Own {
 impl Own {
     /// The marker at a place of the frame, with these axes in it.
     fn marker(&self, r: Vec3, a: Mat3) -> Marker {
-        let (u, a) = (self.r + self.a * r, self.a * a);
+        let u = self.r + self.a * r;
+        let a = self.a * a;
         Marker { body: self.body, u, a, stand: self.stand, place: self.place + self.stand * u }
     }
 }
 
 /// Position and rotation matrix of something.
 fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
-    let (r, rows) = (of.numbers::<3>("Position3D")?, of.matrix("RotationMatrix")?);
+    let r = of.numbers::<3>("Position3D")?;
+    let rows = of.matrix("RotationMatrix")?;
     let a = Mat3::from(rows);
     let off = a * a.transpose() - Mat3::identity();
     let worst = off.to_array().iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -85,7 +89,9 @@ fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
     let line = of.need("RotationMatrix")?.line;
     Err(Mistake::at(
         line,
-        format!("this is no rotation matrix: its rows miss length 1 and right angles by {worst:.1e}"),
+        format!(
+            "this is no rotation matrix: its rows miss length 1 and right angles by {worst:.1e}"
+        ),
     ))
 }
 
@@ -95,7 +101,8 @@ impl Reading {
         let path = self.root.clone();
         let ground = SpatialBody::from(self.mechanism.ground());
         let on = frame(assembly)?;
-        let own = Own { body: ground, r: on.0, a: on.1, stand: Mat3::identity(), place: Vec3::zeros() };
+        let own =
+            Own { body: ground, r: on.0, a: on.1, stand: Mat3::identity(), place: Vec3::zeros() };
         self.take(&path, assembly, own)?;
         self.shapes(assembly);
         for part in assembly.all("Parts") {
@@ -128,7 +135,8 @@ impl Reading {
             self.leave(part, "it is no part", true);
             return Ok(());
         }
-        let ((name, line), (r, a)) = (self.name_of(part), frame(part)?);
+        let (name, line) = self.name_of(part);
+        let (r, a) = frame(part)?;
         let pose = SpatialPose::new(on.0 + on.1 * r, EulerParameters::from_rotation(on.1 * a));
         let body = self.mechanism.spatial(&name, pose).map_err(refused(line))?;
         let place = on.0 + on.1 * r;
@@ -146,7 +154,12 @@ impl Reading {
     }
 
     /// J = A diag(J1, J2, J3) Aᵀ, A the principal axes.
-    fn masses(&mut self, of: &Tree<'_>, body: SpatialBody, (centre, a): (Vec3, Mat3)) -> Result<(), Mistake> {
+    fn masses(
+        &mut self,
+        of: &Tree<'_>,
+        body: SpatialBody,
+        (centre, a): (Vec3, Mat3),
+    ) -> Result<(), Mistake> {
         let [mass] = of.numbers::<1>("Mass")?;
         if mass == 0.0 {
             self.leave(of, "its mass is zero: the part weighs nothing", false);
@@ -154,7 +167,9 @@ impl Reading {
         }
         let [x, y, z] = of.numbers::<3>("MomentOfInertias")?;
         let principal = Mat3::from([[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]);
-        self.mechanism.mass(body, mass, centre, a * principal * a.transpose()).map_err(refused(of.line))
+        self.mechanism
+            .mass(body, mass, centre, a * principal * a.transpose())
+            .map_err(refused(of.line))
     }
 
     /// Curves that contacts run on matter; what a part looks like does not.

@@ -48,10 +48,14 @@ fn a_joint_without_a_name_is_read_and_called_after_its_line() {
     assert_eq!(q, read(&whole).1);
     for (name, kind) in [("askew", "Assembly"), ("motor", "RotationalMotion")] {
         let nameless = whole.replace(&format!("Name\n\t\t{name}\n"), "Name\n");
-        let nameless = nameless.replace(&format!("\t\t\t\t\t{name}\n"), "").replace("/askew/", "//");
+        let nameless =
+            nameless.replace(&format!("\t\t\t\t\t{name}\n"), "").replace("/askew/", "//");
         let nameless = if name == "askew" { nameless } else { nameless.replace("//", "/askew/") };
         let (left_out, q) = read(&nameless);
-        assert!(left_out.len() == 1 && left_out[0].contains(&format!("the name of {kind}")), "{left_out:?}");
+        assert!(
+            left_out.len() == 1 && left_out[0].contains(&format!("the name of {kind}")),
+            "{left_out:?}"
+        );
         assert_eq!(q, read(&whole).1);
     }
 }
@@ -60,15 +64,22 @@ fn a_joint_without_a_name_is_read_and_called_after_its_line() {
 fn a_motion_of_no_joint_goes_by_its_markers_or_is_left_out_by_name() {
     let whole = text(LAW, "");
     let named = "\t\t\t\tMotionJoint\n\t\t\t\t\t/askew/J1\n";
-    let markers = "\t\t\t\tMarkerI\n\t\t\t\t\t/askew/O\n\t\t\t\tMarkerJ\n\t\t\t\t\t/askew/crank/O\n";
+    let markers =
+        "\t\t\t\tMarkerI\n\t\t\t\t\t/askew/O\n\t\t\t\tMarkerJ\n\t\t\t\t\t/askew/crank/O\n";
     let empty = "\t\t\t\tMotionJoint\n\t\t\t\t\t\n";
     let (left_out, q) = read(&changed(&whole, named, &format!("{markers}{empty}")));
     assert_eq!((left_out, q), read(&whole));
     for other in [empty, "\t\t\t\tMotionJoint\n\t\t\t\t\t/askew/J9\n"] {
         let read = asmt(&changed(&whole, named, other)).expect("the rest");
         let [left] = &read.left_out[..] else { panic!("{:?}", read.left_out) };
-        assert!(left.matters && left.to_string().contains("RotationalMotion `motor` is left out: no joint"));
-        assert!(read.mechanism.build().expect("a system").run([0.0]).is_err(), "nothing drives the crank");
+        assert!(
+            left.matters
+                && left.to_string().contains("RotationalMotion `motor` is left out: no joint")
+        );
+        assert!(
+            read.mechanism.build().expect("a system").run([0.0]).is_err(),
+            "nothing drives the crank"
+        );
     }
 }
 
@@ -82,7 +93,8 @@ fn a_limit_of_no_joint_is_left_out_by_name() {
         "{left_out:?}"
     );
     assert_eq!(q, read(&whole).1);
-    let ends = "\t\t\t\tMarkerI\n\t\t\t\t\t/askew/way\n\t\t\t\tMarkerJ\n\t\t\t\t\t/askew/slider/way\n";
+    let ends =
+        "\t\t\t\tMarkerI\n\t\t\t\t\t/askew/way\n\t\t\t\tMarkerJ\n\t\t\t\t\t/askew/slider/way\n";
     assert_eq!(read(&changed(&whole, named, ends)), read(&whole));
 }
 
@@ -92,13 +104,19 @@ fn a_joint_between_two_markers_of_one_body_is_left_out_by_name() {
         for kind in ["PlanarJoint", "RevoluteJoint", "GearJoint", "FixedJoint"] {
             let (left_out, q) = read(&text(LAW, &joint(kind, "mate", i, j)));
             let [told] = &left_out[..] else { panic!("{left_out:?}") };
-            assert!(told.contains(&format!("{kind} `mate` is left out: both of its markers are on {on}")));
+            assert!(
+                told.contains(&format!(
+                    "{kind} `mate` is left out: both of its markers are on {on}"
+                ))
+            );
             assert_eq!(q, read(&text(LAW, "")).1);
         }
     }
-    let half = "\t\t\tRevoluteJoint\n\t\t\t\tName\n\t\t\t\t\thalf\n\t\t\t\tMarkerI\n\t\t\t\t\t/askew/O\n";
+    let half =
+        "\t\t\tRevoluteJoint\n\t\t\t\tName\n\t\t\t\t\thalf\n\t\t\t\tMarkerI\n\t\t\t\t\t/askew/O\n";
     let (left_out, _) = read(&text(LAW, half));
     assert!(
-        left_out.len() == 1 && left_out[0].contains("RevoluteJoint `half` is left out: it does not name")
+        left_out.len() == 1
+            && left_out[0].contains("RevoluteJoint `half` is left out: it does not name")
     );
 }

@@ -1,4 +1,5 @@
-//! Each kind of joint by what it lets move: a part is displaced along and about the axes of marker I.
+//! Each kind of joint by what it lets move: a part is displaced along and about the axes of marker
+//! I.
 
 use kin::{EulerParameters, Ground, Mat3, Vec3, spatial, vec3};
 
@@ -14,8 +15,8 @@ enum Stands {
     Back,
 }
 
-/// A kind of joint: which of Tx, Ty, Tz, Rx, Ry, Rz of marker J in the axes of marker I it leaves free;
-/// `place` of J as I sees it, and the lines that the kind has of its own.
+/// A kind of joint: which of Tx, Ty, Tz, Rx, Ry, Rz of marker J in the axes of marker I it leaves
+/// free; `place` of J as I sees it, and the lines that the kind has of its own.
 struct Kind {
     name: &'static str,
     free: [u8; 6],
@@ -49,7 +50,11 @@ const KINDS: [Kind; 22] = [
     with(kind("PointInPlaneJoint", [1, 1, 0, 1, 1, 1], Across), [0.1, 0.3, 0.4], ("offset", "0.4")),
     kind("ParallelAxesJoint", [1, 1, 1, 0, 0, 1], Alike),
     kind("PerpendicularJoint", [1, 1, 1, 1, 0, 1], Across),
-    with(kind("AngleJoint", [1, 1, 1, 1, 0, 1], Across), [0.0; 3], ("theIzJz", "1.5707963267948966")),
+    with(
+        kind("AngleJoint", [1, 1, 1, 1, 0, 1], Across),
+        [0.0; 3],
+        ("theIzJz", "1.5707963267948966"),
+    ),
     kind("ConstantVelocityJoint", [0, 0, 0, 1, 1, 0], Back),
     with(kind("LineInPlaneJoint", [1, 1, 0, 1, 0, 1], Across), [0.2, 0.1, 0.3], ("offset", "0.3")),
     with(kind("SphSphJoint", [0, 1, 1, 1, 1, 1], Alike), [-0.3, 0.0, 0.0], ("distanceIJ", "0.3")),
@@ -57,7 +62,11 @@ const KINDS: [Kind; 22] = [
     with(kind("RevCylJoint", [0, 1, 1, 0, 0, 1], Alike), [0.3, 0.0, 0.2], ("distanceIJ", "0.3")),
     with(kind("RevCylJoint", [0, 1, 1, 0, 0, 1], Back), [0.3, 0.0, 0.2], ("distanceIJ", "0.3")),
     with(kind("ScrewJoint", [1, 1, 0, 1, 1, 0], Alike), [0.0, 0.0, 0.13], ("pitch", "0.2")),
-    with(kind("RackPinionJoint", [0, 1, 1, 1, 1, 0], Back), [0.13, 0.3, 0.0], ("pitchRadius", "-0.3")),
+    with(
+        kind("RackPinionJoint", [0, 1, 1, 1, 1, 0], Back),
+        [0.13, 0.3, 0.0],
+        ("pitchRadius", "-0.3"),
+    ),
 ];
 
 /// The markers' places: of I in the assembly, of J in the part.
@@ -75,7 +84,8 @@ fn rows(a: Mat3) -> [[f64; 3]; 3] {
 /// Place and turn of the part whose marker J is displaced by `by` in the axes of marker I.
 fn placed(kind: &Kind, a_i: Mat3, a_j: Mat3, by: [f64; 6]) -> (Vec3, Mat3) {
     let [x, y, z, rx, ry, rz] = by;
-    let (turn, size) = (vec3(rx, ry, rz), vec3(rx, ry, rz).norm());
+    let turn = vec3(rx, ry, rz);
+    let size = vec3(rx, ry, rz).norm();
     let turn = if size > 0.0 { turned(turn * (1.0 / size), size) } else { Mat3::identity() };
     let stands = match kind.stands {
         Alike => Mat3::identity(),
@@ -89,8 +99,10 @@ fn placed(kind: &Kind, a_i: Mat3, a_j: Mat3, by: [f64; 6]) -> (Vec3, Mat3) {
 
 fn file(kind: &Kind, a_i: Mat3, a_j: Mat3) -> String {
     let (r, a) = placed(kind, a_i, a_j, [0.0; 6]);
-    let own =
-        kind.own.map(|(name, value)| format!("\t\t\t\t{name}\n\t\t\t\t\t{value}\n")).unwrap_or_default();
+    let own = kind
+        .own
+        .map(|(name, value)| format!("\t\t\t\t{name}\n\t\t\t\t\t{value}\n"))
+        .unwrap_or_default();
     format!(
         "Assembly\n\tName\n\t\taskew\n{}\tRefPoints\n{}\tParts\n{}\tConstraintSets\n\t\tJoints\n{}{own}\t\tMotions\n",
         frame(1, [0.0; 3], SAME),
@@ -100,22 +112,25 @@ fn file(kind: &Kind, a_i: Mat3, a_j: Mat3) -> String {
     )
 }
 
-/// Displacements that the kind leaves free change its equations in the second order alone, the others in the
-/// first.
+/// Displacements that the kind leaves free change its equations in the second order alone, the
+/// others in the first.
 #[test]
 fn every_kind_of_joint_leaves_free_what_its_name_says() {
     const STEP: f64 = 1e-4;
     let axis = vec3(0.48, -0.6, 0.64);
-    let (a_i, a_j) = (turned(axis, 0.9), turned(vec3(0.0, 0.6, 0.8), -0.5));
+    let a_i = turned(axis, 0.9);
+    let a_j = turned(vec3(0.0, 0.6, 0.8), -0.5);
     for kind in &KINDS {
         let text = file(kind, a_i, a_j);
-        let read = kin_import::asmt(&text).unwrap_or_else(|mistake| panic!("{}: {mistake}", kind.name));
+        let read =
+            kin_import::asmt(&text).unwrap_or_else(|mistake| panic!("{}: {mistake}", kind.name));
         assert_eq!(read.left_out, [], "{}", kind.name);
         let mut m = read.mechanism;
         let body = m.spatial_named("part").expect("the part");
         // Held elsewhere too, so that there are as many equations as it takes to ask.
         let zero = vec3(0.0, 0.0, 0.0);
-        m.add("held", spatial::weld(body, Ground, zero, zero, EulerParameters::identity())).expect("a joint");
+        m.add("held", spatial::weld(body, Ground, zero, zero, EulerParameters::identity()))
+            .expect("a joint");
         let system = m.build().expect("a system");
         let own = system.n_equations() - 7;
         let off = |by: [f64; 6]| {
@@ -146,13 +161,15 @@ fn equations(kind: &Kind) -> usize {
     kind.free.iter().filter(|free| **free == 0).count() - coupled
 }
 
-/// Numbers with which a joint holds nothing, or another thing than its name says, leave it out by name.
+/// Numbers with which a joint holds nothing, or another thing than its name says, leave it out by
+/// name.
 #[test]
 fn joints_whose_numbers_make_no_sense_are_left_out_by_name() {
     let told = |of: Kind| {
         let text = file(&of, Mat3::identity(), Mat3::identity());
         let left = kin_import::asmt(&text).expect("an assembly").left_out;
-        let left: Vec<String> = left.iter().filter(|left| left.matters).map(ToString::to_string).collect();
+        let left: Vec<String> =
+            left.iter().filter(|left| left.matters).map(ToString::to_string).collect();
         left.concat()
     };
     let free = [0; 6];
@@ -169,11 +186,15 @@ fn joints_whose_numbers_make_no_sense_are_left_out_by_name() {
     ] {
         let name = of.name;
         let told = told(of);
-        assert!(told.contains(&format!("{name} `joint`")) && told.contains(reason), "{name}: {told}");
+        assert!(
+            told.contains(&format!("{name} `joint`")) && told.contains(reason),
+            "{name}: {told}"
+        );
     }
 }
 
-/// A shaft that turns screws a nut along, which carries a rack that turns a wheel, from where all stand.
+/// A shaft that turns screws a nut along, which carries a rack that turns a wheel, from where all
+/// stand.
 #[test]
 fn a_screw_and_a_rack_carry_on_from_where_they_stand() {
     const SAME: Mat3 = Mat3::identity();
@@ -208,7 +229,8 @@ fn a_screw_and_a_rack_carry_on_from_where_they_stand() {
     );
     let read = kin_import::asmt(&text).expect("an assembly");
     assert_eq!(read.left_out, []);
-    let [nut, wheel] = ["nut", "wheel"].map(|name| read.mechanism.spatial_named(name).expect("a part"));
+    let [nut, wheel] =
+        ["nut", "wheel"].map(|name| read.mechanism.spatial_named(name).expect("a part"));
     let system = read.mechanism.build().expect("a system");
     let motion = system.run(kin::linspace(0.0, 8.0, 81)).expect("a motion");
     let path = motion.point(nut, (0.0, 0.0, 0.0)).expect("a point");

@@ -1,4 +1,5 @@
-//! `.asmt` files: one written for these tests, and those of OndselSolver where their folder is at hand.
+//! `.asmt` files: one written for these tests, and those of OndselSolver where their folder is at
+//! hand.
 
 mod incomplete;
 mod joints;

@@ -1,6 +1,6 @@
-//! Files of OndselSolver and what it computes of them: positions, rates, accelerations, reactions, efforts.
-//! They are another project's and not copied here: `KIN_OUTSIDE` names the folder that holds them, and
-//! without it nothing is compared.
+//! Files of OndselSolver and what it computes of them: positions, rates, accelerations, reactions,
+//! efforts. They are another project's and not copied here: `KIN_OUTSIDE` names the folder that
+//! holds them, and without it nothing is compared.
 
 use std::path::PathBuf;
 
@@ -19,7 +19,8 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn json(path: PathBuf) -> Value {
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     serde_json::from_str(&text).expect("JSON")
 }
 
@@ -42,7 +43,8 @@ struct Model {
 
 fn model(name: &'static str) -> Option<Model> {
     let folder = folder()?;
-    let text = std::fs::read_to_string(folder.join(format!("robots/asmt/{name}.asmt"))).expect("a file");
+    let text =
+        std::fs::read_to_string(folder.join(format!("robots/asmt/{name}.asmt"))).expect("a file");
     let imported = kin_import::asmt(&text).expect("an assembly");
     let left: Vec<String> =
         imported.left_out.iter().filter(|left| left.matters).map(ToString::to_string).collect();
@@ -82,14 +84,20 @@ impl Model {
     }
 
     /// Positions, rates and accelerations at the times whose numbers are `kept`.
-    fn moves(&self, motion: &Motion, [position, rate, second]: [f64; 3], kept: impl Fn(usize) -> bool) {
+    fn moves(
+        &self,
+        motion: &Motion,
+        [position, rate, second]: [f64; 3],
+        kept: impl Fn(usize) -> bool,
+    ) {
         let [mut r, mut v, mut a, mut turns] = [(); 4].map(|()| Compared::default());
         for reference in self.kinematics["reference"].as_array().expect("bodies") {
             let body = self.body(reference["body"].as_str().expect("a name"));
             let series = |field: &str| vectors(&reference[field]);
             let point = |u: [f64; 3]| motion.point(body, Vec3::from(u)).expect("a point");
-            let (o, x, rotation) =
-                (point([0.0; 3]), point([1.0, 0.0, 0.0]), motion.rotation(body).expect("a body"));
+            let o = point([0.0; 3]);
+            let x = point([1.0, 0.0, 0.0]);
+            let rotation = motion.rotation(body).expect("a body");
             let known: [Vec<Vec3>; 6] = ["r", "ex", "v", "omega", "a", "alpha"].map(series);
             for k in (0..motion.len()).filter(|k| kept(*k)) {
                 r.take(o.r()[k], known[0][k]);
@@ -107,7 +115,13 @@ impl Model {
     }
 
     /// Reactions on body I at marker I: all of them, or the components that are unique.
-    fn reactions(&self, forces: &Forces<'_>, all: bool, tolerance: f64, kept: impl Fn(usize) -> bool) {
+    fn reactions(
+        &self,
+        forces: &Forces<'_>,
+        all: bool,
+        tolerance: f64,
+        kept: impl Fn(usize) -> bool,
+    ) {
         let [mut force, mut torque] = [(); 2].map(|()| Compared::default());
         for exact in self.forces["reactions"].as_array().expect("reactions") {
             let name = exact["name"].as_str().expect("a name");
@@ -115,8 +129,10 @@ impl Model {
             let body = self.body(exact["body_i"].as_str().expect("a body"));
             let acted = forces.reaction(name).expect("a joint").on(body).expect("a body of it");
             let acted = acted.at(Vec3::new(u[0], u[1], u[2]));
-            let (exact_force, exact_torque) = (vectors(&exact["force"]), vectors(&exact["torque"]));
-            for (n, component) in ["F_x", "F_y", "F_z", "T_x", "T_y", "T_z"].into_iter().enumerate() {
+            let exact_force = vectors(&exact["force"]);
+            let exact_torque = vectors(&exact["torque"]);
+            for (n, component) in ["F_x", "F_y", "F_z", "T_x", "T_y", "T_z"].into_iter().enumerate()
+            {
                 let unique = exact["unique"].get(n).is_none_or(|flag| flag == true);
                 let found = acted.component(component);
                 assert_eq!(found.is_ok(), all || unique, "{}: {name} {component}", self.name);
@@ -135,7 +151,8 @@ impl Model {
 
     /// Efforts and powers of drives.
     fn efforts(&self, forces: &Forces<'_>, tolerance: f64, kept: impl Fn(usize) -> bool) {
-        let (mut efforts, mut powers) = (Compared::default(), Compared::default());
+        let mut efforts = Compared::default();
+        let mut powers = Compared::default();
         for exact in self.forces["drivers"].as_array().expect("drivers") {
             let drive = forces.drive(exact["name"].as_str().expect("a name")).expect("a driver");
             let along = |x: f64| Vec3::new(x, 0.0, 0.0);
@@ -152,8 +169,8 @@ impl Model {
         powers.check(&format!("{}: powers", self.name), tolerance);
     }
 
-    /// The equation that holds a torque which Ondsel takes for zero: one about x of marker J holds its y
-    /// across the axis of I, and one about y its x.
+    /// The equation that holds a torque which Ondsel takes for zero: one about x of marker J holds
+    /// its y across the axis of I, and one about y its x.
     fn dropped(&self, row: &Value) -> String {
         let reactions = self.forces["reactions"].as_array().expect("reactions");
         let joint = reactions.iter().find(|joint| joint["name"] == row["joint"]).expect("a joint");
@@ -230,8 +247,9 @@ fn backhoe() {
     }
 }
 
-/// A wobble plate with six pistons: universal joints, balls, slides. One of its markers has a matrix whose
-/// rows are too short by 1.2e-6, and so are the forces that the file lists of its joint.
+/// A wobble plate with six pistons: universal joints, balls, slides. One of its markers has a
+/// matrix whose rows are too short by 1.2e-6, and so are the forces that the file lists of its
+/// joint.
 #[test]
 fn wobble_pump() {
     let Some(folder) = folder() else { return };
@@ -274,7 +292,8 @@ fn constant_velocity() {
         serde_json::json!({ "name": body["name"], "mass": 1, "centre": [0, 0, 0], "axes": same, "principal": [1, 1, 1] })
     };
     let masses: Vec<Value> = list("bodies").iter().map(mass).collect();
-    let forces = serde_json::json!({ "bodies": masses, "gravity": [0, 0, 0], "times": kinematics["times"] });
+    let forces =
+        serde_json::json!({ "bodies": masses, "gravity": [0, 0, 0], "times": kinematics["times"] });
     let imported = kin_import::asmt(&written(&kinematics, &forces)).expect("an assembly");
     assert!(imported.left_out.is_empty(), "{:?}", imported.left_out);
     let model = Model { name: "constvel", mechanism: imported.mechanism, kinematics, forces };
@@ -282,8 +301,8 @@ fn constant_velocity() {
     model.moves(&motion, [1e-10, 1e-9, 1e3], |_| true);
 }
 
-/// Corners of its laws, where arctan turns in a hundredth of a second: the file's own accelerations are wrong
-/// there by 6e-8 of themselves.
+/// Corners of its laws, where arctan turns in a hundredth of a second: the file's own accelerations
+/// are wrong there by 6e-8 of themselves.
 #[test]
 fn robot() {
     let Some(model) = model("robot") else { return };
@@ -299,8 +318,8 @@ fn robot() {
     println!("robot: {}", forces.balance());
 }
 
-/// Wheels of radii 1 and 2. The file holds the pose after a run, in which the second wheel has made half a
-/// turn: from there both turn as in the series.
+/// Wheels of radii 1 and 2. The file holds the pose after a run, in which the second wheel has made
+/// half a turn: from there both turn as in the series.
 #[test]
 fn gears() {
     let Some(folder) = folder() else { return };
@@ -308,9 +327,15 @@ fn gears() {
     let imported = kin_import::asmt(&text).expect("an assembly");
     let kinematics = json(folder.join("ondsel_Gears.json"));
     assert_eq!(imported.times.len(), 101);
-    let motion =
-        imported.mechanism.clone().build().expect("a system").run(&imported.times).expect("a motion");
-    let (mut turns, mut ways) = (Compared::default(), Compared::default());
+    let motion = imported
+        .mechanism
+        .clone()
+        .build()
+        .expect("a system")
+        .run(&imported.times)
+        .expect("a motion");
+    let mut turns = Compared::default();
+    let mut ways = Compared::default();
     for reference in kinematics["reference"].as_array().expect("bodies") {
         let name = reference["body"].as_str().expect("a name");
         let body = imported.mechanism.spatial_named(name).expect("a body");
@@ -333,7 +358,8 @@ fn gears() {
 fn the_other_files_are_read() {
     let Some(folder) = folder() else { return };
     let read = |name: &str| {
-        let text = std::fs::read_to_string(folder.join(format!("robots/asmt/{name}.asmt"))).expect("a file");
+        let text = std::fs::read_to_string(folder.join(format!("robots/asmt/{name}.asmt")))
+            .expect("a file");
         kin_import::asmt(&text).expect("an assembly")
     };
     let cam = read("camfollower");

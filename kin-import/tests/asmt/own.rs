@@ -46,9 +46,11 @@ pub fn joint(kind: &str, name: &str, i: &str, j: &str) -> String {
 
 /// Crank 1, rod 3; the assembly is turned by a quarter about x and moved.
 pub fn text(law: &str, more_joints: &str) -> String {
-    let (angle, quarter) = (0.5_f64, [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
+    let angle = 0.5_f64;
+    let quarter = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
     let turned = |a: f64| [[a.cos(), -a.sin(), 0.0], [a.sin(), a.cos(), 0.0], [0.0, 0.0, 1.0]];
-    let (pin, lean) = ([angle.cos(), angle.sin(), 0.0], -(angle.sin() / 3.0).asin());
+    let pin = [angle.cos(), angle.sin(), 0.0];
+    let lean = -(angle.sin() / 3.0).asin();
     let slider = [angle.cos() + 3.0 * lean.cos(), 0.0, 0.0];
     let parts = [
         part(
@@ -63,7 +65,12 @@ pub fn text(law: &str, more_joints: &str) -> String {
             turned(lean),
             &[marker(4, "A", [0.0; 3], BACK), marker(4, "B", [3.0, 0.0, 0.0], SAME)],
         ),
-        part("slider", slider, SAME, &[marker(4, "B", [0.0; 3], SAME), marker(4, "way", [0.0; 3], ALONG)]),
+        part(
+            "slider",
+            slider,
+            SAME,
+            &[marker(4, "B", [0.0; 3], SAME), marker(4, "way", [0.0; 3], ALONG)],
+        ),
     ];
     format!(
         "freeCAD: 3D CAD\nAssembly\n\tName\n\t\taskew\n{}\tRefPoints\n{}{}\tParts\n{}\tConstraintSets\n\t\tJoints\n\
@@ -100,7 +107,9 @@ fn a_slider_crank_moves_as_its_closed_form_says() {
     for (t, r) in times.iter().zip(path.r()) {
         let (sin, cos) = (0.5 + 0.8 * (2.0 * t).sin()).sin_cos();
         let x = cos + (9.0 - sin * sin).sqrt();
-        assert!((r.x - 0.3 - x).abs() < 1e-12 && (r.y + 0.2).abs() < 1e-12 && (r.z - 0.7).abs() < 1e-12);
+        assert!(
+            (r.x - 0.3 - x).abs() < 1e-12 && (r.y + 0.2).abs() < 1e-12 && (r.z - 0.7).abs() < 1e-12
+        );
     }
     let passed: Vec<String> = motion.events().iter().map(ToString::to_string).collect();
     assert!(passed.iter().any(|event| event.contains("J4.slide")), "{passed:?}");
@@ -114,8 +123,8 @@ fn the_mechanism_goes_into_a_file_and_comes_back() {
     let m = asmt(&text("0.5 + 0.8d*sin(2*time)", "")).expect("a file").mechanism;
     let data = m.data().expect("data");
     let again = Mechanism::from_data(&data, &kin_text::registry()).expect("the same");
-    let ends =
-        [m, again].map(|m| m.build().expect("a system").run([0.0, 0.7]).expect("a motion").q(1).to_vec());
+    let ends = [m, again]
+        .map(|m| m.build().expect("a system").run([0.0, 0.7]).expect("a motion").q(1).to_vec());
     assert_eq!(ends[0], ends[1]);
 }
 
@@ -126,7 +135,10 @@ fn what_is_left_out_is_told_by_name() {
     assert_eq!(left_out.len(), 1);
     assert!(left_out[0].matters);
     let told = left_out[0].to_string();
-    assert!(told.contains("CurveCurveContact `cam` is left out: joints of this kind are not read"), "{told}");
+    assert!(
+        told.contains("CurveCurveContact `cam` is left out: joints of this kind are not read"),
+        "{told}"
+    );
     assert!(told.starts_with("line "), "{told}");
 }
 
@@ -160,8 +172,11 @@ fn spoiled_files_are_mistakes_and_not_panics() {
             lines.iter().enumerate().filter(|(n, _)| *n != k).map(|(_, line)| *line).collect();
         let _ = asmt(&without.join("\n"));
         let _ = asmt(&lines[..k].join("\n"));
-        let nan: Vec<&str> =
-            lines.iter().enumerate().map(|(n, line)| if n == k { "\t\t\t\tNaN" } else { *line }).collect();
+        let nan: Vec<&str> = lines
+            .iter()
+            .enumerate()
+            .map(|(n, line)| if n == k { "\t\t\t\tNaN" } else { *line })
+            .collect();
         let _ = asmt(&nan.join("\n"));
     }
 }

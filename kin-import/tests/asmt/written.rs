@@ -16,26 +16,36 @@ fn joined(value: &Value) -> String {
 
 /// A reference point with one marker, as deep as those of a part are.
 fn marker(name: &str, end: &Value) -> String {
-    let (zero, same) = (serde_json::json!([0, 0, 0]), serde_json::json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]));
-    let (outer, inner) = (frame(5, &zero, &same), frame(7, &end["u"], &end["R"]));
+    let zero = serde_json::json!([0, 0, 0]);
+    let same = serde_json::json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
+    let outer = frame(5, &zero, &same);
+    let inner = frame(7, &end["u"], &end["R"]);
     let t = "\t".repeat(4);
-    format!("{t}RefPoint\n{outer}{t}\tMarkers\n{t}\t\tMarker\n{t}\t\t\tName\n{t}\t\t\t\t{name}\n{inner}")
+    format!(
+        "{t}RefPoint\n{outer}{t}\tMarkers\n{t}\t\tMarker\n{t}\t\t\tName\n{t}\t\t\t\t{name}\n{inner}"
+    )
 }
 
 /// All lines of it.
 pub fn written(kinematics: &Value, forces: &Value) -> String {
     let list = |of: &str, from: &Value| from[of].as_array().expect("a list").clone();
     let mut markers = std::collections::BTreeMap::<String, String>::new();
-    let (mut joints, mut motions, mut parts) = (String::new(), String::new(), String::new());
+    let mut joints = String::new();
+    let mut motions = String::new();
+    let mut parts = String::new();
     for (k, one) in list("constraints", kinematics).iter().enumerate() {
         let [i, j] = ["I", "J"].map(|end| {
-            let (body, name) = (one[end]["body"].as_str().expect("a body"), format!("{end}{k}"));
+            let body = one[end]["body"].as_str().expect("a body");
+            let name = format!("{end}{k}");
             *markers.entry(body.to_string()).or_default() += &marker(&name, &one[end]);
             if body == "ground" { format!("/pump/{name}") } else { format!("/pump/{body}/{name}") }
         });
-        let (name, t) = (one["name"].as_str().expect("a name"), "\t".repeat(4));
+        let name = one["name"].as_str().expect("a name");
+        let t = "\t".repeat(4);
         let block = |kind: &str| {
-            format!("\t\t\t{kind}\n{t}Name\n{t}\t{name}\n{t}MarkerI\n{t}\t{i}\n{t}MarkerJ\n{t}\t{j}\n")
+            format!(
+                "\t\t\t{kind}\n{t}Name\n{t}\t{name}\n{t}MarkerI\n{t}\t{i}\n{t}MarkerJ\n{t}\t{j}\n"
+            )
         };
         match one["type"].as_str().expect("a type") {
             "revolute" => joints += &block("RevoluteJoint"),
@@ -61,7 +71,8 @@ pub fn written(kinematics: &Value, forces: &Value) -> String {
         }
     }
     for (body, mass) in list("bodies", kinematics).iter().zip(list("bodies", forces)) {
-        let (name, t) = (body["name"].as_str().expect("a name"), "\t".repeat(3));
+        let name = body["name"].as_str().expect("a name");
+        let t = "\t".repeat(3);
         assert_eq!(body["name"], mass["name"]);
         parts += &format!("\t\tPart\n{t}Name\n{t}\t{name}\n{}", frame(3, &body["r"], &body["R"]));
         parts += &format!("{t}PrincipalMassMarker\n{}", frame(4, &mass["centre"], &mass["axes"]));
@@ -69,7 +80,8 @@ pub fn written(kinematics: &Value, forces: &Value) -> String {
         parts += &format!("{t}\tMomentOfInertias\n{t}\t\t{}\n", joined(&mass["principal"]));
         parts += &format!("{t}RefPoints\n{}", markers.remove(name).unwrap_or_default());
     }
-    let (zero, same) = (serde_json::json!([0, 0, 0]), serde_json::json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]));
+    let zero = serde_json::json!([0, 0, 0]);
+    let same = serde_json::json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
     // Those of the ground are two steps less deep.
     let ground = markers.remove("ground").unwrap_or_default();
     let ground: String = ground.lines().map(|line| format!("{}\n", &line[2..])).collect();

@@ -1,5 +1,5 @@
-//! The names that a function takes from beside it: with their values and texts put before it, its own text
-//! stands alone.
+//! The names that a function takes from beside it: with their values and texts put before it, its
+//! own text stands alone.
 
 use proc_macro2::Ident;
 use quote::ToTokens;
@@ -26,7 +26,8 @@ pub struct Beside {
 impl Beside {
     /// Those of a function and its attributes.
     pub fn of(source: &ConstraintFn, lowered: &Lowered) -> Self {
-        let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
+        let demands =
+            source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
         let ends = source.measures.iter().filter_map(|measure| measure.ends.as_ref());
         let ends = ends.flat_map(|(from, to)| [from, to]);
         let asked = demands.chain(source.measures.iter().map(|measure| &measure.value)).chain(ends);
@@ -35,7 +36,8 @@ impl Beside {
 
     /// Those of a law.
     pub fn of_law(source: &LawFn, lowered: &Lowered) -> Self {
-        let asked: Vec<&Expr> = source.requirements.iter().map(|demand| &demand.condition).collect();
+        let asked: Vec<&Expr> =
+            source.requirements.iter().map(|demand| &demand.condition).collect();
         Beside::read(&source.parameters, &asked, source.written(), lowered)
     }
 
@@ -54,7 +56,8 @@ impl Beside {
         let own = |name: &Ident| arguments.iter().any(|argument| argument.name == *name);
         beside.constants.retain(|name| !own(name) && !inside.declared.contains(name));
         beside.functions.retain(|name| !inside.functions.contains(name));
-        // Names that the body brings in are known to it alone, but for constants of the standard library.
+        // Names that the body brings in are known to it alone, but for constants of the standard
+        // library.
         let (brought, others) = std::mem::take(&mut beside.constants)
             .into_iter()
             .partition(|name| inside.has_glob || inside.brought.contains(name));
@@ -75,7 +78,8 @@ impl Beside {
                 }
                 all.iter().for_each(|part| self.template(part));
             }
-            // A parameter whose type a text knows is read there as here; other types are told above.
+            // A parameter whose type a text knows is read there as here; other types are told
+            // above.
             Template::Parameter(_) | Template::Numbers(..) | Template::State(..) => {}
             Template::Tokens(tokens) if syn::parse2::<syn::Lit>(tokens.clone()).is_ok() => {}
             Template::Tokens(tokens) => self.lacks(format!("`{tokens}`")),

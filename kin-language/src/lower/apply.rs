@@ -15,10 +15,12 @@ use super::value::Value;
 use super::{MOST_CALLS, Read, Reader, Unreadable};
 
 impl Reader {
-    /// A closure sees variables as they are when it is called; `move` makes copies of those that it names.
+    /// A closure sees variables as they are when it is called; `move` makes copies of those that it
+    /// names.
     pub fn closure(&mut self, closure: &syn::ExprClosure) -> Read {
         let inputs = closure.inputs.iter().cloned().collect();
-        let (output, body) = (closure.output.clone(), (*closure.body).clone());
+        let output = closure.output.clone();
+        let body = (*closure.body).clone();
         let mut scopes = self.scopes.clone();
         if closure.capture.is_some() {
             scopes.push();
@@ -29,9 +31,17 @@ impl Reader {
                 }
             }
         }
-        let (open, arguments, close) = (&closure.or1_token, &closure.inputs, &closure.or2_token);
+        let open = &closure.or1_token;
+        let arguments = &closure.inputs;
+        let close = &closure.or2_token;
         let head = quote!(#open #arguments #close);
-        Ok(Value::Function(Function::Closure(Rc::new(Closure { head, inputs, output, body, scopes }))))
+        Ok(Value::Function(Function::Closure(Rc::new(Closure {
+            head,
+            inputs,
+            output,
+            body,
+            scopes,
+        }))))
     }
 
     /// A value as a function, where it may be one.
@@ -57,20 +67,29 @@ impl Reader {
         }
         let value = match function {
             Function::Closure(closure) => {
-                // The values that a method hands to it stand nowhere: its own arguments are the place then.
+                // The values that a method hands to it stand nowhere: its own arguments are the
+                // place then.
                 let is_handed = places.len() != arguments.len();
                 self.apply_closure(closure, arguments, if is_handed { &closure.head } else { at })
             }
-            Function::Inner(item, depth) => self.apply_inner(item, *depth, (arguments, places), None, at),
+            Function::Inner(item, depth) => {
+                self.apply_inner(item, *depth, (arguments, places), None, at)
+            }
             Function::Path(path) => self.call_path(path, arguments, places, at),
         };
         self.calls -= 1;
         value
     }
 
-    fn apply_closure(&mut self, closure: &Closure, arguments: Vec<Value>, at: &dyn ToTokens) -> Read {
+    fn apply_closure(
+        &mut self,
+        closure: &Closure,
+        arguments: Vec<Value>,
+        at: &dyn ToTokens,
+    ) -> Read {
         if closure.inputs.len() != arguments.len() {
-            let text = super::counted("this closure", closure.inputs.len(), "argument", arguments.len());
+            let text =
+                super::counted("this closure", closure.inputs.len(), "argument", arguments.len());
             return Ok(self.mistake(at, text));
         }
         self.within(closure.scopes.clone(), |reader| {
@@ -86,8 +105,8 @@ impl Reader {
         })
     }
 
-    /// A function inside the body sees none of its variables. `places` are the expressions of its arguments,
-    /// for messages, and `given` are the generics in `f::<3>(x)`.
+    /// A function inside the body sees none of its variables. `places` are the expressions of its
+    /// arguments, for messages, and `given` are the generics in `f::<3>(x)`.
     pub fn apply_inner(
         &mut self,
         item: &ItemFn,

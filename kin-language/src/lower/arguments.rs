@@ -22,7 +22,8 @@ impl Reader {
         }
     }
 
-    /// Binds the arguments of the signature; states are numbered in its order, a `[Coord; N]` counting N.
+    /// Binds the arguments of the signature; states are numbered in its order, a `[Coord; N]`
+    /// counting N.
     pub(super) fn declare_arguments(&mut self, arguments: &[Argument]) {
         let mut slot = 0;
         for argument in arguments {
@@ -31,9 +32,15 @@ impl Reader {
                 Kind::Planar => Value::Planar(slot),
                 Kind::Spatial => Value::Spatial(slot),
                 Kind::Coord => self.coordinate(slot),
-                Kind::Planars(n) => Value::Array((0..*n).map(|k| Value::Planar(slot + k)).collect()),
-                Kind::Spatials(n) => Value::Array((0..*n).map(|k| Value::Spatial(slot + k)).collect()),
-                Kind::Coords(n) => Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect()),
+                Kind::Planars(n) => {
+                    Value::Array((0..*n).map(|k| Value::Planar(slot + k)).collect())
+                }
+                Kind::Spatials(n) => {
+                    Value::Array((0..*n).map(|k| Value::Spatial(slot + k)).collect())
+                }
+                Kind::Coords(n) => {
+                    Value::Array((0..*n).map(|k| self.coordinate(slot + k)).collect())
+                }
                 Kind::Time => Value::Scalar(self.graph.input(Input::Time)),
                 Kind::Law => Value::Law(Template::Parameter(name.clone())),
                 Kind::Axis => self.axis(name),
@@ -55,9 +62,11 @@ impl Reader {
     /// The unit vectors of an axis.
     fn axis(&mut self, name: &Ident) -> Value {
         let fields = [quote!(h), quote!(f), quote!(g)];
-        Value::Axis(fields.map(|field| match self.parameter(&quote!(self.#name.#field), &Shape::Vector(3)) {
-            Value::Vector(v) => v,
-            _ => vec![],
+        Value::Axis(fields.map(|field| {
+            match self.parameter(&quote!(self.#name.#field), &Shape::Vector(3)) {
+                Value::Vector(v) => v,
+                _ => vec![],
+            }
         }))
     }
 
@@ -78,7 +87,11 @@ impl Reader {
 /// How emitted code reads each number of a value at `path`.
 pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
     let fields = |names: &[&str]| -> Vec<TokenStream> {
-        names.iter().map(|name| Ident::new(name, Span::call_site())).map(|name| quote!(#path.#name)).collect()
+        names
+            .iter()
+            .map(|name| Ident::new(name, Span::call_site()))
+            .map(|name| quote!(#path.#name))
+            .collect()
     };
     match shape {
         Shape::Scalar => vec![path.clone()],
@@ -86,13 +99,16 @@ pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
         Shape::Vector(_) => fields(&["x", "y", "z"]),
         Shape::Euler => fields(&["e0", "e1", "e2", "e3"]),
         Shape::Matrix(2) => fields(&["m11", "m12", "m21", "m22"]),
-        Shape::Matrix(_) => fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"]),
+        Shape::Matrix(_) => {
+            fields(&["m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"])
+        }
         Shape::Array(inner, n) => {
             indexed(*n).flat_map(|k| component_paths(&quote!(#path[#k]), inner)).collect()
         }
-        Shape::Tuple(all) => {
-            indexed(all.len()).zip(all).flat_map(|(k, s)| component_paths(&quote!(#path.#k), s)).collect()
-        }
+        Shape::Tuple(all) => indexed(all.len())
+            .zip(all)
+            .flat_map(|(k, s)| component_paths(&quote!(#path.#k), s))
+            .collect(),
         Shape::Any => vec![],
     }
 }

@@ -47,9 +47,14 @@ impl Reader {
             Value::Tuple(all) if what == "a tuple" && all.len() == places.len() => all,
             Value::Array(all) if what == "an array" && all.len() == places.len() => all,
             Value::Poison => return Ok(()),
-            Value::Opaque(_) => return Err(Unreadable::new(at, "taking apart a value of unknown type")),
+            Value::Opaque(_) => {
+                return Err(Unreadable::new(at, "taking apart a value of unknown type"));
+            }
             other => {
-                self.mistake(at, format!("this takes {what} apart, but the value is {}", other.name()));
+                self.mistake(
+                    at,
+                    format!("this takes {what} apart, but the value is {}", other.name()),
+                );
                 return Ok(());
             }
         };
@@ -66,7 +71,8 @@ impl Reader {
                 .put_at(&place, value, index)
                 .ok_or_else(|| Unreadable::new(index, "an assignment to this place"));
         }
-        let (Some(whole), Value::Choice(all)) = (self.place(&index.expr)?, self.expression(&index.index)?)
+        let (Some(whole), Value::Choice(all)) =
+            (self.place(&index.expr)?, self.expression(&index.index)?)
         else {
             return Err(Unreadable::new(index, "an assignment to this place"));
         };
@@ -76,7 +82,8 @@ impl Reader {
             };
             let place = usize::try_from(k).ok().map(|k| whole.index(k));
             let put = place.and_then(|place| reader.put_at(&place, value.clone(), index));
-            put.map(|()| Value::unit()).ok_or_else(|| Unreadable::new(index, "an assignment to this place"))
+            put.map(|()| Value::unit())
+                .ok_or_else(|| Unreadable::new(index, "an assignment to this place"))
         })
         .map(drop)
     }

@@ -25,10 +25,12 @@ impl Reader {
     /// The value that a reference refers to; any other value itself.
     pub fn loaded(&self, value: Value) -> Value {
         match value.referent() {
-            Value::Place(place) => self.at_place(&place).map_or(Value::Poison, |value| self.loaded(value)),
-            Value::Choice(all) => {
-                Value::Choice(all.into_iter().map(|(taken, value)| (taken, self.loaded(value))).collect())
+            Value::Place(place) => {
+                self.at_place(&place).map_or(Value::Poison, |value| self.loaded(value))
             }
+            Value::Choice(all) => Value::Choice(
+                all.into_iter().map(|(taken, value)| (taken, self.loaded(value))).collect(),
+            ),
             other => other,
         }
     }
@@ -58,8 +60,10 @@ impl Reader {
     pub fn put_at(&mut self, place: &Place, value: Value, at: &dyn ToTokens) -> Option<()> {
         let mut whole = self.store.get(place.slot).clone();
         if let (Value::Place(inner), true) = (through(&whole), !place.steps.is_empty()) {
-            let inner =
-                Place { slot: inner.slot, steps: inner.steps.iter().chain(&place.steps).cloned().collect() };
+            let inner = Place {
+                slot: inner.slot,
+                steps: inner.steps.iter().chain(&place.steps).cloned().collect(),
+            };
             return self.put_at(&inner, value, at);
         }
         self.put(&mut whole, &place.steps, value, at)?;
@@ -67,7 +71,13 @@ impl Reader {
         Some(())
     }
 
-    fn put(&mut self, whole: &mut Value, steps: &[Step], value: Value, at: &dyn ToTokens) -> Option<()> {
+    fn put(
+        &mut self,
+        whole: &mut Value,
+        steps: &[Step],
+        value: Value,
+        at: &dyn ToTokens,
+    ) -> Option<()> {
         let Some((step, rest)) = steps.split_first() else {
             if let Value::Place(inner) = whole {
                 let inner = inner.clone();
@@ -77,7 +87,10 @@ impl Reader {
             return Some(());
         };
         if let Value::Place(inner) = whole {
-            let inner = Place { slot: inner.slot, steps: inner.steps.iter().chain(steps).cloned().collect() };
+            let inner = Place {
+                slot: inner.slot,
+                steps: inner.steps.iter().chain(steps).cloned().collect(),
+            };
             return self.put_at(&inner, value, at);
         }
         match (whole, step) {
@@ -128,7 +141,9 @@ impl Reader {
                 .looked_into(&field.base)?
                 .map(|base| base.field(&field.member.to_token_stream().to_string())),
             Expr::Index(index) => return self.indexed_place(index),
-            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.looked_into(&unary.expr)?,
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                self.looked_into(&unary.expr)?
+            }
             Expr::MethodCall(call)
                 if matches!(
                     call.method.to_string().as_str(),
@@ -170,13 +185,16 @@ impl Reader {
                 _ => None,
             });
         }
-        let known =
-            |value: &Value| if let Value::Integer(k, _) = value { usize::try_from(*k).ok() } else { None };
+        let known = |value: &Value| {
+            if let Value::Integer(k, _) = value { usize::try_from(*k).ok() } else { None }
+        };
         Ok(match at {
-            Value::Tuple(pair) => match pair.iter().map(known).collect::<Option<Vec<usize>>>().as_deref() {
-                Some([row, column]) => Some(base.index(*row).index(*column)),
-                _ => None,
-            },
+            Value::Tuple(pair) => {
+                match pair.iter().map(known).collect::<Option<Vec<usize>>>().as_deref() {
+                    Some([row, column]) => Some(base.index(*row).index(*column)),
+                    _ => None,
+                }
+            }
             value => known(&value).map(|k| base.index(k)),
         })
     }
@@ -216,10 +234,14 @@ fn through(value: &Value) -> &Value {
 fn part(value: Value, steps: &[Step]) -> Option<Value> {
     let Some((step, rest)) = steps.split_first() else { return Some(value) };
     match (value.referent(), step) {
-        (Value::Array(all), Step::Slice(from, to)) => part(Value::Array(all.get(*from..*to)?.to_vec()), rest),
+        (Value::Array(all), Step::Slice(from, to)) => {
+            part(Value::Array(all.get(*from..*to)?.to_vec()), rest)
+        }
         (Value::Array(all), Step::Index(k)) => part(all.get(*k)?.clone(), rest),
         (Value::Matrix(n, m), Step::Index(row)) => match rest {
-            [Step::Index(column)] if *column < n => m.get(row * n + column).copied().map(Value::Scalar),
+            [Step::Index(column)] if *column < n => {
+                m.get(row * n + column).copied().map(Value::Scalar)
+            }
             _ => None,
         },
         (Value::Choice(all), _) => {
@@ -234,13 +256,18 @@ fn part(value: Value, steps: &[Step]) -> Option<Value> {
 }
 
 /// The numbers of a value with components, and which of them is meant.
-fn component<'a>(value: &'a mut Value, step: &Step) -> Option<(&'a mut Vec<kin_graph::Node>, usize)> {
+fn component<'a>(
+    value: &'a mut Value,
+    step: &Step,
+) -> Option<(&'a mut Vec<kin_graph::Node>, usize)> {
     match (value, step) {
         (Value::Vector(v), Step::Field(name)) => {
             let k = position(name, &["x", "y", "z"][..v.len()])?;
             Some((v, k))
         }
-        (Value::Euler(p), Step::Field(name)) => position(name, &["e0", "e1", "e2", "e3"]).map(|k| (p, k)),
+        (Value::Euler(p), Step::Field(name)) => {
+            position(name, &["e0", "e1", "e2", "e3"]).map(|k| (p, k))
+        }
         (Value::Matrix(n, m), Step::Field(name)) => entry(name, *n).map(|k| (m, k)),
         (Value::Vector(v) | Value::Euler(v), Step::Index(k)) => Some((v, *k)),
         _ => None,

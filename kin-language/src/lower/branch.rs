@@ -77,14 +77,15 @@ impl Reader {
         }
     }
 
-    /// The value of the arms from number `k` on. The last one is taken without a test, since a `match` is
-    /// exhaustive.
+    /// The value of the arms from number `k` on. The last one is taken without a test, since a
+    /// `match` is exhaustive.
     fn arms(&mut self, branch: &ExprMatch, value: &Value, k: usize) -> Read {
         let Some(arm) = branch.arms.get(k) else {
             return Err(Unreadable::new(branch, "a `match` without arms"));
         };
         self.scopes.push();
-        let condition = self.tested(&arm.pat, arm.guard.as_ref().map(|(_, guard)| &**guard), value)?;
+        let condition =
+            self.tested(&arm.pat, arm.guard.as_ref().map(|(_, guard)| &**guard), value)?;
         let result = if k + 1 == branch.arms.len() {
             self.exhaustive(branch, arm, condition);
             self.expression(&arm.body)

@@ -1,5 +1,5 @@
-//! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the body's own
-//! and of the user's.
+//! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the
+//! body's own and of the user's.
 
 mod components;
 
@@ -20,8 +20,13 @@ impl Reader {
         let places: Vec<&Expr> = call.args.iter().collect();
         let callee = match strip(&call.func) {
             Expr::Path(path) => {
-                match single_name(path).and_then(|(name, given)| Some((self.named(&name)?.clone(), given))) {
-                    Some((Value::Function(super::function::Function::Inner(item, depth)), given)) => {
+                match single_name(path)
+                    .and_then(|(name, given)| Some((self.named(&name)?.clone(), given)))
+                {
+                    Some((
+                        Value::Function(super::function::Function::Inner(item, depth)),
+                        given,
+                    )) => {
                         let arguments = self.expressions(call.args.iter())?;
                         return self.apply_given(&item, depth, arguments, given, call);
                     }
@@ -60,10 +65,18 @@ impl Reader {
         value
     }
 
-    fn call_of(&mut self, callee: Value, arguments: Vec<Value>, places: &[&Expr], call: &ExprCall) -> Read {
+    fn call_of(
+        &mut self,
+        callee: Value,
+        arguments: Vec<Value>,
+        places: &[&Expr],
+        call: &ExprCall,
+    ) -> Read {
         match callee {
             Value::Function(function) => self.apply(&function, arguments, places, call),
-            Value::Opaque(Template::Path(path, _)) => self.call_path(&path, arguments, places, call),
+            Value::Opaque(Template::Path(path, _)) => {
+                self.call_path(&path, arguments, places, call)
+            }
             Value::Opaque(template) if !template.has_choice() => {
                 self.own_function(template, arguments, places, call)
             }
@@ -90,7 +103,12 @@ impl Reader {
         let names = names(path);
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         if let Some((item, depth)) = self.own.by_path(path, &arguments) {
-            return self.apply(&super::function::Function::Inner(item, depth), arguments, places, at);
+            return self.apply(
+                &super::function::Function::Inner(item, depth),
+                arguments,
+                places,
+                at,
+            );
         }
         let call = Call { path, places, at };
         match names[..] {
@@ -107,9 +125,13 @@ impl Reader {
             [.., "mem", "swap"] | [.., "mem", "replace"] | [.., "mem", "take"] => {
                 self.exchange(names[names.len() - 1], arguments, &call)
             }
-            [.., "array", "from_fn"] if arguments.len() == 1 => self.array_from_fn(arguments, &call),
+            [.., "array", "from_fn"] if arguments.len() == 1 => {
+                self.array_from_fn(arguments, &call)
+            }
             ["Vec", "new" | "with_capacity"] => Ok(Value::Array(vec![])),
-            ["Vec", "from"] if matches!(arguments[..], [Value::Array(_)]) => Ok(arguments.remove(0)),
+            ["Vec", "from"] if matches!(arguments[..], [Value::Array(_)]) => {
+                Ok(arguments.remove(0))
+            }
             [.., "iter", "once"] if arguments.len() == 1 => Ok(Value::Iterator(arguments)),
             [.., "iter", "empty"] if arguments.is_empty() => Ok(Value::Iterator(vec![])),
             [.., "iter", name @ ("repeat" | "repeat_n" | "successors")] => {
@@ -117,8 +139,8 @@ impl Reader {
             }
             [
                 ..,
-                ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Planar" | "Spatial" | "Law"
-                | "Option" | "Vec"),
+                ty @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Planar" | "Spatial"
+                | "Law" | "Option" | "Vec"),
                 function,
             ] if !arguments.is_empty()
                 && !matches!(
@@ -144,7 +166,9 @@ impl Reader {
                 self.associated(ty, function, arguments, call)
             }
             ["f64", "from"] => self.number_from(arguments, call),
-            [.., ty, "default"] if arguments.is_empty() && (ty == "f64" || self.own.is_type(ty)) => {
+            [.., ty, "default"]
+                if arguments.is_empty() && (ty == "f64" || self.own.is_type(ty)) =>
+            {
                 let ty = Ident::new(ty, Span::call_site());
                 self.default_of(&syn::parse_quote!(#ty), at)
             }
@@ -199,7 +223,14 @@ impl Reader {
             || KINDS_OF_NUMBERS.contains(&function)
             || matches!(
                 function,
-                "sin_cos" | "recip" | "to_radians" | "to_degrees" | "copysign" | "log" | "mul_add" | "clamp"
+                "sin_cos"
+                    | "recip"
+                    | "to_radians"
+                    | "to_degrees"
+                    | "copysign"
+                    | "log"
+                    | "mul_add"
+                    | "clamp"
             );
         if !known {
             return Err(Unreadable::new(call.path, format!("`f64::{function}`")));
@@ -215,12 +246,16 @@ impl Reader {
     /// True if a value depends on coordinates or time.
     pub fn value_varies(&self, value: &Value) -> bool {
         let numbers = value.clone().referent().numbers();
-        numbers.is_some_and(|(nodes, _)| nodes.iter().any(|&node| self.graph.depends(node).varies()))
+        numbers
+            .is_some_and(|(nodes, _)| nodes.iter().any(|&node| self.graph.depends(node).varies()))
     }
 
     /// A function of f64 like `to_bits`, of something that depends on coordinates or time.
     pub fn no_derivative(&mut self, function: &str, at: &dyn ToTokens) -> Value {
-        self.mistake(at, format!("`{function}` has no derivative, and this depends on coordinates or time"))
+        self.mistake(
+            at,
+            format!("`{function}` has no derivative, and this depends on coordinates or time"),
+        )
     }
 
     /// `std::array::from_fn(f)`, of the length in its type arguments or that of its place.
@@ -243,8 +278,8 @@ impl Reader {
         }
     }
 
-    /// A function of the user's: repeated in emitted code, called with numbers that carry derivatives where
-    /// its arguments do.
+    /// A function of the user's: repeated in emitted code, called with numbers that carry
+    /// derivatives where its arguments do.
     fn own_function(
         &mut self,
         callee: Template,
@@ -274,7 +309,8 @@ impl Reader {
         let one = self.graph.constant(1.0);
         let rest = self.graph.sub(one, t);
         let weighted = |g: &mut Graph, a: Node, b: Node| {
-            let (a, b) = (g.mul(a, rest), g.mul(b, t));
+            let a = g.mul(a, rest);
+            let b = g.mul(b, t);
             g.add(a, b)
         };
         a.iter().zip(b).map(|(&a, &b)| weighted(&mut self.graph, a, b)).collect()
@@ -299,14 +335,19 @@ fn not_called(value: &Value, name: &str) -> String {
     match value {
         Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
         Value::Scalar(_) => {
-            format!("`{name}` is a number, which cannot be called; a product is written `{name} * x`")
+            format!(
+                "`{name}` is a number, which cannot be called; a product is written `{name} * x`"
+            )
         }
         Value::Vector(_) => format!(
             "`{name}` is {}, which cannot be called; its components are fields, `{name}.x`",
             value.name()
         ),
         Value::Array(_) => {
-            format!("`{name}` is {}, which cannot be called; an element of it is `{name}[0]`", value.name())
+            format!(
+                "`{name}` is {}, which cannot be called; an element of it is `{name}[0]`",
+                value.name()
+            )
         }
         _ => format!("`{name}` is {}, which cannot be called", value.name()),
     }

@@ -1,5 +1,6 @@
-//! From values to what a place asks for: a number, a vector, a condition, a value of a type that is written
-//! there. An opaque value becomes what its place says; unless a place says otherwise it is a number.
+//! From values to what a place asks for: a number, a vector, a condition, a value of a type that is
+//! written there. An opaque value becomes what its place says; unless a place says otherwise it is
+//! a number.
 
 use quote::{ToTokens, quote};
 use syn::{BinOp, UnOp};
@@ -38,8 +39,8 @@ impl Reader {
         }
     }
 
-    /// Stands for a number after a mistake; depends on a coordinate, so that no second message follows from
-    /// it.
+    /// Stands for a number after a mistake; depends on a coordinate, so that no second message
+    /// follows from it.
     fn poison(&mut self) -> Node {
         self.graph.input(Input::State(0, Part::Theta))
     }
@@ -57,15 +58,20 @@ impl Reader {
                 })
             }
             Value::Opaque(Template::Choice(condition, a, b)) => {
-                let (a, b) = (self.condition(Value::Opaque(*a), at), self.condition(Value::Opaque(*b), at));
-                let (yes, not) = (self.graph.and(condition, a), self.graph.not(condition));
+                let a = self.condition(Value::Opaque(*a), at);
+                let b = self.condition(Value::Opaque(*b), at);
+                let yes = self.graph.and(condition, a);
+                let not = self.graph.not(condition);
                 let no = self.graph.and(not, b);
                 self.graph.or(yes, no)
             }
             Value::Opaque(template) => self.opaque(template, OpaqueKind::Condition)[0],
             Value::Poison | Value::Never | Value::Left => self.graph.bool(true),
             other => {
-                self.mistake(at, format!("this must be a condition (bool), but it is {}", other.name()));
+                self.mistake(
+                    at,
+                    format!("this must be a condition (bool), but it is {}", other.name()),
+                );
                 self.graph.bool(true)
             }
         }
@@ -88,21 +94,28 @@ impl Reader {
             (Value::Array(all), Shape::Array(inner, n)) if all.len() == *n => {
                 Value::Array(all.into_iter().map(|v| self.shaped(v, inner, at)).collect())
             }
-            (Value::Tuple(all), Shape::Tuple(shapes)) if all.len() == shapes.len() => {
-                Value::Tuple(all.into_iter().zip(shapes).map(|(v, s)| self.shaped(v, s, at)).collect())
-            }
+            (Value::Tuple(all), Shape::Tuple(shapes)) if all.len() == shapes.len() => Value::Tuple(
+                all.into_iter().zip(shapes).map(|(v, s)| self.shaped(v, s, at)).collect(),
+            ),
             (Value::Opaque(template), shape) => self.opaque_shaped(template, shape, at),
             (Value::Integer(k, _), Shape::Scalar) => {
                 self.mistake(at, crate::error::integer_for_a_number(at, k))
             }
             (Value::Law(_), Shape::Scalar) => {
                 let name = at.to_token_stream();
-                self.mistake(at, format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"))
+                self.mistake(
+                    at,
+                    format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
+                )
             }
             (Value::Euler(_), Shape::Vector(_)) => {
                 self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)")
             }
-            (value, shape) if value.components().is_some_and(|(kind, _)| kind.shape() == *shape) => value,
+            (value, shape)
+                if value.components().is_some_and(|(kind, _)| kind.shape() == *shape) =>
+            {
+                value
+            }
             (other, shape) => {
                 self.mistake(at, format!("expected {}, but this is {}", shape.name(), other.name()))
             }
@@ -110,7 +123,12 @@ impl Reader {
     }
 
     /// One of several values: each as what the place asks for.
-    fn shaped_choice(&mut self, all: Vec<(Node, Value)>, shape: &Shape, at: &dyn ToTokens) -> Value {
+    fn shaped_choice(
+        &mut self,
+        all: Vec<(Node, Value)>,
+        shape: &Shape,
+        at: &dyn ToTokens,
+    ) -> Value {
         let mut rest = all.into_iter().rev();
         let Some((_, last)) = rest.next() else { return Value::Poison };
         let mut joined = self.shaped(last, shape, at);
@@ -124,7 +142,9 @@ impl Reader {
     /// `value.into()` in a place of `shape`.
     fn converted(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
         match (self.loaded(value), shape) {
-            (Value::Vector(v), Shape::Array(inner, n)) if **inner == Shape::Scalar && v.len() == *n => {
+            (Value::Vector(v), Shape::Array(inner, n))
+                if **inner == Shape::Scalar && v.len() == *n =>
+            {
                 Value::Array(v.into_iter().map(Value::Scalar).collect())
             }
             (Value::Integer(k, _), Shape::Scalar) => Value::Scalar(self.graph.constant(k as f64)),
@@ -141,7 +161,8 @@ impl Reader {
 
     /// An opaque value in a place of `shape`; its nodes are of the expression that it comes from.
     fn opaque_shaped(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
-        let (first, expression) = (self.graph.len(), self.expressions.of_template(&template));
+        let first = self.graph.len();
+        let expression = self.expressions.of_template(&template);
         let value = self.computed(template, shape, at);
         if let Some(expression) = expression {
             self.expressions.give(first..self.graph.len(), expression);
@@ -149,9 +170,11 @@ impl Reader {
         value
     }
 
-    /// Arithmetic with values of the graph in it is done in the graph; anything else is computed as a whole.
+    /// Arithmetic with values of the graph in it is done in the graph; anything else is computed as
+    /// a whole.
     fn computed(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
-        let (known, scalar) = (!template.nodes().is_empty(), *shape == Shape::Scalar);
+        let known = !template.nodes().is_empty();
+        let scalar = *shape == Shape::Scalar;
         let components = matches!(shape, Shape::Vector(_) | Shape::Matrix(_) | Shape::Euler);
         match template {
             Template::Numbers(nodes, own, _) if own == *shape => {
@@ -160,26 +183,34 @@ impl Reader {
             Template::Binary(a, op, b)
                 if known && (scalar && is_arithmetic(&op) || components && is_sum(&op)) =>
             {
-                let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, shape, at));
+                let a = self.opaque_shaped(*a, shape, at);
+                let b = self.opaque_shaped(*b, shape, at);
                 self.combined(op, &a, &b, at)
             }
             Template::Binary(a, op @ BinOp::Mul(_), b) if components && is_number(&a) => {
-                let (a, b) = (self.opaque_shaped(*a, &Shape::Scalar, at), self.opaque_shaped(*b, shape, at));
+                let a = self.opaque_shaped(*a, &Shape::Scalar, at);
+                let b = self.opaque_shaped(*b, shape, at);
                 self.combined(op, &a, &b, at)
             }
-            Template::Binary(a, op @ (BinOp::Mul(_) | BinOp::Div(_)), b) if components && is_number(&b) => {
-                let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, &Shape::Scalar, at));
+            Template::Binary(a, op @ (BinOp::Mul(_) | BinOp::Div(_)), b)
+                if components && is_number(&b) =>
+            {
+                let a = self.opaque_shaped(*a, shape, at);
+                let b = self.opaque_shaped(*b, &Shape::Scalar, at);
                 self.combined(op, &a, &b, at)
             }
             Template::Choice(condition, a, b) => {
-                let (a, b) = (self.opaque_shaped(*a, shape, at), self.opaque_shaped(*b, shape, at));
+                let a = self.opaque_shaped(*a, shape, at);
+                let b = self.opaque_shaped(*b, shape, at);
                 self.select(condition, &a, &b).unwrap_or(Value::Poison)
             }
             Template::Unary(UnOp::Neg(_), a) if known && (scalar || components) => {
                 let a = self.opaque_shaped(*a, shape, at);
                 self.negated(a)
             }
-            Template::Parameter(name) if scalar && self.no_numbers.contains_key(&name.to_string()) => {
+            Template::Parameter(name)
+                if scalar && self.no_numbers.contains_key(&name.to_string()) =>
+            {
                 let ty = self.no_numbers[&name.to_string()].clone();
                 let cure = if ty == "bool" {
                     format!("if {name} {{ … }} else {{ … }}")
@@ -200,8 +231,8 @@ impl Reader {
         template.nodes().iter().any(|&n| self.graph.depends(n).varies())
     }
 
-    /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called with
-    /// numbers that carry derivatives.
+    /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called
+    /// with numbers that carry derivatives.
     fn opaque(&mut self, template: Template, kind: OpaqueKind) -> Vec<Node> {
         let count = if let OpaqueKind::Numbers(shape) = &kind { shape.count() } else { 1 };
         if kind != OpaqueKind::Condition && self.varies(&template) {
@@ -218,8 +249,8 @@ impl Reader {
         (0..count).map(|k| self.graph.opaque(number, k)).collect()
     }
 
-    /// A template that may panic is not computed where a branch around it is not taken, so far as that
-    /// depends on parameters only.
+    /// A template that may panic is not computed where a branch around it is not taken, so far as
+    /// that depends on parameters only.
     fn guarded(&mut self, template: Template) -> Template {
         if !template.may_panic() {
             return template;

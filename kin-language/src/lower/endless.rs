@@ -29,13 +29,20 @@ pub enum Endless {
 
 impl Reader {
     /// The first `n` values, fewer where there are no more.
-    pub fn first_of_endless(&mut self, endless: &Endless, n: usize, at: &dyn ToTokens) -> Read<Vec<Value>> {
+    pub fn first_of_endless(
+        &mut self,
+        endless: &Endless,
+        n: usize,
+        at: &dyn ToTokens,
+    ) -> Read<Vec<Value>> {
         if n as i64 > MOST_TURNS {
             return Err(Unreadable::new(at, format!("a loop of more than {MOST_TURNS} turns")));
         }
         match endless {
             Endless::From(start, ty) => (0..n as i64)
-                .map(|k| start.checked_add(k).and_then(|value| integer::made(value, *ty, &[*start])))
+                .map(|k| {
+                    start.checked_add(k).and_then(|value| integer::made(value, *ty, &[*start]))
+                })
                 .collect::<Option<_>>()
                 .ok_or_else(|| Unreadable::new(at, "integer arithmetic that may overflow")),
             Endless::Cycle(all) => Ok(all.iter().cycle().take(n).cloned().collect()),
@@ -90,10 +97,15 @@ impl Reader {
         let place = whole.args.first().unwrap_or(&whole.receiver);
         let argument = arguments.first().cloned().map(Value::referent);
         Ok(match (name.as_str(), argument) {
-            ("copied" | "cloned" | "fuse" | "by_ref" | "into_iter", None) => Value::Endless(endless),
-            ("map", Some(f)) => Value::Endless(Endless::Mapped(Rc::new(endless), self.function(f, place)?)),
+            ("copied" | "cloned" | "fuse" | "by_ref" | "into_iter", None) => {
+                Value::Endless(endless)
+            }
+            ("map", Some(f)) => {
+                Value::Endless(Endless::Mapped(Rc::new(endless), self.function(f, place)?))
+            }
             ("take" | "skip" | "step_by", Some(Value::Integer(k, _))) => {
-                let k = usize::try_from(k).map_err(|_| Unreadable::new(place, "a count out of range"))?;
+                let k = usize::try_from(k)
+                    .map_err(|_| Unreadable::new(place, "a count out of range"))?;
                 match name.as_str() {
                     "take" => Value::Iterator(self.first_of_endless(&endless, k, whole)?),
                     "skip" => Value::Endless(Endless::Skipped(Rc::new(endless), k)),
@@ -104,7 +116,9 @@ impl Reader {
             ("zip", Some(other)) => {
                 let Some(other) = self.elements(other, place)? else { return Ok(Value::Poison) };
                 let own = self.first_of_endless(&endless, other.len(), whole)?;
-                Value::Iterator(own.into_iter().zip(other).map(|(a, b)| Value::Tuple(vec![a, b])).collect())
+                Value::Iterator(
+                    own.into_iter().zip(other).map(|(a, b)| Value::Tuple(vec![a, b])).collect(),
+                )
             }
             ("take_while", Some(f)) => {
                 let f = self.function(f, place)?;
@@ -118,7 +132,12 @@ impl Reader {
     }
 
     /// Values up to the first for which a condition does not hold, which has to be known here.
-    fn taken_while(&mut self, endless: &Endless, f: &Function, at: &dyn ToTokens) -> Read<Vec<Value>> {
+    fn taken_while(
+        &mut self,
+        endless: &Endless,
+        f: &Function,
+        at: &dyn ToTokens,
+    ) -> Read<Vec<Value>> {
         let mut all = Vec::new();
         loop {
             let values = self.first_of_endless(endless, all.len() + 1, at)?;
@@ -136,7 +155,8 @@ impl Reader {
         }
     }
 
-    /// `repeat(x)`, `repeat_n(x, n)`, `successors(first, next)`; `None` if the function is none of these.
+    /// `repeat(x)`, `repeat_n(x, n)`, `successors(first, next)`; `None` if the function is none of
+    /// these.
     pub fn endless_by_path(
         &mut self,
         name: &str,

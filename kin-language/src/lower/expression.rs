@@ -91,7 +91,9 @@ impl Reader {
         match &literal.lit {
             Lit::Float(x) if x.suffix() == "f32" => Ok(self.mistake(x, "numbers are `f64`")),
             Lit::Float(x) => Ok(Value::Scalar(self.graph.decimal(x.base10_digits()))),
-            Lit::Int(k) if k.suffix() == "f64" => Ok(Value::Scalar(self.graph.decimal(k.base10_digits()))),
+            Lit::Int(k) if k.suffix() == "f64" => {
+                Ok(Value::Scalar(self.graph.decimal(k.base10_digits())))
+            }
             Lit::Int(k) => match k.base10_parse() {
                 Ok(value) => Ok(Value::Integer(value, IntegerType::named(k.suffix()))),
                 Err(_) => Err(Unreadable::new(k, "an integer this large")),
@@ -165,7 +167,11 @@ impl Reader {
         if word.to_string().chars().any(char::is_uppercase) {
             return Rc::from([]);
         }
-        let names = self.scopes.variables().into_iter().filter_map(|name| syn::parse_str::<Ident>(name).ok());
+        let names = self
+            .scopes
+            .variables()
+            .into_iter()
+            .filter_map(|name| syn::parse_str::<Ident>(name).ok());
         names.map(|name| at(name, path)).collect()
     }
 
@@ -218,11 +224,15 @@ impl Reader {
         let found = match &base {
             Value::Planar(slot) => self.state_field(*slot, 2, &name),
             Value::Spatial(slot) => self.state_field(*slot, 3, &name),
-            Value::Vector(v) => position(&name, &["x", "y", "z"][..v.len()]).map(|k| Value::Scalar(v[k])),
+            Value::Vector(v) => {
+                position(&name, &["x", "y", "z"][..v.len()]).map(|k| Value::Scalar(v[k]))
+            }
             Value::Axis(vectors) => {
                 position(&name, &["h", "f", "g"]).map(|k| Value::Vector(vectors[k].clone()))
             }
-            Value::Euler(p) => position(&name, &["e0", "e1", "e2", "e3"]).map(|k| Value::Scalar(p[k])),
+            Value::Euler(p) => {
+                position(&name, &["e0", "e1", "e2", "e3"]).map(|k| Value::Scalar(p[k]))
+            }
             Value::Matrix(n, m) => entry(&name, *n).map(|k| Value::Scalar(m[k])),
             Value::Tuple(all) => name.parse::<usize>().ok().and_then(|k| all.get(k).cloned()),
             Value::Adt(adt) => adt.field(&name).cloned(),
@@ -276,12 +286,16 @@ impl Reader {
         let integer = is_integer(name);
         Ok(match value {
             Value::Integer(k, _) if name == "f64" => Value::Scalar(self.graph.constant(k as f64)),
-            Value::Integer(k, _) if integer && fits(k, name) => Value::Integer(k, IntegerType::named(name)),
+            Value::Integer(k, _) if integer && fits(k, name) => {
+                Value::Integer(k, IntegerType::named(name))
+            }
             Value::Integer(k, _) if integer => {
                 let cut = super::integer::cut(k, name);
                 cut.ok_or_else(|| Unreadable::new(&cast.as_token, "this cast of an integer"))?
             }
-            Value::Integer(..) => return Err(Unreadable::new(&cast.as_token, "this cast of an integer")),
+            Value::Integer(..) => {
+                return Err(Unreadable::new(&cast.as_token, "this cast of an integer"));
+            }
             Value::Scalar(n) if name == "f64" => Value::Scalar(n),
             Value::Scalar(x) if integer => match self.graph.constant_value(x) {
                 Some(x) if x.is_finite() && x.abs() < 1e9 && fits(x as i64, name) => {
@@ -294,7 +308,10 @@ impl Reader {
                 return self.joined(holds, &one, &zero, cast);
             }
             Value::Condition(_) => {
-                return Err(Unreadable::new(&cast.as_token, "turning a condition into something else"));
+                return Err(Unreadable::new(
+                    &cast.as_token,
+                    "turning a condition into something else",
+                ));
             }
             Value::Opaque(template) => {
                 Value::Opaque(template.each(&|part| Template::Cast(Box::new(part), ty.clone())))
@@ -304,7 +321,9 @@ impl Reader {
                 None => return Err(Unreadable::new(&cast.as_token, "this cast")),
             },
             value @ (Value::Poison | Value::Never | Value::Left) => value,
-            other => self.mistake(&cast.as_token, format!("{} cannot be cast to {name}", other.name())),
+            other => {
+                self.mistake(&cast.as_token, format!("{} cannot be cast to {name}", other.name()))
+            }
         })
     }
 
@@ -323,7 +342,11 @@ impl Reader {
             (Value::Poison, _) | (_, Value::Poison) => return Ok(Value::Poison),
             _ => return Err(Unreadable::new(range, "a range whose bounds are not known here")),
         };
-        let to = if matches!(range.limits, syn::RangeLimits::Closed(_)) { to.saturating_add(1) } else { to };
+        let to = if matches!(range.limits, syn::RangeLimits::Closed(_)) {
+            to.saturating_add(1)
+        } else {
+            to
+        };
         if to.saturating_sub(from) > MOST_TURNS {
             return Err(Unreadable::new(range, format!("a loop of more than {MOST_TURNS} turns")));
         }

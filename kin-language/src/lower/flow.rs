@@ -1,6 +1,6 @@
-//! The flow of control: branches by open conditions, and what leaves its place early. `return`, `break` and
-//! `continue` are one mechanism: a way out of a frame, with the condition under which it is taken, its value,
-//! and the variables as they were. At the frame's end the ways are joined.
+//! The flow of control: branches by open conditions, and what leaves its place early. `return`,
+//! `break` and `continue` are one mechanism: a way out of a frame, with the condition under which
+//! it is taken, its value, and the variables as they were. At the frame's end the ways are joined.
 
 use quote::ToTokens;
 
@@ -36,8 +36,8 @@ struct Exit {
     changes: Changes,
 }
 
-/// A fact that is known where something is read: a condition of a branch around it, or that a frame has not
-/// been left.
+/// A fact that is known where something is read: a condition of a branch around it, or that a frame
+/// has not been left.
 #[derive(Clone, Copy)]
 pub struct Guard {
     pub holds: Node,
@@ -72,8 +72,11 @@ impl Reader {
 
     /// The number of the frame that is left.
     pub fn frame(&self, wanted: impl Fn(Kind) -> bool, label: Option<&str>) -> Option<usize> {
-        let function = self.frames.iter().rposition(|frame| frame.kind == Kind::Function).unwrap_or(0);
-        let fits = |frame: &Frame| wanted(frame.kind) && (label.is_none() || frame.label.as_deref() == label);
+        let function =
+            self.frames.iter().rposition(|frame| frame.kind == Kind::Function).unwrap_or(0);
+        let fits = |frame: &Frame| {
+            wanted(frame.kind) && (label.is_none() || frame.label.as_deref() == label)
+        };
         (function..self.frames.len()).rev().find(|&k| fits(&self.frames[k]))
     }
 
@@ -98,7 +101,8 @@ impl Reader {
         Ok(Value::Left)
     }
 
-    /// Ends the innermost frame, whose own end is reached with `value`: all ways out of it are joined.
+    /// Ends the innermost frame, whose own end is reached with `value`: all ways out of it are
+    /// joined.
     pub fn exit(&mut self, value: Value, at: &dyn ToTokens) -> Read {
         let Some(Frame { exits, path, since, .. }) = self.frames.pop() else { return Ok(value) };
         let outside = self.frames.len();
@@ -113,11 +117,17 @@ impl Reader {
         for Exit { condition, value: given, changes } in exits.into_iter().rev() {
             let reached = !matches!(value, Value::Left);
             let now = self.store.changes(since);
-            for slot in changes.keys().chain(now.keys()).copied().collect::<std::collections::BTreeSet<_>>() {
-                let then =
-                    changes.get(&slot).cloned().unwrap_or_else(|| self.store.before(since, slot).clone());
+            for slot in
+                changes.keys().chain(now.keys()).copied().collect::<std::collections::BTreeSet<_>>()
+            {
+                let then = changes
+                    .get(&slot)
+                    .cloned()
+                    .unwrap_or_else(|| self.store.before(since, slot).clone());
                 let joined = match reached {
-                    true => self.variable_of_both(condition, &then, &self.store.get(slot).clone(), at)?,
+                    true => {
+                        self.variable_of_both(condition, &then, &self.store.get(slot).clone(), at)?
+                    }
                     false => then,
                 };
                 self.store.set(slot, joined);
@@ -128,7 +138,11 @@ impl Reader {
                 (true, None) if matches!(given, Value::Poison) => value,
                 (true, None) => self.mistake(
                     at,
-                    format!("this gives {} in one place, and {} in another", given.name(), value.name()),
+                    format!(
+                        "this gives {} in one place, and {} in another",
+                        given.name(),
+                        value.name()
+                    ),
                 ),
             };
         }
@@ -136,8 +150,8 @@ impl Reader {
         Ok(value)
     }
 
-    /// Reads both branches, unless the condition is known, and joins their values and what they did to
-    /// variables.
+    /// Reads both branches, unless the condition is known, and joins their values and what they did
+    /// to variables.
     pub fn choose(
         &mut self,
         condition: Node,
@@ -150,7 +164,8 @@ impl Reader {
             Some(false) => return no(self),
             None => {}
         }
-        let (depth, since) = (self.path.len(), self.store.begin());
+        let depth = self.path.len();
+        let since = self.store.begin();
         self.path.push(Guard::branch(condition));
         let a = yes(self)?;
         let left_by_yes = self.path.split_off(depth + 1);
@@ -198,9 +213,17 @@ impl Reader {
         Ok(())
     }
 
-    fn variable_of_both(&mut self, condition: Node, a: &Value, b: &Value, at: &dyn ToTokens) -> Read {
+    fn variable_of_both(
+        &mut self,
+        condition: Node,
+        a: &Value,
+        b: &Value,
+        at: &dyn ToTokens,
+    ) -> Read {
         match (a, b) {
-            (Value::Unassigned, other) | (other, Value::Unassigned) => Ok(self.perhaps(other.clone())),
+            (Value::Unassigned, other) | (other, Value::Unassigned) => {
+                Ok(self.perhaps(other.clone()))
+            }
             (Value::Perhaps(a), b) | (b, Value::Perhaps(a)) => {
                 let b = if let Value::Perhaps(b) = b { b } else { b };
                 let joined = self.select(condition, a, b).unwrap_or(Value::Poison);
@@ -215,8 +238,8 @@ impl Reader {
         }
     }
 
-    /// Notes a fact that is known behind two branches: that none of the frames has been left that were left
-    /// in one of them.
+    /// Notes a fact that is known behind two branches: that none of the frames has been left that
+    /// were left in one of them.
     fn not_left(&mut self, condition: Node, yes: &[Guard], no: &[Guard]) {
         let frames: std::collections::BTreeSet<usize> =
             yes.iter().chain(no).filter_map(|guard| guard.left).collect();
@@ -271,8 +294,8 @@ impl Reader {
         }
     }
 
-    /// The part of a condition that is not known yet on the way to here: of alternatives the ones before are
-    /// none.
+    /// The part of a condition that is not known yet on the way to here: of alternatives the ones
+    /// before are none.
     fn left_open(&mut self, condition: Node) -> Node {
         match self.graph.op(condition) {
             Op::And(a, b) if self.path.iter().any(|guard| guard.holds == a) => self.left_open(b),

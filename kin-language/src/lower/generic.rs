@@ -1,5 +1,5 @@
-//! Functions with generics inside of the body: what their types and lengths are, by the values that they are
-//! given.
+//! Functions with generics inside of the body: what their types and lengths are, by the values that
+//! they are given.
 
 use std::collections::BTreeMap;
 
@@ -26,15 +26,16 @@ pub fn found(
     length: &dyn Fn(&Expr) -> Option<usize>,
 ) -> Option<Found> {
     let generics = &item.sig.generics;
-    if generics.params.is_empty() && !item.sig.inputs.iter().any(|input| matches!(input, FnArg::Receiver(_)))
+    if generics.params.is_empty()
+        && !item.sig.inputs.iter().any(|input| matches!(input, FnArg::Receiver(_)))
     {
         return None;
     }
     let mut found = Found::default();
     // Of what nothing is known may be anything.
-    found
-        .types
-        .extend(generics.type_params().map(|parameter| (parameter.ident.to_string(), parse_quote!(_))));
+    found.types.extend(
+        generics.type_params().map(|parameter| (parameter.ident.to_string(), parse_quote!(_))),
+    );
     let names: Vec<String> = generics.params.iter().filter_map(name).collect();
     for (name, given) in names.iter().zip(given.iter().flat_map(|given| &given.args)) {
         match given {
@@ -45,7 +46,9 @@ pub fn found(
                 found.lengths.extend(length(&parse_quote!(#path)).map(|n| (name.clone(), n)));
             }
             GenericArgument::Type(ty) => drop(found.types.insert(name.clone(), ty.clone())),
-            GenericArgument::Const(value) => found.lengths.extend(length(value).map(|n| (name.clone(), n))),
+            GenericArgument::Const(value) => {
+                found.lengths.extend(length(value).map(|n| (name.clone(), n)))
+            }
             _ => {}
         }
     }
@@ -71,7 +74,9 @@ fn name(parameter: &GenericParam) -> Option<String> {
 impl Found {
     fn learn(&mut self, ty: &Type, value: &Value, names: &[String], own: &Own) {
         match (ty, value) {
-            (Type::Reference(ty), Value::Reference(inner)) => self.learn(&ty.elem, inner, names, own),
+            (Type::Reference(ty), Value::Reference(inner)) => {
+                self.learn(&ty.elem, inner, names, own)
+            }
             (Type::Reference(ty), value) => self.learn(&ty.elem, value, names, own),
             (ty, Value::Reference(inner)) => self.learn(ty, inner, names, own),
             (Type::Array(array), Value::Array(all)) => {
@@ -99,7 +104,8 @@ impl Found {
 
     /// From a value of `Vec<T>`, `Option<T>`, or a generic type of the body's own.
     fn learn_of_generics(&mut self, path: &syn::Path, value: &Value, names: &[String], own: &Own) {
-        let Some(PathArguments::AngleBracketed(given)) = path.segments.last().map(|last| &last.arguments)
+        let Some(PathArguments::AngleBracketed(given)) =
+            path.segments.last().map(|last| &last.arguments)
         else {
             return;
         };
@@ -145,7 +151,8 @@ pub struct Substitution<'a>(pub &'a BTreeMap<String, Type>);
 impl VisitMut for Substitution<'_> {
     fn visit_type_mut(&mut self, ty: &mut Type) {
         if let Type::Path(path) = &*ty
-            && let Some(meant) = path.path.get_ident().and_then(|name| self.0.get(&name.to_string()))
+            && let Some(meant) =
+                path.path.get_ident().and_then(|name| self.0.get(&name.to_string()))
         {
             *ty = meant.clone();
             return;
@@ -180,7 +187,8 @@ fn type_of(value: &Value) -> Option<Type> {
             parse_quote!(#name)
         }
         Value::Array(all) => {
-            let (ty, n) = (type_of(all.first()?)?, all.len());
+            let ty = type_of(all.first()?)?;
+            let n = all.len();
             parse_quote!([#ty; #n])
         }
         Value::Adt(adt) => {

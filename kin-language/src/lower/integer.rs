@@ -1,9 +1,9 @@
-//! Integers known while the body is read, as rustc would compute them: of the type that they are known to be
-//! of.
+//! Integers known while the body is read, as rustc would compute them: of the type that they are
+//! known to be of.
 //!
-//! Where the type is not known here (rustc infers it from all uses), an integer is taken as an `i32`, and the
-//! difference of two that are not negative as possibly of an unsigned type. What may overflow there is not
-//! computed here: the body goes to rustc, which panics or refuses it.
+//! Where the type is not known here (rustc infers it from all uses), an integer is taken as an
+//! `i32`, and the difference of two that are not negative as possibly of an unsigned type. What may
+//! overflow there is not computed here: the body goes to rustc, which panics or refuses it.
 
 use syn::BinOp;
 

@@ -1,5 +1,5 @@
-//! Two values by a condition as one: number by number where they are of one kind, else a choice that what is
-//! done with it is done to both of.
+//! Two values by a condition as one: number by number where they are of one kind, else a choice
+//! that what is done with it is done to both of.
 
 use quote::ToTokens;
 
@@ -26,7 +26,10 @@ impl Reader {
                 } else {
                     ""
                 };
-                Ok(self.mistake(at, format!("the branches differ: {} and {}{cure}", a.name(), b.name())))
+                Ok(self.mistake(
+                    at,
+                    format!("the branches differ: {} and {}{cure}", a.name(), b.name()),
+                ))
             }
         }
     }
@@ -72,7 +75,8 @@ impl Reader {
         }
     }
 
-    /// `a` where the condition holds, else `b`, number by number; `None` if they are of different kinds.
+    /// `a` where the condition holds, else `b`, number by number; `None` if they are of different
+    /// kinds.
     fn same_kind(&mut self, condition: Node, a: &Value, b: &Value) -> Option<Value> {
         Some(match (a, b) {
             (Value::Poison, other) | (other, Value::Poison) => other.clone(),
@@ -81,7 +85,8 @@ impl Reader {
             (Value::Never, known) | (known, Value::Never) => {
                 let Some((_, shape)) = known.numbers() else { return Some(known.clone()) };
                 let nowhere = self.nowhere(&shape);
-                let (a, b) = if matches!(a, Value::Never) { (&nowhere, known) } else { (known, &nowhere) };
+                let (a, b) =
+                    if matches!(a, Value::Never) { (&nowhere, known) } else { (known, &nowhere) };
                 self.same_kind(condition, a, b)?
             }
             (Value::Reference(a), Value::Reference(b)) => {
@@ -89,7 +94,9 @@ impl Reader {
             }
             (Value::Reference(a), b) => self.same_kind(condition, a, b)?,
             (a, Value::Reference(b)) => self.same_kind(condition, a, b)?,
-            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.graph.select(condition, *a, *b)),
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                Value::Scalar(self.graph.select(condition, *a, *b))
+            }
             (Value::Condition(a), Value::Condition(b)) => {
                 Value::Condition(self.select_condition(condition, *a, *b))
             }
@@ -108,7 +115,9 @@ impl Reader {
             (Value::Spatial(a), Value::Spatial(b)) if a == b => Value::Spatial(*a),
             (Value::Place(a), Value::Place(b)) if a == b => Value::Place(a.clone()),
             (Value::Unassigned, Value::Unassigned) => Value::Unassigned,
-            (Value::Into(a), Value::Into(b)) => Value::Into(Box::new(self.same_kind(condition, a, b)?)),
+            (Value::Into(a), Value::Into(b)) => {
+                Value::Into(Box::new(self.same_kind(condition, a, b)?))
+            }
             (Value::Function(a), Value::Function(b)) if a.is(b) => Value::Function(a.clone()),
             (Value::Generator(a), Value::Generator(b)) if a.is(b) => Value::Generator(a.clone()),
             (Value::Law(a), Value::Law(b)) if a.key() == b.key() => Value::Law(a.clone()),
@@ -130,20 +139,25 @@ impl Reader {
                 Value::Opaque(Template::Choice(condition, Box::new(a.clone()), Box::new(b.clone())))
             }
             (Value::Opaque(_), known) | (known, Value::Opaque(_)) if known.numbers().is_some() => {
-                let (shape, nowhere) = (known.numbers()?.1, proc_macro2::TokenStream::new());
-                let (a, b) =
-                    (self.shaped(a.clone(), &shape, &nowhere), self.shaped(b.clone(), &shape, &nowhere));
+                let shape = known.numbers()?.1;
+                let nowhere = proc_macro2::TokenStream::new();
+                let a = self.shaped(a.clone(), &shape, &nowhere);
+                let b = self.shaped(b.clone(), &shape, &nowhere);
                 self.same_kind(condition, &a, &b)?
             }
             (Value::Opaque(template), Value::Condition(_))
             | (Value::Condition(_), Value::Opaque(template)) => {
-                let taken = self.condition(Value::Opaque(template.clone()), &proc_macro2::TokenStream::new());
-                let of = |value: &Value| if let Value::Condition(node) = value { *node } else { taken };
+                let taken = self
+                    .condition(Value::Opaque(template.clone()), &proc_macro2::TokenStream::new());
+                let of =
+                    |value: &Value| if let Value::Condition(node) = value { *node } else { taken };
                 Value::Condition(self.select_condition(condition, of(a), of(b)))
             }
             (a, b) => {
-                let ((kind, a), (other, b)) = (a.components()?, b.components()?);
-                let each = a.iter().zip(b).map(|(&a, &b)| self.graph.select(condition, a, b)).collect();
+                let (kind, a) = a.components()?;
+                let (other, b) = b.components()?;
+                let each =
+                    a.iter().zip(b).map(|(&a, &b)| self.graph.select(condition, a, b)).collect();
                 (kind == other).then(|| kind.value(each))?
             }
         })
@@ -153,7 +167,8 @@ impl Reader {
         if a == b {
             return a;
         }
-        let (yes, not) = (self.graph.and(condition, a), self.graph.not(condition));
+        let yes = self.graph.and(condition, a);
+        let not = self.graph.not(condition);
         let no = self.graph.and(not, b);
         self.graph.or(yes, no)
     }
@@ -181,7 +196,11 @@ fn differs(value: &Value) -> bool {
         | Value::Array(_)
         | Value::Law(_)
         | Value::Adt(_) => true,
-        Value::Planar(_) | Value::Spatial(_) | Value::Place(_) | Value::Choice(_) | Value::Opaque(_) => true,
+        Value::Planar(_)
+        | Value::Spatial(_)
+        | Value::Place(_)
+        | Value::Choice(_)
+        | Value::Opaque(_) => true,
         Value::Reference(inner) => differs(inner),
         Value::Tuple(all) => all.iter().any(differs),
         _ => false,

@@ -1,5 +1,5 @@
-//! Loops: each turn is read by itself, as often as is known here. What leaves a turn or the loop is a way out
-//! of a frame.
+//! Loops: each turn is read by itself, as often as is known here. What leaves a turn or the loop is
+//! a way out of a frame.
 
 use quote::ToTokens;
 use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Label};
@@ -33,17 +33,25 @@ impl Reader {
     }
 
     pub fn while_loop(&mut self, each: &ExprWhile) -> Read {
-        self.turns(each.label.as_ref(), &each.while_token, &mut std::iter::repeat(None), &mut |reader, _| {
-            let condition = reader.tested_condition(&each.cond)?;
-            let out = |reader: &mut Self| reader.leave_loop(&each.cond);
-            reader.choose(condition, |reader| reader.block(&each.body), out, &each.cond)
-        })
+        self.turns(
+            each.label.as_ref(),
+            &each.while_token,
+            &mut std::iter::repeat(None),
+            &mut |reader, _| {
+                let condition = reader.tested_condition(&each.cond)?;
+                let out = |reader: &mut Self| reader.leave_loop(&each.cond);
+                reader.choose(condition, |reader| reader.block(&each.body), out, &each.cond)
+            },
+        )
     }
 
     pub fn endless_loop(&mut self, each: &ExprLoop) -> Read {
-        self.turns(each.label.as_ref(), &each.loop_token, &mut std::iter::repeat(None), &mut |reader, _| {
-            reader.block(&each.body)
-        })
+        self.turns(
+            each.label.as_ref(),
+            &each.loop_token,
+            &mut std::iter::repeat(None),
+            &mut |reader, _| reader.block(&each.body),
+        )
     }
 
     /// Leaves the innermost loop, at its own end.
@@ -123,7 +131,8 @@ impl Reader {
             Some(value) => self.raw_expression(value)?,
             None => Value::unit(),
         };
-        match (self.frame(|kind| kind == Kind::Function, None), self.output.clone(), &leaving.expr) {
+        match (self.frame(|kind| kind == Kind::Function, None), self.output.clone(), &leaving.expr)
+        {
             (Some(0), Some(output), Some(place)) => {
                 let value = self.typed(value, &output, place)?;
                 self.leave(0, value, leaving)
@@ -137,7 +146,9 @@ impl Reader {
     pub fn try_expression(&mut self, tried: &syn::ExprTry) -> Read {
         let value = self.expression(&tried.expr)?;
         self.each(value, &tried.question_token, &mut |reader, value| match value {
-            Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "Ok") && adt.fields.len() == 1 => {
+            Value::Adt(adt)
+                if matches!(adt.name.as_str(), "Some" | "Ok") && adt.fields.len() == 1 =>
+            {
                 Ok(adt.fields[0].1.clone())
             }
             Value::Adt(adt) if matches!(adt.name.as_str(), "None" | "Err") => {
@@ -154,9 +165,9 @@ impl Reader {
     pub fn elements(&mut self, value: Value, at: &Expr) -> Read<Option<Vec<Value>>> {
         match value {
             Value::Reference(inner) => match *inner {
-                Value::Array(all) => {
-                    Ok(Some(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect()))
-                }
+                Value::Array(all) => Ok(Some(
+                    all.into_iter().map(|value| Value::Reference(Box::new(value))).collect(),
+                )),
                 inner => self.elements(inner, at),
             },
             Value::Place(place) => match self.at_place(&place) {
@@ -168,7 +179,9 @@ impl Reader {
                     Ok(Some(all))
                 }
                 Some(inner) => self.elements(inner, at),
-                None => Err(Unreadable::new(at, "a loop over something whose length is not known here")),
+                None => {
+                    Err(Unreadable::new(at, "a loop over something whose length is not known here"))
+                }
             },
             Value::Array(all) | Value::Iterator(all) => Ok(Some(all)),
             Value::Opaque(ref template) if self.integers_of(template).is_some() => {
@@ -191,7 +204,10 @@ impl Reader {
             other => {
                 self.mistake(
                     at,
-                    format!("this goes over a range or an array, but the value is {}", other.name()),
+                    format!(
+                        "this goes over a range or an array, but the value is {}",
+                        other.name()
+                    ),
                 );
                 Ok(None)
             }

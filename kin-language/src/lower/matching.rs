@@ -48,8 +48,12 @@ impl Reader {
                 Ok(any)
             }
             (pattern, Value::Choice(all)) => self.test_choice(pattern, all),
-            (Pat::Tuple(tuple), Value::Tuple(values)) => self.test_parts(tuple.elems.iter(), values),
-            (Pat::Slice(slice), Value::Array(values)) => self.test_parts(slice.elems.iter(), values),
+            (Pat::Tuple(tuple), Value::Tuple(values)) => {
+                self.test_parts(tuple.elems.iter(), values)
+            }
+            (Pat::Slice(slice), Value::Array(values)) => {
+                self.test_parts(slice.elems.iter(), values)
+            }
             (pattern, Value::Adt(adt)) => self.test_adt(pattern, adt),
             (pattern, Value::Opaque(template)) => self.test_opaque(pattern, template),
             (Pat::Lit(literal), value) => self.test_literal(&literal.lit, value, pattern),
@@ -69,7 +73,8 @@ impl Reader {
         }
     }
 
-    /// Of one of several values: that it is one that matches; a variable is that of the one that it is.
+    /// Of one of several values: that it is one that matches; a variable is that of the one that it
+    /// is.
     fn test_choice(&mut self, pattern: &Pat, all: &[(Node, Value)]) -> Read<Node> {
         let mut found: Vec<(Node, std::collections::BTreeMap<String, usize>)> = Vec::new();
         for (taken, value) in all {
@@ -84,8 +89,8 @@ impl Reader {
         }
         let never = self.graph.bool(false);
         let any = found.iter().fold(never, |any, (taken, _)| self.graph.or(any, *taken));
-        let always =
-            found.len() == all.len() && found.iter().zip(all).all(|((both, _), (taken, _))| both == taken);
+        let always = found.len() == all.len()
+            && found.iter().zip(all).all(|((both, _), (taken, _))| both == taken);
         let Some((_, last)) = found.last() else { return Ok(never) };
         for (name, slot) in last.clone() {
             let mut value = self.store.get(slot).clone();
@@ -101,7 +106,8 @@ impl Reader {
 
     /// Of a value of a struct or a variant: that it is the one of that name, and its parts match.
     fn test_adt(&mut self, pattern: &Pat, adt: &Adt) -> Read<Node> {
-        let named = |path: &syn::Path| path.segments.last().is_some_and(|last| last.ident == adt.name);
+        let named =
+            |path: &syn::Path| path.segments.last().is_some_and(|last| last.ident == adt.name);
         let never = self.graph.bool(false);
         if self.no_such_variant(pattern, adt).is_some() {
             names(pattern).into_iter().for_each(|name| self.declare(name, Value::Poison));
@@ -111,13 +117,16 @@ impl Reader {
             Pat::Ident(ident) => Ok(self.graph.bool(ident.ident == adt.name)),
             Pat::Path(path) => Ok(self.graph.bool(named(&path.path))),
             Pat::TupleStruct(tuple) if named(&tuple.path) => {
-                let values: Vec<Value> = adt.fields.iter().map(|(_, value)| value.clone()).collect();
+                let values: Vec<Value> =
+                    adt.fields.iter().map(|(_, value)| value.clone()).collect();
                 self.test_parts(tuple.elems.iter(), &values)
             }
             Pat::Struct(fields) if named(&fields.path) => {
                 let mut all = self.graph.bool(true);
                 for field in &fields.fields {
-                    let Some(value) = adt.field(&field.member.to_token_stream().to_string()).cloned() else {
+                    let Some(value) =
+                        adt.field(&field.member.to_token_stream().to_string()).cloned()
+                    else {
                         return Err(Unreadable::new(field, "this field"));
                     };
                     let one = self.test(&field.pat, &value)?;
@@ -131,7 +140,11 @@ impl Reader {
     }
 
     /// Parts in their order, with `..` for any number of them.
-    fn test_parts<'a>(&mut self, parts: impl Iterator<Item = &'a Pat>, values: &[Value]) -> Read<Node> {
+    fn test_parts<'a>(
+        &mut self,
+        parts: impl Iterator<Item = &'a Pat>,
+        values: &[Value],
+    ) -> Read<Node> {
         let parts: Vec<&Pat> = parts.collect();
         let Some(rest) = parts.iter().position(|part| rest_of(part).is_some()) else {
             return match parts.len() == values.len() {
@@ -147,11 +160,16 @@ impl Reader {
             self.declare(name, Value::Array(values[rest..values.len() - after].to_vec()));
         }
         let first = self.test_all(parts[..rest].iter().copied(), &values[..rest])?;
-        let last = self.test_all(parts[rest + 1..].iter().copied(), &values[values.len() - after..])?;
+        let last =
+            self.test_all(parts[rest + 1..].iter().copied(), &values[values.len() - after..])?;
         Ok(self.graph.and(first, last))
     }
 
-    fn test_all<'a>(&mut self, parts: impl Iterator<Item = &'a Pat>, values: &[Value]) -> Read<Node> {
+    fn test_all<'a>(
+        &mut self,
+        parts: impl Iterator<Item = &'a Pat>,
+        values: &[Value],
+    ) -> Read<Node> {
         let always = self.graph.bool(true);
         parts.zip(values).try_fold(always, |all, (part, value)| {
             let one = self.test(part, value)?;
@@ -168,14 +186,20 @@ impl Reader {
             return Ok(if wanted.value { holds } else { self.graph.not(holds) });
         }
         if template.has_choice() || self.varies(template) {
-            return Err(Unreadable::new(pattern, "a pattern that takes a value of unknown type apart"));
+            return Err(Unreadable::new(
+                pattern,
+                "a pattern that takes a value of unknown type apart",
+            ));
         }
         let mut blank = pattern.clone();
         Blank.visit_pat_mut(&mut blank);
         for name in names(pattern) {
             let ident = proc_macro2::Ident::new(&name, super::first_span(pattern));
-            let part =
-                Value::Opaque(Template::Part(Box::new(template.clone()), Box::new(pattern.clone()), ident));
+            let part = Value::Opaque(Template::Part(
+                Box::new(template.clone()),
+                Box::new(pattern.clone()),
+                ident,
+            ));
             let part = match self.held_type(template, pattern) {
                 Some(ty) => self.typed(part, &ty, pattern)?,
                 None => part,
@@ -202,13 +226,17 @@ impl Reader {
             _ => return None,
         };
         let Pat::TupleStruct(tuple) = pattern else { return None };
-        let simple = matches!(tuple.elems.first(), Some(Pat::Ident(ident)) if ident.subpat.is_none());
-        let syn::Type::Path(path) = self.parameter_types.get(&name.to_string())? else { return None };
+        let simple =
+            matches!(tuple.elems.first(), Some(Pat::Ident(ident)) if ident.subpat.is_none());
+        let syn::Type::Path(path) = self.parameter_types.get(&name.to_string())? else {
+            return None;
+        };
         let last = path.path.segments.last().filter(|last| last.ident == "Option" && simple)?;
         let syn::PathArguments::AngleBracketed(given) = &last.arguments else { return None };
         match given.args.first()? {
             syn::GenericArgument::Type(ty)
-                if crate::parse::shape(ty).is_some() || ty.to_token_stream().to_string() == "bool" =>
+                if crate::parse::shape(ty).is_some()
+                    || ty.to_token_stream().to_string() == "bool" =>
             {
                 Some(ty.clone())
             }
@@ -237,20 +265,28 @@ impl Reader {
             (Lit::Int(k), Value::Integer(n, _)) => {
                 Ok(self.graph.bool(k.base10_parse::<i64>().is_ok_and(|k| k == *n)))
             }
-            (Lit::Bool(b), Value::Condition(c)) => Ok(if b.value { *c } else { self.graph.not(*c) }),
+            (Lit::Bool(b), Value::Condition(c)) => {
+                Ok(if b.value { *c } else { self.graph.not(*c) })
+            }
             (Lit::Float(x), Value::Scalar(n)) => {
                 let x = self.graph.decimal(x.base10_digits());
                 Ok(self.graph.compare(Comparison::Equal, *n, x))
             }
             (Lit::Float(x), Value::Integer(..)) => {
                 let whole = x.base10_parse::<f64>().map_or(0.0, f64::trunc);
-                self.mistake(at, format!("the value is an integer; a pattern of it is one too, `{whole}`"));
+                self.mistake(
+                    at,
+                    format!("the value is an integer; a pattern of it is one too, `{whole}`"),
+                );
                 Ok(self.graph.bool(false))
             }
             (Lit::Int(k), Value::Scalar(_)) => {
                 self.mistake(
                     at,
-                    format!("the value is an f64; a pattern of it is one too, `{}.0`", k.base10_digits()),
+                    format!(
+                        "the value is an f64; a pattern of it is one too, `{}.0`",
+                        k.base10_digits()
+                    ),
                 );
                 Ok(self.graph.bool(false))
             }
@@ -269,7 +305,9 @@ impl Reader {
             let Some(bound) = bound else { continue };
             let one = match (self.expression(bound)?, value) {
                 (Value::Scalar(b), Value::Scalar(n)) => self.graph.compare(comparison, *n, b),
-                (Value::Integer(b, _), Value::Integer(n, _)) => self.graph.bool(comparison.holds(n, &b)),
+                (Value::Integer(b, _), Value::Integer(n, _)) => {
+                    self.graph.bool(comparison.holds(n, &b))
+                }
                 (Value::Opaque(b), Value::Scalar(n)) => {
                     let b = self.scalar(Value::Opaque(b), bound);
                     self.graph.compare(comparison, *n, b)

@@ -1,6 +1,6 @@
-//! Second stage: reads the body by abstract interpretation over typed values. Each expression becomes a
-//! `Value` over the scalar graph; what cannot be read is [`Unreadable`] and sends the whole constraint to the
-//! dual route; a mistake is collected and reading goes on.
+//! Second stage: reads the body by abstract interpretation over typed values. Each expression
+//! becomes a `Value` over the scalar graph; what cannot be read is [`Unreadable`] and sends the
+//! whole constraint to the dual route; a mistake is collected and reading goes on.
 
 pub mod alone;
 mod apply;
@@ -65,7 +65,8 @@ pub struct Lowered {
     pub expressions: Expressions,
     /// Points and directions that do not move in their bodies.
     pub attachments: Vec<Attachment>,
-    /// Items of the body that emitted code repeats: imports, types, constants whose value is not known here.
+    /// Items of the body that emitted code repeats: imports, types, constants whose value is not
+    /// known here.
     pub items: Vec<syn::Item>,
     /// The same read once more without rounding constants, where that makes a difference.
     pub as_written: Option<Box<Lowered>>,
@@ -135,8 +136,8 @@ fn first_span(at: &dyn ToTokens) -> Span {
 /// Either a value or the end of reading.
 type Read<T = Value> = Result<T, Unreadable>;
 
-/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a deep stack
-/// for it.
+/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a
+/// deep stack for it.
 const MOST_NODES: usize = 4_000;
 /// Loops are unrolled up to this many turns.
 const MOST_TURNS: i64 = 4_096;
@@ -152,21 +153,27 @@ pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
         reader.declare_signature(source);
-        let value = reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
+        let value =
+            reader.function_body(&source.body, &source.output_type).map_err(Failure::Unreadable);
         let rows = value.map(|value| reader.rows(source, &value));
         reader.finish(rows)
     })
 }
 
-/// Reads an expression over the arguments of `source`, a number: the value of an attribute. The items at the
-/// beginning of the body are in sight.
+/// Reads an expression over the arguments of `source`, a number: the value of an attribute. The
+/// items at the beginning of the body are in sight.
 pub fn value(source: &ConstraintFn, expression: &syn::Expr) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
         reader.declare_signature(source);
-        let items = source.body.stmts.iter().take_while(|statement| matches!(statement, syn::Stmt::Item(_)));
+        let items = source
+            .body
+            .stmts
+            .iter()
+            .take_while(|statement| matches!(statement, syn::Stmt::Item(_)));
         let body = syn::parse_quote!({ #(#items)* #expression });
-        let value = reader.function_body(&body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
+        let value =
+            reader.function_body(&body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
         let row = value.map(|value| reader.scalar(value, expression));
         reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
     })
@@ -185,14 +192,15 @@ pub fn law(
         let x = reader.graph.input(Input::Column(0));
         reader.declare(variable.to_string(), Value::Scalar(x));
         reader.declare_arguments(parameters);
-        let value = reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
+        let value =
+            reader.function_body(body, &syn::parse_quote!(f64)).map_err(Failure::Unreadable);
         let row = value.map(|value| reader.scalar(value, body));
         reader.finish(row.map(|node| vec![Row { name: String::new(), node }]))
     })
 }
 
-/// Reads with constants folded as f64 does, for kernels, and once more with those as they are written, if
-/// that is another equation.
+/// Reads with constants folded as f64 does, for kernels, and once more with those as they are
+/// written, if that is another equation.
 fn with_constants(read: &dyn Fn(Graph) -> Result<Lowered, Failure>) -> Result<Lowered, Failure> {
     let mut lowered = read(Graph::default())?;
     if lowered.graph.is_rounded() {
@@ -290,7 +298,8 @@ impl Reader {
         }
     }
 
-    /// All that was read. A mistake is worth more than the remark that something else cannot be read.
+    /// All that was read. A mistake is worth more than the remark that something else cannot be
+    /// read.
     fn finish(mut self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
         self.mistakes.finish().map_err(Failure::Mistakes)?;
         if self.opaques.is_empty() && self.leaves.is_empty() && self.laws.is_empty() {

@@ -38,8 +38,9 @@ impl Reader {
             (_, value @ (Value::Poison | Value::Never | Value::Left)) => value,
             (UnOp::Neg(_), Value::Integer(k, ty)) => integer::negated(k, ty)
                 .ok_or_else(|| Unreadable::new(op, "integer arithmetic that may overflow"))?,
-            (UnOp::Not(_), Value::Integer(k, ty)) => integer::inverted(k, ty)
-                .ok_or_else(|| Unreadable::new(op, "`!` of an integer whose type is not known here"))?,
+            (UnOp::Not(_), Value::Integer(k, ty)) => integer::inverted(k, ty).ok_or_else(|| {
+                Unreadable::new(op, "`!` of an integer whose type is not known here")
+            })?,
             (UnOp::Not(_), Value::Condition(c)) => Value::Condition(self.graph.not(c)),
             (UnOp::Not(_), Value::Opaque(template)) if !template.nodes().is_empty() => {
                 let condition = self.condition(Value::Opaque(template), inner);
@@ -49,19 +50,24 @@ impl Reader {
                 Value::Opaque(template.each(&|part| Template::Unary(*op, Box::new(part))))
             }
             (op, value @ Value::Adt(_)) => self.unary_of_own(*op, value, inner)?,
-            (UnOp::Neg(_), value) if value.components().is_some() || matches!(value, Value::Scalar(_)) => {
+            (UnOp::Neg(_), value)
+                if value.components().is_some() || matches!(value, Value::Scalar(_)) =>
+            {
                 self.negated(value)
             }
-            (op, other) => {
-                self.mistake(op, format!("`{}` does not apply to {}", op.to_token_stream(), other.name()))
-            }
+            (op, other) => self.mistake(
+                op,
+                format!("`{}` does not apply to {}", op.to_token_stream(), other.name()),
+            ),
         })
     }
 
     /// −value, of a number or of components.
     pub fn negated(&mut self, value: Value) -> Value {
         match (value.components(), &value) {
-            (Some((kind, nodes)), _) => kind.value(nodes.iter().map(|&n| self.graph.neg(n)).collect()),
+            (Some((kind, nodes)), _) => {
+                kind.value(nodes.iter().map(|&n| self.graph.neg(n)).collect())
+            }
             (None, Value::Scalar(n)) => Value::Scalar(self.graph.neg(*n)),
             _ => Value::Poison,
         }
@@ -89,8 +95,8 @@ impl Reader {
         self.operate_each(binary.op, left, right, binary)
     }
 
-    /// The value that a compound assignment changes: of the body's own types the one that `index_mut` gives,
-    /// which need not be that of `index`.
+    /// The value that a compound assignment changes: of the body's own types the one that
+    /// `index_mut` gives, which need not be that of `index`.
     fn assigned_to(&mut self, left: &Expr) -> Read {
         if let Expr::Index(index) = left
             && let Some(base) = self.looked_into(&index.expr)?
@@ -105,7 +111,10 @@ impl Reader {
 
     /// `left op right`, of whatever the sides may be.
     fn operate_each(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
-        self.each_list(vec![left, right], at, &mut |reader, mut sides| match (sides.pop(), sides.pop()) {
+        self.each_list(vec![left, right], at, &mut |reader, mut sides| match (
+            sides.pop(),
+            sides.pop(),
+        ) {
             (Some(right), Some(left)) => reader.operate(op, left, right, at),
             _ => Ok(Value::Poison),
         })
@@ -186,7 +195,9 @@ impl Reader {
             (BinOp::Mul(_), Value::Matrix(n, a), Value::Matrix(m, b)) if n == m => {
                 Value::Matrix(*n, self.matrix_matrix(*n, a, b))
             }
-            (BinOp::Mul(_), Value::Euler(p), Value::Euler(q)) => Value::Euler(self.euler_product(p, q)),
+            (BinOp::Mul(_), Value::Euler(p), Value::Euler(q)) => {
+                Value::Euler(self.euler_product(p, q))
+            }
             (BinOp::Mul(_), Value::Scalar(s), other) | (BinOp::Mul(_), other, Value::Scalar(s)) => {
                 self.each_with(other, *s, Graph::mul)?
             }
@@ -209,13 +220,24 @@ impl Reader {
         })
     }
 
-    fn each_with(&mut self, value: &Value, s: Node, f: fn(&mut Graph, Node, Node) -> Node) -> Option<Value> {
+    fn each_with(
+        &mut self,
+        value: &Value,
+        s: Node,
+        f: fn(&mut Graph, Node, Node) -> Node,
+    ) -> Option<Value> {
         let (kind, nodes) = value.components()?;
         Some(kind.value(nodes.iter().map(|&n| f(&mut self.graph, n, s)).collect()))
     }
 
-    fn pairs(&mut self, left: &Value, right: &Value, f: fn(&mut Graph, Node, Node) -> Node) -> Option<Value> {
-        let ((kind, a), (other, b)) = (left.components()?, right.components()?);
+    fn pairs(
+        &mut self,
+        left: &Value,
+        right: &Value,
+        f: fn(&mut Graph, Node, Node) -> Node,
+    ) -> Option<Value> {
+        let (kind, a) = left.components()?;
+        let (other, b) = right.components()?;
         (kind == other)
             .then(|| kind.value(a.iter().zip(b).map(|(&a, &b)| f(&mut self.graph, a, b)).collect()))
     }
@@ -225,20 +247,20 @@ impl Reader {
         (0..n * n).map(|k| self.dot(&a[k / n * n..][..n], &columns[k % n * n..][..n])).collect()
     }
 
-    /// Between values that only rustc knows: their place decides what they are, but a comparison takes
-    /// numbers.
+    /// Between values that only rustc knows: their place decides what they are, but a comparison
+    /// takes numbers.
     fn operate_opaque(&mut self, op: BinOp, a: Template, b: Template, at: &ExprBinary) -> Read {
         let open = a.has_choice() || b.has_choice();
         let known = [&a, &b].iter().any(|template| self.varies(template));
         match (comparison(&op), op) {
             (Some(comparison), _) if open || known => {
-                let (a, b) =
-                    (self.scalar(Value::Opaque(a), &at.left), self.scalar(Value::Opaque(b), &at.right));
+                let a = self.scalar(Value::Opaque(a), &at.left);
+                let b = self.scalar(Value::Opaque(b), &at.right);
                 Ok(Value::Condition(self.graph.compare(comparison, a, b)))
             }
             (None, BinOp::And(_) | BinOp::Or(_)) if open => {
-                let (a, b) =
-                    (self.condition(Value::Opaque(a), &at.left), self.condition(Value::Opaque(b), &at.right));
+                let a = self.condition(Value::Opaque(a), &at.left);
+                let b = self.condition(Value::Opaque(b), &at.right);
                 self.conditions(op, a, b, at)
             }
             _ if open && !is_arithmetic(&op) => {
@@ -257,7 +279,8 @@ impl Reader {
         swapped: bool,
         at: &ExprBinary,
     ) -> Read {
-        let (place, other_place) = if swapped { (&at.right, &at.left) } else { (&at.left, &at.right) };
+        let (place, other_place) =
+            if swapped { (&at.right, &at.left) } else { (&at.left, &at.right) };
         let factor = matches!(op, BinOp::Mul(_)) || matches!(op, BinOp::Div(_)) && !swapped;
         let shape = match (&known, op) {
             (Value::Integer(..), _) => None,
@@ -273,7 +296,8 @@ impl Reader {
             _ => Some(Shape::Scalar),
         };
         let Some(shape) = shape else {
-            // A factor may belong to a number or to a vector, and an integer to whatever integer it is.
+            // A factor may belong to a number or to a vector, and an integer to whatever integer it
+            // is.
             let known = self.template(known, other_place)?;
             let (left, right) = if swapped { (known, opaque) } else { (opaque, known) };
             return Ok(Value::Opaque(Template::Binary(Box::new(left), op, Box::new(right))));
@@ -298,12 +322,20 @@ impl Reader {
             .ok_or_else(|| Unreadable::new(&at.op, "integer arithmetic that may overflow"))
     }
 
-    fn operator_mistake(&mut self, op: BinOp, left: &Value, right: &Value, at: &ExprBinary) -> Value {
+    fn operator_mistake(
+        &mut self,
+        op: BinOp,
+        left: &Value,
+        right: &Value,
+        at: &ExprBinary,
+    ) -> Value {
         let sign = op.to_token_stream().to_string();
         for (value, other, place) in [(left, right, &at.left), (right, left, &at.right)] {
             let name = crate::error::tidy(&place.to_token_stream().to_string());
             let text = match value {
-                Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
+                Value::Law(_) => {
+                    format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`")
+                }
                 Value::Planar(_) | Value::Spatial(_) => {
                     format!(
                         "`{name}` is the state of a body: use `{name}.r`, `{name}.point(u)`, `{name}.direction(h)`, …"
@@ -321,10 +353,13 @@ impl Reader {
             (Value::Vector(_), Value::Vector(_)) if matches!(op, BinOp::Mul(_)) => {
                 "; the scalar product is `a.dot(b)`, the vector product `a.cross(b)`"
             }
-            (Value::Condition(_), _) | (_, Value::Condition(_)) => "; a condition belongs into `if`",
+            (Value::Condition(_), _) | (_, Value::Condition(_)) => {
+                "; a condition belongs into `if`"
+            }
             _ => "",
         };
-        let text = format!("there is no `{sign}` between {} and {}{cure}", left.name(), right.name());
+        let text =
+            format!("there is no `{sign}` between {} and {}{cure}", left.name(), right.name());
         self.mistakes.push(syn::Error::new(at.op.span(), text));
         Value::Poison
     }

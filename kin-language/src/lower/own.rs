@@ -1,5 +1,5 @@
-//! Structs and enums: values with named parts. Of those declared inside of the body the methods are read too;
-//! of others only what was put into them is known, and anything else is asked of rustc.
+//! Structs and enums: values with named parts. Of those declared inside of the body the methods are
+//! read too; of others only what was put into them is known, and anything else is asked of rustc.
 
 mod declared;
 mod operators;
@@ -24,15 +24,14 @@ impl Reader {
             "EulerParameters" => Some((&["e0", "e1", "e2", "e3"][..], Components::Euler)),
             _ => None,
         };
-        let rest =
-            match &literal.rest {
-                Some(rest) if is_default(rest) => Some(self.default_of(
-                    &Type::Path(syn::TypePath { qself: None, path: literal.path.clone() }),
-                    rest,
-                )?),
-                Some(rest) => Some(self.expression(rest)?),
-                None => None,
-            };
+        let rest = match &literal.rest {
+            Some(rest) if is_default(rest) => Some(self.default_of(
+                &Type::Path(syn::TypePath { qself: None, path: literal.path.clone() }),
+                rest,
+            )?),
+            Some(rest) => Some(self.expression(rest)?),
+            None => None,
+        };
         let mut fields = Vec::new();
         for field in &literal.fields {
             let name = field.member.to_token_stream().to_string();
@@ -48,10 +47,14 @@ impl Reader {
         };
         let mut nodes = Vec::new();
         for wanted in names {
-            match (fields.iter().find(|(name, ..)| name == wanted), rest.as_ref().and_then(Value::components))
-            {
+            match (
+                fields.iter().find(|(name, ..)| name == wanted),
+                rest.as_ref().and_then(Value::components),
+            ) {
                 (Some((_, value, place)), _) => nodes.push(self.scalar(value.clone(), place)),
-                (None, Some((_, known))) if known.len() == names.len() => nodes.push(known[nodes.len()]),
+                (None, Some((_, known))) if known.len() == names.len() => {
+                    nodes.push(known[nodes.len()])
+                }
                 (None, _) => return Ok(self.mistake(literal, format!("`{name}` needs `{wanted}`"))),
             }
         }
@@ -75,12 +78,15 @@ impl Reader {
                 fields.extend(others);
             }
             Some(Value::Poison) | None => {}
-            Some(_) => return Err(Unreadable::new(&literal.dot2_token, "the rest of another value")),
+            Some(_) => {
+                return Err(Unreadable::new(&literal.dot2_token, "the rest of another value"));
+            }
         }
         fields.sort_by(|(a, _), (b, _)| a.cmp(b));
         let path = self.own.whole_path(&literal.path);
         let adt = Adt { path, name: name.into(), fields, braces: true };
-        let mistaken = self.mistaken_field(literal, &adt).or_else(|| self.integer_field(literal, &adt));
+        let mistaken =
+            self.mistaken_field(literal, &adt).or_else(|| self.integer_field(literal, &adt));
         Ok(mistaken.unwrap_or(Value::Adt(adt)))
     }
 
@@ -95,7 +101,8 @@ impl Reader {
                 _ => None,
             }
         };
-        let (place, k) = literal.fields.iter().find_map(|field| Some((&field.expr, integer(field)?)))?;
+        let (place, k) =
+            literal.fields.iter().find_map(|field| Some((&field.expr, integer(field)?)))?;
         Some(self.mistake(place, crate::error::integer_for_a_number(place, k)))
     }
 
@@ -105,15 +112,20 @@ impl Reader {
         let given: Vec<String> =
             literal.fields.iter().map(|field| field.member.to_token_stream().to_string()).collect();
         let mut known = given.iter().enumerate();
-        let wrong = known.find(|(k, name)| !wanted.contains(&name.as_str()) || given[..*k].contains(name));
+        let wrong =
+            known.find(|(k, name)| !wanted.contains(&name.as_str()) || given[..*k].contains(name));
         let name = &adt.name;
         let (place, text): (&dyn ToTokens, String) = match wrong {
             Some((k, field)) if wanted.contains(&field.as_str()) => {
                 (&literal.fields[k].member, format!("`{field}` is given twice"))
             }
             Some((k, field)) => {
-                let all = wanted.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-                (&literal.fields[k].member, format!("`{name}` has no field `{field}`; it has {all}"))
+                let all =
+                    wanted.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+                (
+                    &literal.fields[k].member,
+                    format!("`{name}` has no field `{field}`; it has {all}"),
+                )
             }
             None => {
                 let missing = wanted.iter().find(|field| adt.field(field).is_none())?;
@@ -124,12 +136,19 @@ impl Reader {
     }
 
     /// `Slider(x)` with as many values as the body's own type has.
-    pub fn own_tuple(&mut self, path: &syn::Path, arguments: Vec<Value>, at: &dyn ToTokens) -> Value {
+    pub fn own_tuple(
+        &mut self,
+        path: &syn::Path,
+        arguments: Vec<Value>,
+        at: &dyn ToTokens,
+    ) -> Value {
         let adt = Adt::tuple(&self.own.whole_path(path), arguments);
-        let wanted = self.own.declared(&adt.type_name()).map(|declared| declared.fields_of(&adt.name).len());
+        let wanted =
+            self.own.declared(&adt.type_name()).map(|declared| declared.fields_of(&adt.name).len());
         match wanted {
             Some(wanted) if wanted != adt.fields.len() => {
-                let text = super::counted(&format!("`{}`", adt.name), wanted, "value", adt.fields.len());
+                let text =
+                    super::counted(&format!("`{}`", adt.name), wanted, "value", adt.fields.len());
                 self.mistake(at, text)
             }
             _ => Value::Adt(adt),
@@ -167,7 +186,9 @@ impl Reader {
     /// `Link::LENGTH`, `<M8 as Thread>::PITCH`: a constant of a type of the body's own.
     pub fn own_constant(&mut self, path: &syn::ExprPath) -> Read<Option<Value>> {
         match self.own.by_path(path, &[]) {
-            Some((item, depth)) if item.sig.inputs.is_empty() && crate::vocabulary::is_type_name(path) => {
+            Some((item, depth))
+                if item.sig.inputs.is_empty() && crate::vocabulary::is_type_name(path) =>
+            {
                 self.own_call(&item, depth, vec![], path).map(Some)
             }
             _ => Ok(None),
@@ -182,20 +203,25 @@ impl Reader {
             _ if name == "f64" => Ok(Value::Scalar(self.graph.zero())),
             _ if name == "bool" => Ok(Value::Condition(self.graph.bool(false))),
             _ if is_integer(&name) => Ok(Value::Integer(0, IntegerType::named(&name))),
-            Type::Tuple(tuple) => {
-                tuple.elems.iter().map(|ty| self.default_of(ty, at)).collect::<Read<_>>().map(Value::Tuple)
-            }
+            Type::Tuple(tuple) => tuple
+                .elems
+                .iter()
+                .map(|ty| self.default_of(ty, at))
+                .collect::<Read<_>>()
+                .map(Value::Tuple),
             Type::Array(array) => {
                 let n = self.known_length(&array.len).filter(|n| *n <= super::MOST_NODES);
                 let one = self.default_of(&array.elem, at)?;
                 Ok(Value::Array(vec![one; n.ok_or_else(unknown)?]))
             }
-            Type::Path(path) => match path.path.segments.last().map(|last| last.ident.to_string()) {
-                Some(name) if name == "Vec" => Ok(Value::Array(vec![])),
-                Some(name) if name == "Option" => Ok(Value::none()),
-                Some(name) => self.default_of_own(&name, at),
-                None => Err(unknown()),
-            },
+            Type::Path(path) => {
+                match path.path.segments.last().map(|last| last.ident.to_string()) {
+                    Some(name) if name == "Vec" => Ok(Value::Array(vec![])),
+                    Some(name) if name == "Option" => Ok(Value::none()),
+                    Some(name) => self.default_of_own(&name, at),
+                    None => Err(unknown()),
+                }
+            }
             _ => Err(unknown()),
         }
     }
@@ -205,14 +231,16 @@ impl Reader {
             return Ok(value);
         }
         let ident = proc_macro2::Ident::new(name, proc_macro2::Span::call_site());
-        let Some(declared) = self.own.declared(name).filter(|declared| declared.derives("Default")) else {
+        let Some(declared) = self.own.declared(name).filter(|declared| declared.derives("Default"))
+        else {
             return Err(Unreadable::new(at, "the default of this type"));
         };
         if let Some(variant) = &declared.default {
             let variant = proc_macro2::Ident::new(variant, proc_macro2::Span::call_site());
             return Ok(Value::Adt(Adt::tuple(&syn::parse_quote!(#ident::#variant), vec![])));
         }
-        let (fields, braces) = (declared.fields.clone(), declared.braces);
+        let fields = declared.fields.clone();
+        let braces = declared.braces;
         let values = fields.into_iter().map(|(name, ty)| Ok((name, self.default_of(&ty, at)?)));
         let fields = values.collect::<Read<Vec<_>>>()?;
         Ok(Value::Adt(Adt { path: ident.into(), name: name.into(), fields, braces }))

@@ -31,10 +31,13 @@ impl Reader {
         places: &[&Expr],
         at: &dyn ToTokens,
     ) -> Read {
-        let (Some(method), Some((receiver, rest))) = (path.path.segments.last(), places.split_first()) else {
+        let (Some(method), Some((receiver, rest))) =
+            (path.path.segments.last(), places.split_first())
+        else {
             return Err(Unreadable::new(at, "this function"));
         };
-        let (method, rest) = (&method.ident, rest.iter());
+        let method = &method.ident;
+        let rest = rest.iter();
         let whole: syn::ExprMethodCall = syn::parse_quote!((#receiver).#method(#(#rest),*));
         self.method_with(&whole, arguments)
     }

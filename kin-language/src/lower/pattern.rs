@@ -14,7 +14,8 @@ impl Reader {
         match pattern {
             Pat::Wild(_) => Ok(()),
             Pat::Ident(ident) => {
-                let value = if ident.by_ref.is_some() { Value::Reference(Box::new(value)) } else { value };
+                let value =
+                    if ident.by_ref.is_some() { Value::Reference(Box::new(value)) } else { value };
                 if let Some((_, inner)) = &ident.subpat {
                     self.bind(inner, value.clone())?;
                 }
@@ -47,24 +48,31 @@ impl Reader {
         match pattern {
             Pat::Tuple(tuple) => self.bind_all(pattern, tuple.elems.iter(), value, "a tuple"),
             Pat::Slice(slice) => self.bind_all(pattern, slice.elems.iter(), value, "an array"),
-            Pat::Struct(fields) if !matches!(value, Value::Choice(_)) => self.bind_fields(fields, value),
-            Pat::TupleStruct(_) | Pat::Struct(_) | Pat::Or(_) => self.test(pattern, &value).map(drop),
+            Pat::Struct(fields) if !matches!(value, Value::Choice(_)) => {
+                self.bind_fields(fields, value)
+            }
+            Pat::TupleStruct(_) | Pat::Struct(_) | Pat::Or(_) => {
+                self.test(pattern, &value).map(drop)
+            }
             other => Err(Unreadable::new(other, "this pattern")),
         }
     }
 
-    /// A value whose parts are looked at: of `&mut` of something put together, references to its parts.
+    /// A value whose parts are looked at: of `&mut` of something put together, references to its
+    /// parts.
     pub fn outer(&mut self, value: Value) -> Value {
         let Value::Place(place) = &value else { return value.referent() };
         match self.at_place(place) {
-            Some(Value::Tuple(all)) => {
-                Value::Tuple((0..all.len()).map(|k| Value::Place(place.field(&k.to_string()))).collect())
-            }
+            Some(Value::Tuple(all)) => Value::Tuple(
+                (0..all.len()).map(|k| Value::Place(place.field(&k.to_string()))).collect(),
+            ),
             Some(Value::Array(all)) => {
                 Value::Array((0..all.len()).map(|k| Value::Place(place.index(k))).collect())
             }
             Some(Value::Adt(mut adt)) => {
-                adt.fields.iter_mut().for_each(|(name, value)| *value = Value::Place(place.field(name)));
+                adt.fields
+                    .iter_mut()
+                    .for_each(|(name, value)| *value = Value::Place(place.field(name)));
                 Value::Adt(adt)
             }
             _ => self.loaded(value),
@@ -99,7 +107,10 @@ impl Reader {
                 return Err(Unreadable::new(at, "taking apart a value of unknown type"));
             }
             other => {
-                self.mistake(at, format!("this takes apart {what}, but the value is {}", other.name()));
+                self.mistake(
+                    at,
+                    format!("this takes apart {what}, but the value is {}", other.name()),
+                );
                 return parts.into_iter().try_for_each(|part| self.bind_nothing(part));
             }
         };
@@ -108,12 +119,19 @@ impl Reader {
         if !fits {
             self.mistake(
                 at,
-                format!("this takes apart {what} of {}, but the value has {}", parts.len(), values.len()),
+                format!(
+                    "this takes apart {what} of {}, but the value has {}",
+                    parts.len(),
+                    values.len()
+                ),
             );
             return parts.into_iter().try_for_each(|part| self.bind_nothing(part));
         }
         let Some(rest) = rest else {
-            return parts.into_iter().zip(values).try_for_each(|(part, value)| self.bind(part, value));
+            return parts
+                .into_iter()
+                .zip(values)
+                .try_for_each(|(part, value)| self.bind(part, value));
         };
         let after = values.split_off(values.len() - (parts.len() - rest - 1));
         let middle = values.split_off(rest);
@@ -203,7 +221,8 @@ impl VisitMut for Blank {
     }
 }
 
-/// True if a pattern without variables matches whatever there is: of a tuple, where all of its parts do.
+/// True if a pattern without variables matches whatever there is: of a tuple, where all of its
+/// parts do.
 pub fn is_open(pattern: &Pat) -> bool {
     match pattern {
         Pat::Wild(_) | Pat::Rest(_) => true,

@@ -1,5 +1,5 @@
-//! Where the numbers of an equation come from: of each node the innermost expression that was being read when
-//! it was made.
+//! Where the numbers of an equation come from: of each node the innermost expression that was being
+//! read when it was made.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -25,8 +25,8 @@ pub struct Expressions {
     index: HashMap<Expression, usize>,
     /// By the node's number.
     nodes: Vec<Option<usize>>,
-    /// By the template's key: an expression that only rustc understands becomes numbers later than it is
-    /// read.
+    /// By the template's key: an expression that only rustc understands becomes numbers later than
+    /// it is read.
     templates: HashMap<String, usize>,
 }
 
@@ -40,7 +40,8 @@ impl Expressions {
         })
     }
 
-    /// An expression has been read: nodes made by it that are of no expression inside of it are its own.
+    /// An expression has been read: nodes made by it that are of no expression inside of it are its
+    /// own.
     pub fn ended(&mut self, tokens: &dyn ToTokens, made: Range<usize>) {
         if made.clone().any(|node| self.nodes.get(node).copied().flatten().is_none()) {
             let number = self.number(tokens);
@@ -77,16 +78,23 @@ impl Expressions {
 impl Expression {
     fn new(tokens: &dyn ToTokens) -> Self {
         let at = super::first_span(tokens).start();
-        Expression { text: as_written(tokens.to_token_stream()), line: at.line, column: at.column + 1 }
+        Expression {
+            text: as_written(tokens.to_token_stream()),
+            line: at.line,
+            column: at.column + 1,
+        }
     }
 }
 
-/// The text of tokens: on one line, without comments, with blanks where the user has them (as far as places
-/// are known), and no longer than a line.
+/// The text of tokens: on one line, without comments, with blanks where the user has them (as far
+/// as places are known), and no longer than a line.
 fn as_written(tokens: TokenStream) -> String {
     const LONGEST: usize = 100;
-    let known =
-        tokens.clone().into_iter().next().is_some_and(|first| first.span().start() != first.span().end());
+    let known = tokens
+        .clone()
+        .into_iter()
+        .next()
+        .is_some_and(|first| first.span().start() != first.span().end());
     let text = if known {
         let mut text = Text::default();
         text.append(tokens);
@@ -119,10 +127,15 @@ impl Text {
                         Delimiter::None => ("", ""),
                     };
                     // Of a group that has been parsed only the span of the whole is left.
-                    let (start, end) = (group.span().start(), group.span().end());
+                    let start = group.span().start();
+                    let end = group.span().end();
                     self.token(open, start, LineColumn { column: start.column + 1, ..start });
                     self.append(group.stream());
-                    self.token(close, LineColumn { column: end.column.saturating_sub(1), ..end }, end);
+                    self.token(
+                        close,
+                        LineColumn { column: end.column.saturating_sub(1), ..end },
+                        end,
+                    );
                 }
                 token => self.token(&token.to_string(), token.span().start(), token.span().end()),
             }
@@ -135,7 +148,8 @@ impl Text {
         }
         let new_line = self.end.is_some_and(|end| end.line != start.line);
         let joined = self.end.is_none_or(|end| end == start)
-            || new_line && (token.starts_with(['.', ')', ']']) || self.written.ends_with(['(', '[']));
+            || new_line
+                && (token.starts_with(['.', ')', ']']) || self.written.ends_with(['(', '[']));
         if !joined {
             self.written.push(' ');
         }

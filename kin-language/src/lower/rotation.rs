@@ -7,15 +7,18 @@ use kin_graph::{Graph, Node};
 impl Reader {
     /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, row by row.
     pub fn rotation_of(&mut self, p: &[Node]) -> Vec<Node> {
-        let (one, two) = (self.graph.constant(1.0), self.graph.constant(2.0));
+        let one = self.graph.constant(1.0);
+        let two = self.graph.constant(2.0);
         let entry = |g: &mut Graph, row: usize, column: usize| {
             if row == column {
-                let (scalar, axis) = (g.mul(p[0], p[0]), g.mul(p[row + 1], p[row + 1]));
+                let scalar = g.mul(p[0], p[0]);
+                let axis = g.mul(p[row + 1], p[row + 1]);
                 let sum = g.add(scalar, axis);
                 let double = g.mul(two, sum);
                 return g.sub(double, one);
             }
-            let (outer, turn) = (g.mul(p[row + 1], p[column + 1]), g.mul(p[0], p[4 - row - column]));
+            let outer = g.mul(p[row + 1], p[column + 1]);
+            let turn = g.mul(p[0], p[4 - row - column]);
             let sum = if column == (row + 1) % 3 { g.sub(outer, turn) } else { g.add(outer, turn) };
             g.mul(two, sum)
         };
@@ -30,19 +33,24 @@ impl Reader {
         find(m, false).or_else(|| find(&transpose(m), true))
     }
 
-    /// A v, or Aᵀ v, as 2 (e0 w + r e) − v with w = e0 v ± e × v and r = e · v: fewer products than nine
-    /// entries of A take, and w and r are most of the derivatives by p.
+    /// A v, or Aᵀ v, as 2 (e0 w + r e) − v with w = e0 v ± e × v and r = e · v: fewer products than
+    /// nine entries of A take, and w and r are most of the derivatives by p.
     pub fn turned(&mut self, p: &[Node], back: bool, v: &[Node]) -> Vec<Node> {
-        let (e0, e) = (p[0], &p[1..]);
+        let e0 = p[0];
+        let e = &p[1..];
         let r = self.dot(e, v);
         let g = &mut self.graph;
         let two = g.constant(2.0);
         let component = |k: usize| {
-            let (next, last) = if back { ((k + 2) % 3, (k + 1) % 3) } else { ((k + 1) % 3, (k + 2) % 3) };
-            let (straight, plus, minus) = (g.mul(e0, v[k]), g.mul(e[next], v[last]), g.mul(e[last], v[next]));
+            let (next, last) =
+                if back { ((k + 2) % 3, (k + 1) % 3) } else { ((k + 1) % 3, (k + 2) % 3) };
+            let straight = g.mul(e0, v[k]);
+            let plus = g.mul(e[next], v[last]);
+            let minus = g.mul(e[last], v[next]);
             let w = g.sub(straight, minus);
             let w = g.add(w, plus);
-            let (turned, along) = (g.mul(e0, w), g.mul(r, e[k]));
+            let turned = g.mul(e0, w);
+            let along = g.mul(r, e[k]);
             let half = g.add(turned, along);
             let double = g.mul(two, half);
             g.sub(double, v[k])

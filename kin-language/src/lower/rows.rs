@@ -15,8 +15,8 @@ pub struct Row {
 }
 
 impl Reader {
-    /// The rows of the constraint; mistakes where the value is not what the signature says, or depends on no
-    /// coordinate.
+    /// The rows of the constraint; mistakes where the value is not what the signature says, or
+    /// depends on no coordinate.
     pub fn rows(&mut self, source: &ConstraintFn, value: &Value) -> Vec<Row> {
         let tail = tail(&source.body);
         let at: &dyn ToTokens = match tail {
@@ -27,8 +27,7 @@ impl Reader {
             && all.is_empty()
             && source.output != Shape::Tuple(vec![])
         {
-            let text =
-                "the body ends without a value: end it with the expression of the equation, without `;`";
+            let text = "the body ends without a value: end it with the expression of the equation, without `;`";
             match source.body.stmts.last() {
                 Some(last) => self.mistake(last, text),
                 None => self.mistake(
@@ -39,7 +38,8 @@ impl Reader {
             return vec![];
         }
         let Some(parts) = self.parts(source, value, tail, at) else { return vec![] };
-        let shapes: Vec<(usize, &Shape)> = parts.iter().map(|(nodes, shape)| (nodes.len(), shape)).collect();
+        let shapes: Vec<(usize, &Shape)> =
+            parts.iter().map(|(nodes, shape)| (nodes.len(), shape)).collect();
         let names = row_names(&source.output, tail, &shapes);
         let rows: Vec<Row> = names
             .into_iter()
@@ -50,7 +50,8 @@ impl Reader {
         rows
     }
 
-    /// The numbers of each element of the returned tuple or array (of the one value, if it is neither).
+    /// The numbers of each element of the returned tuple or array (of the one value, if it is
+    /// neither).
     fn parts(
         &mut self,
         source: &ConstraintFn,
@@ -166,7 +167,8 @@ pub fn names_as_written(source: &ConstraintFn) -> Vec<String> {
     row_names(&source.output, tail(&source.body), &shapes)
 }
 
-/// Names of the rows: identifiers of a returned tuple or array, else x, y, z of a vector, else numbers from
+/// Names of the rows: identifiers of a returned tuple or array, else x, y, z of a vector, else
+/// numbers from
 /// 1. `parts` are the numbers of rows and the shapes of its elements.
 fn row_names(output: &Shape, tail: Option<&Expr>, parts: &[(usize, &Shape)]) -> Vec<String> {
     const AXES: [&str; 3] = ["x", "y", "z"];

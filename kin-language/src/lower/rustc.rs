@@ -1,5 +1,5 @@
-//! The mistakes that rustc tells of a program by itself, told of texts, which it does not read: at the token
-//! at which it would.
+//! The mistakes that rustc tells of a program by itself, told of texts, which it does not read: at
+//! the token at which it would.
 
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
@@ -13,14 +13,13 @@ use super::{Read, Reader};
 use crate::parse::SecondReader;
 
 /// Of a variable that is read behind branches some of which give it no value.
-pub const PERHAPS: &str =
-    "this variable has a value in some branches only: give it one in every branch, or where it is declared";
+pub const PERHAPS: &str = "this variable has a value in some branches only: give it one in every branch, or where it is declared";
 
 /// Of `f64::from(k)` of a wide integer.
-pub const WIDE: &str = "a number is made of an `i32` or a `u32` so: of a wider integer `k` it is `k as f64`";
+pub const WIDE: &str =
+    "a number is made of an `i32` or a `u32` so: of a wider integer `k` it is `k as f64`";
 
-const GOES_ON: &str =
-    "behind `else` there is no value to go on with: leave by `return`, `break`, `continue` or `panic!`";
+const GOES_ON: &str = "behind `else` there is no value to go on with: leave by `return`, `break`, `continue` or `panic!`";
 
 impl Reader {
     /// Notes a mistake of a text; `None` of a program, which rustc reads.
@@ -37,14 +36,16 @@ impl Reader {
         self.scopes.declare(name.to_string(), slot);
     }
 
-    /// Something changes the place that an expression is: its variable must be `mut`, or have no value yet.
+    /// Something changes the place that an expression is: its variable must be `mut`, or have no
+    /// value yet.
     pub fn change(&mut self, expression: &Expr, place: &Place) {
         let Some(name) = self.fixed.get(&place.slot) else { return };
         // A place behind a reference is another variable's.
         let is_own = root(expression).is_some_and(
             |root| matches!(self.scopes.get(&root), Some(Name::Variable(slot)) if slot == place.slot),
         );
-        let is_first = place.steps.is_empty() && matches!(self.store.get(place.slot), Value::Unassigned);
+        let is_first =
+            place.steps.is_empty() && matches!(self.store.get(place.slot), Value::Unassigned);
         if is_own && !is_first {
             let message = format!("`{name}` cannot change: declare it `mut {name}`");
             self.told_by_rustc(expression, &message);
@@ -54,7 +55,9 @@ impl Reader {
     /// The value of a variable that only one of two branches has given a value.
     pub fn perhaps(&self, value: Value) -> Value {
         match (self.second_reader, value) {
-            (SecondReader::Nobody, value) if !matches!(value, Value::Perhaps(_) | Value::Unassigned) => {
+            (SecondReader::Nobody, value)
+                if !matches!(value, Value::Perhaps(_) | Value::Unassigned) =>
+            {
                 Value::Perhaps(Box::new(value))
             }
             (_, value) => value,
@@ -66,9 +69,14 @@ impl Reader {
         let all = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated);
         if let Some(condition) = all.ok().and_then(|all| all.into_iter().next()) {
             match self.expression(&condition)? {
-                Value::Condition(_) | Value::Opaque(_) | Value::Poison | Value::Never | Value::Left => {}
+                Value::Condition(_)
+                | Value::Opaque(_)
+                | Value::Poison
+                | Value::Never
+                | Value::Left => {}
                 other => {
-                    let message = format!("this must be a condition (bool), but it is {}", other.name());
+                    let message =
+                        format!("this must be a condition (bool), but it is {}", other.name());
                     self.told_by_rustc(call, &message);
                 }
             }
@@ -88,7 +96,9 @@ impl Reader {
 
     /// The last arm of a `match`, which is taken without a test, must not depend on one.
     pub fn exhaustive(&mut self, branch: &ExprMatch, last: &Arm, condition: Node) {
-        if (last.guard.is_some() || is_narrow(&last.pat)) && self.graph.truth(condition) != Some(true) {
+        if (last.guard.is_some() || is_narrow(&last.pat))
+            && self.graph.truth(condition) != Some(true)
+        {
             self.told_by_rustc(&branch.expr, "this `match` may find no arm: end it with `_ => …`");
         }
     }
@@ -99,7 +109,10 @@ impl Reader {
         let mut known: Vec<String> = self.labels().map(|label| format!("`{label}`")).collect();
         known.dedup();
         let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
-        self.told_by_rustc(label, &format!("no loop around this is called `{label}`: known here: {known}"))
+        self.told_by_rustc(
+            label,
+            &format!("no loop around this is called `{label}`: known here: {known}"),
+        )
     }
 
     /// A method of a type of the body's own that the type does not have.
@@ -108,13 +121,20 @@ impl Reader {
         if known.is_empty() {
             return None;
         }
-        let message = format!("a `{ty}` has no method `{method}`; its methods are {}", known.join(", "));
+        let message =
+            format!("a `{ty}` has no method `{method}`; its methods are {}", known.join(", "));
         self.told_by_rustc(method, &message)
     }
 
     /// True, and noted, of an array whose type has a name for another length.
-    pub fn is_of_another_length(&mut self, all: &[Value], ty: &syn::TypeArray, at: &dyn ToTokens) -> bool {
-        let known = self.known_length(&ty.len).filter(|_| crate::parse::literal_length(&ty.len).is_none());
+    pub fn is_of_another_length(
+        &mut self,
+        all: &[Value],
+        ty: &syn::TypeArray,
+        at: &dyn ToTokens,
+    ) -> bool {
+        let known =
+            self.known_length(&ty.len).filter(|_| crate::parse::literal_length(&ty.len).is_none());
         let Some(n) = known.filter(|n| *n != all.len()) else { return false };
         let message = format!("expected an array of {n}, but this is an array of {}", all.len());
         self.told_by_rustc(at, &message).is_some()
@@ -128,13 +148,16 @@ impl Reader {
             Pat::Struct(fields) => &fields.path,
             _ => return None,
         };
-        let (ty, name) = (adt.type_name(), &path.segments.last()?.ident);
+        let ty = adt.type_name();
+        let name = &path.segments.last()?.ident;
         let variants = &self.own.declared(&ty)?.variants;
         if variants.is_empty() || variants.iter().any(|variant| name == &variant.name) {
             return None;
         }
-        let known: Vec<String> = variants.iter().map(|variant| format!("`{}`", variant.name)).collect();
-        let message = format!("`{ty}` has no variant `{name}`: its variants are {}", known.join(", "));
+        let known: Vec<String> =
+            variants.iter().map(|variant| format!("`{}`", variant.name)).collect();
+        let message =
+            format!("`{ty}` has no variant `{name}`: its variants are {}", known.join(", "));
         self.told_by_rustc(name, &message)
     }
 
@@ -174,8 +197,9 @@ impl Reader {
         if let (Some((at, length)), Value::Integer(k, _)) = (given, value)
             && length.base10_parse::<i64>().is_ok_and(|length| length != *k)
         {
-            let message =
-                format!("`{name}` is {k}, not {length}, as the attribute says: write `{name} = {k}`");
+            let message = format!(
+                "`{name}` is {k}, not {length}, as the attribute says: write `{name} = {k}`"
+            );
             self.told_by_rustc(&at, &message);
         }
     }

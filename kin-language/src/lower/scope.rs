@@ -1,6 +1,6 @@
-//! Names while the body is read, and the values of variables. A name means a slot of the store, so that
-//! closures and references see what becomes of a variable later; what a branch did to slots is taken back
-//! from a log, and joined with what the other one did.
+//! Names while the body is read, and the values of variables. A name means a slot of the store, so
+//! that closures and references see what becomes of a variable later; what a branch did to slots is
+//! taken back from a log, and joined with what the other one did.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -93,8 +93,8 @@ impl Scopes {
         self.scopes.len()
     }
 
-    /// The names that a function sees which is declared in scope number `depth`: the items around it, and
-    /// none of the variables.
+    /// The names that a function sees which is declared in scope number `depth`: the items around
+    /// it, and none of the variables.
     pub fn around_function(&self, depth: usize) -> Scopes {
         let items = self
             .scopes
@@ -185,7 +185,8 @@ impl Store {
 
     /// The variables that have changed since a mark, as they are now.
     pub fn changes(&self, since: Mark) -> Changes {
-        let slots = self.log[since.log..].iter().map(|(slot, _)| *slot).filter(|slot| *slot < since.slots);
+        let slots =
+            self.log[since.log..].iter().map(|(slot, _)| *slot).filter(|slot| *slot < since.slots);
         slots.map(|slot| (slot, self.values[slot].clone())).collect()
     }
 

@@ -30,7 +30,8 @@ impl Reader {
             let p = self.euler_parameters(slot);
             return self.rotation_of(&p);
         }
-        let (sin, cos) = (self.part(slot, Part::Sin), self.part(slot, Part::Cos));
+        let sin = self.part(slot, Part::Sin);
+        let cos = self.part(slot, Part::Cos);
         vec![cos, self.graph.neg(sin), sin, cos]
     }
 
@@ -55,13 +56,15 @@ impl Reader {
 
     /// r_P = R + A ū
     pub fn point(&mut self, slot: usize, u: &[Node]) -> Vec<Node> {
-        let (r, au) = (self.origin(slot, u.len()), self.direction(slot, u));
+        let r = self.origin(slot, u.len());
+        let au = self.direction(slot, u);
         r.into_iter().zip(au).map(|(r, au)| self.graph.add(r, au)).collect()
     }
 
     /// ū = Aᵀ (p − R)
     pub fn local(&mut self, slot: usize, p: &[Node]) -> Vec<Node> {
-        let (r, a) = (self.origin(slot, p.len()), self.rotation(slot, p.len()));
+        let r = self.origin(slot, p.len());
+        let a = self.rotation(slot, p.len());
         let d: Vec<Node> = p.iter().zip(r).map(|(&p, r)| self.graph.sub(p, r)).collect();
         let transposed = transpose(&a);
         self.matrix_vector(&transposed, &d)

@@ -55,13 +55,13 @@ impl Reader {
         }
     }
 
-    /// Functions, constants and types of a block, which are seen from before their own line; other items are
-    /// repeated in emitted code.
+    /// Functions, constants and types of a block, which are seen from before their own line; other
+    /// items are repeated in emitted code.
     fn items(&mut self, statements: &[Stmt]) -> Read<()> {
         let items = || {
-            statements
-                .iter()
-                .filter_map(|statement| if let Stmt::Item(item) = statement { Some(item) } else { None })
+            statements.iter().filter_map(|statement| {
+                if let Stmt::Item(item) = statement { Some(item) } else { None }
+            })
         };
         let depth = self.scopes.depth();
         for item in items() {
@@ -81,19 +81,25 @@ impl Reader {
     fn item(&mut self, item: &Item, depth: usize) -> Read<()> {
         let known = match item {
             Item::Fn(function) => !is_over_duals(function),
-            Item::Const(constant) => self.constant(&constant.ident, &constant.expr, &constant.ty, depth),
-            Item::Static(constant) => self.constant(&constant.ident, &constant.expr, &constant.ty, depth),
+            Item::Const(constant) => {
+                self.constant(&constant.ident, &constant.expr, &constant.ty, depth)
+            }
+            Item::Static(constant) => {
+                self.constant(&constant.ident, &constant.expr, &constant.ty, depth)
+            }
             Item::Impl(_) if !self.own.take(item, depth) => {
                 return Err(Unreadable::new(item, "an item inside the body"));
             }
             Item::Macro(_) => return Err(Unreadable::new(item, "a macro of your own")),
             _ => false,
         };
-        let of_types = matches!(item, Item::Struct(_) | Item::Enum(_) | Item::Impl(_) | Item::Trait(_));
+        let of_types =
+            matches!(item, Item::Struct(_) | Item::Enum(_) | Item::Impl(_) | Item::Trait(_));
         if known || of_types && depth != self.body_depth {
             return Ok(());
         }
-        // Emitted code repeats an item for the whole body, so it must not come out of an inner block.
+        // Emitted code repeats an item for the whole body, so it must not come out of an inner
+        // block.
         if depth != self.body_depth {
             return Err(Unreadable::new(item, "an item inside of an inner block"));
         }
@@ -104,7 +110,8 @@ impl Reader {
     /// True if a constant of the body's own is known here.
     fn constant(&mut self, name: &syn::Ident, value: &Expr, ty: &syn::Type, depth: usize) -> bool {
         let scopes = self.scopes.around_function(depth);
-        let (frames, path) = (self.frames.len(), self.path.len());
+        let frames = self.frames.len();
+        let path = self.path.len();
         let value = self.within(scopes, |reader| {
             let value = reader.raw_expression(value)?;
             reader.typed(value, ty, ty)
@@ -129,7 +136,9 @@ impl Reader {
             Value::Reference(inner) => self.is_known(inner),
             Value::Array(all) | Value::Tuple(all) => all.iter().all(|part| self.is_known(part)),
             Value::Adt(adt) => adt.fields.iter().all(|(_, part)| self.is_known(part)),
-            value => value.numbers().is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.is_number(n))),
+            value => value
+                .numbers()
+                .is_some_and(|(nodes, _)| nodes.iter().all(|&n| self.graph.is_number(n))),
         }
     }
 
@@ -153,21 +162,28 @@ impl Reader {
             None => self.bind(pattern, value).map(|()| Value::unit()),
             Some((_, otherwise)) => {
                 let condition = self.test(pattern, &value)?;
-                self.choose(condition, |_| Ok(Value::unit()), |reader| reader.leaving(otherwise), local)
+                self.choose(
+                    condition,
+                    |_| Ok(Value::unit()),
+                    |reader| reader.leaving(otherwise),
+                    local,
+                )
             }
         }
     }
 
     /// Macros that only say that there is no value here; others are rustc's.
     pub fn macro_call(&mut self, call: &syn::Macro) -> Read {
-        let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        let name =
+            call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         match name.as_str() {
             "unreachable" | "panic" | "todo" | "unimplemented" => Ok(Value::Never),
-            "assert" | "debug_assert" if self.second_reader == SecondReader::Nobody => self.asserted(call),
-            // rustc's reading sees to them.
-            "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
-                Ok(Value::unit())
+            "assert" | "debug_assert" if self.second_reader == SecondReader::Nobody => {
+                self.asserted(call)
             }
+            // rustc's reading sees to them.
+            "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq"
+            | "debug_assert_ne" => Ok(Value::unit()),
             "vec" => self.vec_macro(call),
             "matches" => self.matches_macro(call),
             _ => Err(unknown_macro(call)),

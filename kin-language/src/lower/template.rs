@@ -1,5 +1,5 @@
-//! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with values of
-//! the graph put in.
+//! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with
+//! values of the graph put in.
 
 use std::rc::Rc;
 
@@ -14,9 +14,9 @@ use kin_graph::Node;
 pub enum Template {
     /// As written.
     Tokens(TokenStream),
-    /// A path that is no variable: a constant, or the name of a function. Of a word in small letters, which
-    /// may be a slip of the pen, the variables around it too: rustc then says the same of it in every copy of
-    /// the body, and once.
+    /// A path that is no variable: a constant, or the name of a function. Of a word in small
+    /// letters, which may be a slip of the pen, the variables around it too: rustc then says the
+    /// same of it in every copy of the body, and once.
     Path(syn::ExprPath, Rc<[Ident]>),
     /// Values of the graph, with the place they come from.
     Numbers(Vec<Node>, Shape, Span),
@@ -35,7 +35,8 @@ pub enum Template {
     Array(Vec<Template>),
     /// A value of a struct or a variant: its path, its fields, and whether they stand in braces.
     Struct(syn::Path, Vec<(String, Template)>, bool),
-    /// The state of a body, with its numbers: of a planar one R, θ, sin θ, cos θ, of a spatial one R, p, A.
+    /// The state of a body, with its numbers: of a planar one R, θ, sin θ, cos θ, of a spatial one
+    /// R, p, A.
     State(Vec<Node>, usize, Span),
     /// The part that a pattern calls by a name in the value, where that matches.
     Part(Box<Template>, Box<syn::Pat>, Ident),
@@ -58,7 +59,9 @@ impl Template {
         let mut nodes = Vec::new();
         self.visit(&mut |template| match template {
             Template::Numbers(numbers, ..) | Template::State(numbers, ..) => nodes.extend(numbers),
-            Template::When(condition, _) | Template::Choice(condition, ..) => nodes.push(*condition),
+            Template::When(condition, _) | Template::Choice(condition, ..) => {
+                nodes.push(*condition)
+            }
             _ => {}
         });
         nodes
@@ -68,7 +71,9 @@ impl Template {
     pub fn place(&self) -> Option<Span> {
         match self {
             Template::Tokens(tokens) => tokens.clone().into_iter().next().map(|token| token.span()),
-            Template::Path(path, _) => path.to_token_stream().into_iter().next().map(|token| token.span()),
+            Template::Path(path, _) => {
+                path.to_token_stream().into_iter().next().map(|token| token.span())
+            }
             Template::Numbers(_, _, at) | Template::State(_, _, at) => Some(*at),
             Template::Parameter(name) => Some(name.span()),
             other => other.parts().into_iter().find_map(Template::place),
@@ -93,10 +98,11 @@ impl Template {
         found
     }
 
-    /// The constants and the functions by path that it reads of the program's own, as they are written, with
-    /// their places.
+    /// The constants and the functions by path that it reads of the program's own, as they are
+    /// written, with their places.
     pub fn named(&self) -> Vec<(String, Span)> {
-        let (mut found, mut callee) = (Vec::new(), None);
+        let mut found = Vec::new();
+        let mut callee = None;
         self.visit(&mut |template| {
             // A callee is visited right behind its call.
             let is_callee = callee.take() == Some(std::ptr::from_ref(template));
@@ -118,8 +124,8 @@ impl Template {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()
     }
 
-    /// True if computing it may panic: an index out of range, a division of integers, the user's own
-    /// functions.
+    /// True if computing it may panic: an index out of range, a division of integers, the user's
+    /// own functions.
     pub fn may_panic(&self) -> bool {
         let mut found = false;
         self.visit(&mut |template| {
@@ -137,7 +143,8 @@ impl Template {
 
     /// The parts in it that are values only where a pattern matches, those inside of others first.
     pub fn matched_parts(&self) -> Vec<&Template> {
-        let mut found: Vec<&Template> = self.parts().into_iter().flat_map(Template::matched_parts).collect();
+        let mut found: Vec<&Template> =
+            self.parts().into_iter().flat_map(Template::matched_parts).collect();
         if let Template::Part(..) = self {
             found.push(self);
         }
@@ -177,7 +184,9 @@ impl Template {
             Template::Call(callee, all, _) => std::iter::once(&**callee).chain(all).collect(),
             Template::Method(receiver, _, all) => std::iter::once(&**receiver).chain(all).collect(),
             Template::Tuple(all) | Template::Array(all) => all.iter().collect(),
-            Template::Index(a, b) | Template::Binary(a, _, b) | Template::Choice(_, a, b) => vec![a, b],
+            Template::Index(a, b) | Template::Binary(a, _, b) | Template::Choice(_, a, b) => {
+                vec![a, b]
+            }
             Template::Field(a, _)
             | Template::Unary(_, a)
             | Template::Cast(a, _)
@@ -206,29 +215,40 @@ impl Template {
             }
             Template::Parameter(name) => format!("self.{name}"),
             Template::Call(callee, all, _) => format!("({})({})", callee.key(), list(all)),
-            Template::Method(receiver, name, all) => format!("({}).{name}({})", receiver.key(), list(all)),
-            Template::Field(base, member) => format!("({}).{}", base.key(), member.to_token_stream()),
+            Template::Method(receiver, name, all) => {
+                format!("({}).{name}({})", receiver.key(), list(all))
+            }
+            Template::Field(base, member) => {
+                format!("({}).{}", base.key(), member.to_token_stream())
+            }
             Template::Index(base, index) => format!("({})[{}]", base.key(), index.key()),
-            Template::Binary(a, op, b) => format!("({}) {} ({})", a.key(), op.to_token_stream(), b.key()),
+            Template::Binary(a, op, b) => {
+                format!("({}) {} ({})", a.key(), op.to_token_stream(), b.key())
+            }
             Template::Unary(op, a) => format!("{}({})", op.to_token_stream(), a.key()),
             Template::Cast(a, ty) => format!("({}) as {ty}", a.key()),
             Template::Reference(a) => format!("&({})", a.key()),
             Template::Tuple(all) => format!("({},)", list(all)),
             Template::Array(all) => format!("[{}]", list(all)),
             Template::Matches(a, pattern) => format!("({}) matches {pattern}", a.key()),
-            Template::Choice(condition, a, b) => format!("({}) if {condition:?} else ({})", a.key(), b.key()),
+            Template::Choice(condition, a, b) => {
+                format!("({}) if {condition:?} else ({})", a.key(), b.key())
+            }
             Template::When(condition, a) => format!("({}) when {condition:?}", a.key()),
         }
     }
 }
 
-/// True for a constant or, as what is called, a function that is neither of the standard library nor of a
-/// number's type.
+/// True for a constant or, as what is called, a function that is neither of the standard library
+/// nor of a number's type.
 fn is_own(path: &syn::ExprPath, is_callee: bool) -> bool {
     let names = crate::vocabulary::names(path);
     let (Some(first), Some(last)) = (names.first(), names.last()) else { return false };
     let of_all = matches!(first.as_str(), "std" | "core" | "alloc" | "kin")
-        || matches!(first.as_str(), "f64" | "f32" | "u64" | "u32" | "u8" | "i64" | "i32" | "usize" | "isize");
+        || matches!(
+            first.as_str(),
+            "f64" | "f32" | "u64" | "u32" | "u8" | "i64" | "i32" | "usize" | "isize"
+        );
     let is_constant = last.len() > 1 && !last.contains(char::is_lowercase);
     let is_function = is_callee && last.starts_with(char::is_lowercase);
     !of_all && !crate::constants::is_known(path) && (is_constant || is_function)

@@ -31,10 +31,15 @@ impl Reader {
             }
             (value @ Value::Iterator(_), Type::ImplTrait(_)) => return Ok(value),
             (Value::Adt(adt), Type::Path(path)) => return self.typed_adt(adt, path, at),
-            (value @ Value::Function(_), Type::ImplTrait(_) | Type::BareFn(_) | Type::TraitObject(_)) => {
+            (
+                value @ Value::Function(_),
+                Type::ImplTrait(_) | Type::BareFn(_) | Type::TraitObject(_),
+            ) => {
                 return Ok(value);
             }
-            (Value::Into(inner), ty) if shape(ty).is_none() => return self.typed_into(*inner, ty, at),
+            (Value::Into(inner), ty) if shape(ty).is_none() => {
+                return self.typed_into(*inner, ty, at);
+            }
             (Value::Reference(inner), Type::Reference(ty)) => {
                 return Ok(Value::Reference(Box::new(self.typed(*inner, &ty.elem, at)?)));
             }
@@ -43,7 +48,9 @@ impl Reader {
             (value, Type::Group(ty)) => return self.typed(value, &ty.elem, at),
             (value, Type::Infer(_)) => return Ok(value),
             (Value::Generator(f), ty) => return self.generated(&f, ty, at),
-            (Value::Array(all), Type::Array(array)) if self.is_of_another_length(&all, array, at) => {
+            (Value::Array(all), Type::Array(array))
+                if self.is_of_another_length(&all, array, at) =>
+            {
                 return Ok(Value::Poison);
             }
             (Value::Array(all), Type::Array(array))
@@ -81,9 +88,12 @@ impl Reader {
             (None, "Box" | "Rc" | "Arc") => self.typed_inside(value, ty, at),
             (None, "Planar" | "PlanarState") if matches!(value, Value::Planar(_)) => Ok(value),
             (None, "Spatial" | "SpatialState") if matches!(value, Value::Spatial(_)) => Ok(value),
-            (None, name @ ("PlanarState" | "SpatialState")) if !matches!(value, Value::Opaque(_)) => {
+            (None, name @ ("PlanarState" | "SpatialState"))
+                if !matches!(value, Value::Opaque(_)) =>
+            {
                 let family = if name == "PlanarState" { "a planar" } else { "a spatial" };
-                let text = format!("expected the state of {family} body, but this is {}", value.name());
+                let text =
+                    format!("expected the state of {family} body, but this is {}", value.name());
                 Ok(self.mistake(at, text))
             }
             (None, "Coord" | "Time") if matches!(value, Value::Scalar(_)) => Ok(value),
@@ -94,14 +104,22 @@ impl Reader {
                 Value::Law(_) if name == "Law" => Ok(value),
                 _ => Err(Unreadable::new(
                     ty,
-                    format!("a value of type `{}`", crate::error::tidy(&ty.to_token_stream().to_string())),
+                    format!(
+                        "a value of type `{}`",
+                        crate::error::tidy(&ty.to_token_stream().to_string())
+                    ),
                 )),
             },
         }
     }
 
     /// `Option<T>`, or a struct: what is in it is of the type that is written.
-    fn typed_adt(&mut self, mut adt: super::value::Adt, path: &syn::TypePath, at: &dyn ToTokens) -> Read {
+    fn typed_adt(
+        &mut self,
+        mut adt: super::value::Adt,
+        path: &syn::TypePath,
+        at: &dyn ToTokens,
+    ) -> Read {
         let last = path.path.segments.last();
         let given = last.and_then(|last| match &last.arguments {
             syn::PathArguments::AngleBracketed(given) => given.args.first(),
@@ -135,7 +153,10 @@ impl Reader {
             }
             _ => Err(Unreadable::new(
                 ty,
-                format!("a conversion into `{}`", crate::error::tidy(&ty.to_token_stream().to_string())),
+                format!(
+                    "a conversion into `{}`",
+                    crate::error::tidy(&ty.to_token_stream().to_string())
+                ),
             )),
         }
     }

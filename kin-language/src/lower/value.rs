@@ -90,7 +90,8 @@ impl Adt {
     /// `Complex(a, b)`, `Shape::Line(a)`
     pub fn tuple(path: &syn::Path, arguments: Vec<Value>) -> Self {
         let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
-        let fields = arguments.into_iter().enumerate().map(|(k, value)| (k.to_string(), value)).collect();
+        let fields =
+            arguments.into_iter().enumerate().map(|(k, value)| (k.to_string(), value)).collect();
         Adt { path: path.clone(), name, fields, braces: false }
     }
 
@@ -248,12 +249,12 @@ impl Value {
             Shape::Vector(n) => Value::Vector(take(*n)?),
             Shape::Matrix(n) => Value::Matrix(*n, take(n * n)?),
             Shape::Euler => Value::Euler(take(4)?),
-            Shape::Array(inner, n) => {
-                Value::Array((0..*n).map(|_| Value::from_numbers(inner, numbers)).collect::<Option<_>>()?)
-            }
-            Shape::Tuple(all) => {
-                Value::Tuple(all.iter().map(|s| Value::from_numbers(s, numbers)).collect::<Option<_>>()?)
-            }
+            Shape::Array(inner, n) => Value::Array(
+                (0..*n).map(|_| Value::from_numbers(inner, numbers)).collect::<Option<_>>()?,
+            ),
+            Shape::Tuple(all) => Value::Tuple(
+                all.iter().map(|s| Value::from_numbers(s, numbers)).collect::<Option<_>>()?,
+            ),
             Shape::Any => return None,
         })
     }
@@ -288,7 +289,9 @@ impl Shape {
             Shape::Matrix(n) => format!("Mat{n}"),
             Shape::Euler => "EulerParameters".into(),
             Shape::Array(inner, n) => format!("[{}; {n}]", inner.name()),
-            Shape::Tuple(all) => format!("({})", all.iter().map(Shape::name).collect::<Vec<_>>().join(", ")),
+            Shape::Tuple(all) => {
+                format!("({})", all.iter().map(Shape::name).collect::<Vec<_>>().join(", "))
+            }
             Shape::Any => "_".into(),
         }
     }
@@ -301,8 +304,12 @@ pub fn position(name: &str, names: &[&str]) -> Option<usize> {
 
 /// Place of `m12` in a matrix of side `n`.
 pub fn entry(name: &str, n: usize) -> Option<usize> {
-    let digits: Vec<usize> =
-        name.strip_prefix('m')?.chars().filter_map(|c| c.to_digit(10)).map(|d| d as usize).collect();
+    let digits: Vec<usize> = name
+        .strip_prefix('m')?
+        .chars()
+        .filter_map(|c| c.to_digit(10))
+        .map(|d| d as usize)
+        .collect();
     match digits[..] {
         [r, c] if (1..=n).contains(&r) && (1..=n).contains(&c) => Some((r - 1) * n + c - 1),
         _ => None,

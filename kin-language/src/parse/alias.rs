@@ -1,5 +1,5 @@
-//! Names that the body gives to types, `type T = f64;`: everywhere but in the function as it was written the
-//! type itself stands for them.
+//! Names that the body gives to types, `type T = f64;`: everywhere but in the function as it was
+//! written the type itself stands for them.
 
 use std::collections::HashMap;
 
@@ -14,7 +14,8 @@ pub fn resolved(body: &Block) -> Option<Block> {
     resolver.found.then_some(body)
 }
 
-/// So many names are replaced at most, and so deep in each other: a circle of names is rustc's to tell.
+/// So many names are replaced at most, and so deep in each other: a circle of names is rustc's to
+/// tell.
 const MOST: usize = 2_000;
 const DEEPEST: usize = 32;
 
@@ -36,7 +37,11 @@ impl Resolver {
         if self.replaced == MOST || self.depth == DEEPEST {
             return None;
         }
-        self.scopes.iter().enumerate().rev().find_map(|(k, scope)| scope.get(&name).map(|ty| (k, ty.clone())))
+        self.scopes
+            .iter()
+            .enumerate()
+            .rev()
+            .find_map(|(k, scope)| scope.get(&name).map(|ty| (k, ty.clone())))
     }
 
     /// The same with the names in it replaced too, as its own scope sees them.

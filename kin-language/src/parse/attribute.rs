@@ -32,7 +32,9 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     let is_flag = |word: &Word| word.length.is_none() && word.with.is_none();
     let words: Vec<Ident> = given.into_iter().filter(is_flag).map(|word| word.name).collect();
     let find = |text: &str| words.iter().find(|word| *word == text);
-    let (symbolic, dual, warn_dual) = (find("symbolic"), find("dual"), find("warn_dual"));
+    let symbolic = find("symbolic");
+    let dual = find("dual");
+    let warn_dual = find("warn_dual");
     if find("lanes").is_some() {
         return Err(mistake(
             "sweeps run every constraint that the compiler can read in lanes: leave `lanes` out",
@@ -53,9 +55,9 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
         (Some(_), Choice::Dual(_)) => {
             Err(mistake("`warn_dual` warns of what `dual` asks for: leave one of them out"))
         }
-        (Some(_), Choice::Symbolic) => {
-            Err(mistake("where `symbolic` stands the dual route is an error: leave `warn_dual` out"))
-        }
+        (Some(_), Choice::Symbolic) => Err(mistake(
+            "where `symbolic` stands the dual route is an error: leave `warn_dual` out",
+        )),
         _ => Ok(Asked { choice, warn_dual: warn_dual.is_some(), lengths, with }),
     }
 }
@@ -71,7 +73,8 @@ impl syn::parse::Parse for Word {
     fn parse(input: syn::parse::ParseStream) -> syn::Result<Self> {
         let name: Ident = input.parse()?;
         let given = input.parse::<Option<syn::Token![=]>>()?.is_some();
-        let (mut length, mut with) = (None, None);
+        let mut length = None;
+        let mut with = None;
         match (given, name == "with") {
             (true, true) => with = Some(input.parse()?),
             (true, false) => length = Some(input.parse()?),

@@ -1,4 +1,5 @@
-//! Attributes below `#[constraint]` and `#[law]`: what is demanded of the parameters, and of the pose.
+//! Attributes below `#[constraint]` and `#[law]`: what is demanded of the parameters, and of the
+//! pose.
 
 use quote::ToTokens;
 use syn::parse::ParseStream;
@@ -7,7 +8,8 @@ use syn::{Attribute, Expr, LitStr, Token};
 use crate::error::Mistakes;
 use crate::error::tidy;
 
-/// `#[require(condition)]`, `#[require(condition, "what to say")]`, and `#[branch(…)]` of the same form.
+/// `#[require(condition)]`, `#[require(condition, "what to say")]`, and `#[branch(…)]` of the same
+/// form.
 pub struct Demand {
     pub condition: Expr,
     /// The message where the condition does not hold.

@@ -1,5 +1,5 @@
-//! Lengths that the attribute gives: of a const generic, or of a constant beside the function, whose value no
-//! macro sees.
+//! Lengths that the attribute gives: of a const generic, or of a constant beside the function,
+//! whose value no macro sees.
 
 use quote::ToTokens;
 use syn::visit_mut::{self, VisitMut};
@@ -7,8 +7,8 @@ use syn::{Expr, GenericParam, Ident, ItemFn, Lifetime, LitInt, parse_quote};
 
 use crate::error::Mistakes;
 
-/// Puts the lengths into the signature. A const generic becomes a constant of the body; the others are
-/// returned, to be compared with what they are.
+/// Puts the lengths into the signature. A const generic becomes a constant of the body; the others
+/// are returned, to be compared with what they are.
 pub fn put(
     function: &mut ItemFn,
     lengths: &[(Ident, LitInt)],
@@ -22,30 +22,41 @@ pub fn put(
     let generics = std::mem::take(&mut function.sig.generics.params);
     for parameter in generics {
         match &parameter {
-            GenericParam::Const(length) => match lengths.iter().find(|(name, _)| *name == length.ident) {
-                Some((name, value)) => {
-                    let ty = &length.ty;
-                    function
-                        .block
-                        .stmts
-                        .insert(0, parse_quote!(#[allow(dead_code)] const #name: #ty = #value;));
-                    outside.retain(|(other, _)| other != name);
-                }
-                None => {
-                    let name = &length.ident;
-                    mistakes.add(
+            GenericParam::Const(length) => {
+                match lengths.iter().find(|(name, _)| *name == length.ident) {
+                    Some((name, value)) => {
+                        let ty = &length.ty;
+                        function.block.stmts.insert(
+                            0,
+                            parse_quote!(#[allow(dead_code)] const #name: #ty = #value;),
+                        );
+                        outside.retain(|(other, _)| other != name);
+                    }
+                    None => {
+                        let name = &length.ident;
+                        mistakes.add(
                         &length.ident,
                         format!("the columns of C_q are counted here: say what `{name}` is, `#[constraint({name} = 6)]`"),
                     );
-                    let some = [(name.clone(), LitInt::new("1", name.span()))];
-                    function.sig.inputs.iter_mut().for_each(|input| Put(&some).visit_fn_arg_mut(input));
-                    Put(&some).visit_return_type_mut(&mut function.sig.output);
+                        let some = [(name.clone(), LitInt::new("1", name.span()))];
+                        function
+                            .sig
+                            .inputs
+                            .iter_mut()
+                            .for_each(|input| Put(&some).visit_fn_arg_mut(input));
+                        Put(&some).visit_return_type_mut(&mut function.sig.output);
+                    }
                 }
-            },
+            }
             GenericParam::Lifetime(lifetime) => {
-                mistakes.add(lifetime, "a constraint keeps its parameters: write `'static`, or own them");
+                mistakes.add(
+                    lifetime,
+                    "a constraint keeps its parameters: write `'static`, or own them",
+                );
                 let inputs = function.sig.inputs.iter_mut();
-                inputs.for_each(|input| AsLongAsTheProgram(&lifetime.lifetime).visit_fn_arg_mut(input));
+                inputs.for_each(|input| {
+                    AsLongAsTheProgram(&lifetime.lifetime).visit_fn_arg_mut(input)
+                });
             }
             GenericParam::Type(_) => function.sig.generics.params.push(parameter),
         }

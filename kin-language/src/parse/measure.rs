@@ -6,8 +6,8 @@ use syn::{Attribute, Expr, Ident, LitStr, Token};
 
 use crate::error::Mistakes;
 
-/// `#[measure(name = value, "unit")]`, then, if so, `turns` (an angle known up to whole turns) and `ends =
-/// (from, to)`.
+/// `#[measure(name = value, "unit")]`, then, if so, `turns` (an angle known up to whole turns) and
+/// `ends = (from, to)`.
 pub struct Measure {
     pub name: Ident,
     pub value: Expr,

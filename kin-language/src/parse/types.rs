@@ -24,7 +24,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// How many of the constraint's arguments it is (bodies and coordinates; not parameters, not time).
+    /// How many of the constraint's arguments it is (bodies and coordinates; not parameters, not
+    /// time).
     pub fn slots(&self) -> usize {
         match self {
             Kind::Planar | Kind::Spatial | Kind::Coord => 1,
@@ -81,7 +82,12 @@ impl Shape {
 pub fn kind(ty: &Type) -> syn::Result<Kind> {
     match shape(ty) {
         Some(shape) if shape.is_known() => return Ok(Kind::Numbers(shape)),
-        Some(_) => return Err(syn::Error::new_spanned(ty, "write the type: it says what the argument is")),
+        Some(_) => {
+            return Err(syn::Error::new_spanned(
+                ty,
+                "write the type: it says what the argument is",
+            ));
+        }
         None => {}
     }
     match ty {
@@ -105,11 +111,13 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
 /// `[Coord; N]`, `[Planar; N]`
 fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
     let name = last_name(&array.elem).unwrap_or_default();
-    let (all, each) = if name == "Coord" { ("coordinates", "columns") } else { ("bodies", "coordinates") };
+    let (all, each) =
+        if name == "Coord" { ("coordinates", "columns") } else { ("bodies", "coordinates") };
     match (literal_length(&array.len), name.as_str()) {
-        (Some(0), _) => {
-            Err(syn::Error::new_spanned(&array.len, format!("an array of no {all} constrains nothing")))
-        }
+        (Some(0), _) => Err(syn::Error::new_spanned(
+            &array.len,
+            format!("an array of no {all} constrains nothing"),
+        )),
         (Some(n), "Planar") => Ok(Kind::Planars(n)),
         (Some(n), "Spatial") => Ok(Kind::Spatials(n)),
         (Some(n), _) => Ok(Kind::Coords(n)),
@@ -119,7 +127,9 @@ fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
                 Ok(name) => format!(", or say what `{name}` is, `#[constraint({name} = 6)]`"),
                 Err(_) => String::new(),
             };
-            let text = format!("write the number of {all} as a literal{cure}: the {each} are counted here");
+            let text = format!(
+                "write the number of {all} as a literal{cure}: the {each} are counted here"
+            );
             Err(syn::Error::new_spanned(
                 &array.len,
                 text.replace("the columns are", "the columns of C_q are"),
@@ -170,7 +180,10 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
             ));
         }
         "Self" => {
-            return Err(syn::Error::new_spanned(path, "there is no `Self` here: write the type itself"));
+            return Err(syn::Error::new_spanned(
+                path,
+                "there is no `Self` here: write the type itself",
+            ));
         }
         _ => return Ok(Kind::Other),
     };
@@ -236,7 +249,9 @@ pub fn shape(ty: &Type) -> Option<Shape> {
                 _ => None,
             }
         }
-        Type::Array(array) => Some(Shape::Array(Box::new(shape(&array.elem)?), literal_length(&array.len)?)),
+        Type::Array(array) => {
+            Some(Shape::Array(Box::new(shape(&array.elem)?), literal_length(&array.len)?))
+        }
         Type::Tuple(tuple) if !tuple.elems.is_empty() => {
             Some(Shape::Tuple(tuple.elems.iter().map(shape).collect::<Option<_>>()?))
         }

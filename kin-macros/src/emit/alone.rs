@@ -4,7 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::visit::{self, Visit};
 use syn::{
-    Attribute, Expr, ExprLit, ExprPath, ItemConst, ItemFn, Lit, Meta, MetaNameValue as NameValue, Path,
+    Attribute, Expr, ExprLit, ExprPath, ItemConst, ItemFn, Lit, Meta, MetaNameValue as NameValue,
+    Path,
 };
 
 use kin_language::error::tidy;
@@ -16,11 +17,12 @@ use kin_language::parse::{ConstraintFn, LawFn, Role};
 pub fn describe_text(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
     let Beside { constants, functions, unknown } = Beside::of(source, lowered);
     let last = |path: &Path| path.segments.last().map(|last| last.ident.to_string());
-    let is_with =
-        |name: &String| source.with.iter().any(|path| last(path).is_some_and(|last| name.ends_with(&last)));
+    let is_with = |name: &String| {
+        source.with.iter().any(|path| last(path).is_some_and(|last| name.ends_with(&last)))
+    };
     let lacking = functions.into_iter().filter(|name| !is_with(name));
-    let lacking =
-        lacking.map(|name| format!("`{name}` (`#[helper]` before it and `#[constraint(with = {name})]`)"));
+    let lacking = lacking
+        .map(|name| format!("`{name}` (`#[helper]` before it and `#[constraint(with = {name})]`)"));
     let lacking = unknown.into_iter().chain(lacking);
     let lengths = source.given.iter().map(|(name, length)| format!("{name} = {length}"));
     let lengths: Vec<String> = lengths.collect();
@@ -31,7 +33,8 @@ pub fn describe_text(source: &ConstraintFn, lowered: &Lowered) -> TokenStream {
         (lengths, _) => format!("#[{word}({})]\n", lengths.join(", ")),
     };
     let text = mark + &text(&source.item);
-    let (constants, with) = (put_constants(&constants), &source.with);
+    let constants = put_constants(&constants);
+    let with = &source.with;
     quote! {
         to.put_text(::core::module_path!(), #text);
         #constants
@@ -79,7 +82,9 @@ fn put_constants(constants: &[Ident]) -> TokenStream {
 
 /// `#[helper]`: the function, and beside it what puts its text.
 pub fn helper(with: &[Path], function: &ItemFn, item: &TokenStream) -> TokenStream {
-    let (name, visibility, text) = (&function.sig.ident, &function.vis, text(item));
+    let name = &function.sig.ident;
+    let visibility = &function.vis;
+    let text = text(item);
     let mut found = Constants::default();
     found.visit_item_fn(function);
     found.used.retain(|name| !found.own.contains(name));
@@ -114,7 +119,8 @@ struct Constants {
 impl<'a> Visit<'a> for Constants {
     fn visit_expr_path(&mut self, path: &'a ExprPath) {
         let capital = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
-        if let Some(name) = path.path.get_ident().filter(|name| name.to_string().chars().all(capital))
+        if let Some(name) =
+            path.path.get_ident().filter(|name| name.to_string().chars().all(capital))
             && !self.used.contains(name)
         {
             self.used.push(name.clone());
@@ -136,11 +142,13 @@ impl<'a> Visit<'a> for Constants {
     }
 }
 
-/// A function as text: its documentation in its own lines, its body as it was written where that is known.
+/// A function as text: its documentation in its own lines, its body as it was written where that is
+/// known.
 fn text(item: &TokenStream) -> String {
     let Ok(function) = syn::parse2::<ItemFn>(item.clone()) else { return item.to_string() };
     let attributes: String = function.attrs.iter().map(attribute).collect();
-    let (visibility, signature) = (&function.vis, &function.sig);
+    let visibility = &function.vis;
+    let signature = &function.sig;
     let head = tidy(&quote!(#visibility #signature).to_string().replace('\n', " "))
         .replace(" : ", ": ")
         .replace(" :[", ": [");
@@ -151,7 +159,9 @@ fn text(item: &TokenStream) -> String {
 fn attribute(attribute: &Attribute) -> String {
     match &attribute.meta {
         Meta::NameValue(NameValue {
-            value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }), path, ..
+            value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }),
+            path,
+            ..
         }) if path.is_ident("doc") && !line.value().contains('\n') => {
             format!("///{}\n", line.value())
         }

@@ -15,8 +15,9 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let nodes: Vec<Node> = all.iter().flat_map(|a| a.local.iter().copied()).collect();
     let (code, values) = Kernel::plain(lowered, arguments).values(&nodes);
     let mut values = values.into_iter();
-    let listed =
-        all.iter().map(|a| listed(a.slot, a.is_point, values.by_ref().take(a.local.len()).collect()));
+    let listed = all
+        .iter()
+        .map(|a| listed(a.slot, a.is_point, values.by_ref().take(a.local.len()).collect()));
     method(&code.tokens, listed.collect())
 }
 
@@ -26,7 +27,11 @@ pub fn dual(source: &ConstraintFn) -> TokenStream {
     search.visit_block(&source.body);
     let listed = search.found.iter().map(|(slot, is_point, parameter, n)| {
         let parts = [quote!(x), quote!(y), quote!(z)];
-        listed(*slot, *is_point, parts.iter().take(*n).map(|part| quote!(self.#parameter.#part)).collect())
+        listed(
+            *slot,
+            *is_point,
+            parts.iter().take(*n).map(|part| quote!(self.#parameter.#part)).collect(),
+        )
     });
     method(&quote!(), listed.collect())
 }
@@ -72,15 +77,19 @@ impl<'ast> Visit<'ast> for Search<'_> {
     fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
         syn::visit::visit_expr_method_call(self, call);
         let is_point = call.method == "point";
-        let Some(argument) =
-            call.args.first().filter(|_| call.args.len() == 1 && (is_point || call.method == "direction"))
+        let Some(argument) = call
+            .args
+            .first()
+            .filter(|_| call.args.len() == 1 && (is_point || call.method == "direction"))
         else {
             return;
         };
-        let (Some(body), Some(vector)) = (self.argument(&call.receiver), self.argument(argument)) else {
+        let (Some(body), Some(vector)) = (self.argument(&call.receiver), self.argument(argument))
+        else {
             return;
         };
-        let (body_kind, parameter) = (&self.arguments[body].kind, &self.arguments[vector]);
+        let body_kind = &self.arguments[body].kind;
+        let parameter = &self.arguments[vector];
         let dimension = match (body_kind, &parameter.kind) {
             (Kind::Planar, Kind::Numbers(Shape::Vector(2))) => 2,
             (Kind::Spatial, Kind::Numbers(Shape::Vector(3))) => 3,

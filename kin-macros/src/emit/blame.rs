@@ -1,6 +1,6 @@
-//! The data that tell where an equation fails to be finite: on the symbolic route the steps of its rows as a
-//! table, on the dual route a list of the body's expressions. Data, but for what only the user's program can
-//! compute: they cost next to nothing to compile and nothing to run.
+//! The data that tell where an equation fails to be finite: on the symbolic route the steps of its
+//! rows as a table, on the dual route a list of the body's expressions. Data, but for what only the
+//! user's program can compute: they cost next to nothing to compile and nothing to run.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -16,7 +16,9 @@ use kin_language::parse::Argument;
 /// `table` and `outside` of the symbolic route, which `blame` stands on, the jerk, and proofs.
 pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let found = Table::of(arguments, lowered);
-    let (table, values, outside) = (found.table(), found.values(), found.outside());
+    let table = found.table();
+    let values = found.values();
+    let outside = found.outside();
     let [number, x, to] = outside_names();
     let outside = outside.map(|outside| {
         quote! {
@@ -36,12 +38,14 @@ pub fn symbolic(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// A law's own function that has its formula, in which its variable is column 0; and what the law says of
-/// itself by it: bounds, the laws on whose word they rest, itself within the graph of a mechanism, and its
-/// derivatives by parameters.
+/// A law's own function that has its formula, in which its variable is column 0; and what the law
+/// says of itself by it: bounds, the laws on whose word they rest, itself within the graph of a
+/// mechanism, and its derivatives by parameters.
 pub fn law(parameters: &[Argument], lowered: &Lowered) -> [TokenStream; 2] {
     let found = Table::of(parameters, lowered);
-    let (table, values, outside) = (found.table(), found.values(), found.outside());
+    let table = found.table();
+    let values = found.values();
+    let outside = found.outside();
     let [number, x, to] = outside_names();
     let outside = outside.map_or_else(
         || quote!(::kin::emitted::graph::nothing_outside),
@@ -104,7 +108,8 @@ pub fn dual(expressions: &[Expression]) -> TokenStream {
 fn listed<'a>(expressions: impl Iterator<Item = &'a Expression>) -> Vec<TokenStream> {
     expressions
         .map(|Expression { text, line, column }| {
-            let (line, column) = (literal(*line), literal(*column));
+            let line = literal(*line);
+            let column = literal(*column);
             quote!((#text, #line, #column))
         })
         .collect()
@@ -133,7 +138,8 @@ impl<'a> Table<'a> {
     fn outside(&self) -> Option<TokenStream> {
         let [number, x, to] = outside_names();
         let cases = self.written.outside.iter().enumerate().map(|(k, what)| {
-            let (k, code) = (literal(k), self.computed(*what, &x, &to));
+            let k = literal(k);
+            let code = self.computed(*what, &x, &to);
             quote!(#k => { #code })
         });
         (!self.written.outside.is_empty()).then(|| quote!(match #number { #(#cases)* _ => {} }))
@@ -168,10 +174,14 @@ impl<'a> Table<'a> {
             )
         });
         let kernel = Kernel::from_given(self.written.lowered, self.arguments, given.collect());
-        let found: Vec<Option<Node>> = (0..count).map(|k| graph.existing(Op::Opaque(number, k))).collect();
+        let found: Vec<Option<Node>> =
+            (0..count).map(|k| graph.existing(Op::Opaque(number, k))).collect();
         let (code, values) = kernel.values(&found.iter().copied().flatten().collect::<Vec<Node>>());
-        let (code, mut values) = (code.tokens, values.into_iter());
-        let values = found.iter().map(|node| node.and_then(|_| values.next()).unwrap_or_else(|| quote!(0.0)));
+        let code = code.tokens;
+        let mut values = values.into_iter();
+        let values = found
+            .iter()
+            .map(|node| node.and_then(|_| values.next()).unwrap_or_else(|| quote!(0.0)));
         quote! {
             #code
             ::kin::emitted::graph::give(&[#(#values),*], #to)
@@ -180,14 +190,17 @@ impl<'a> Table<'a> {
 
     fn leaf(&self, leaf: usize, x: &Ident, to: &Ident) -> TokenStream {
         let leaf = &self.written.lowered.graph.leaves[leaf];
-        let (function, value) = (template::leaf_name(leaf.call), own("value"));
+        let function = template::leaf_name(leaf.call);
+        let value = own("value");
         let kind = &self.written.lowered.leaves[leaf.call].kind;
         let OpaqueKind::Numbers(shape) = kind else { return quote!() };
         if !self.has_leaves {
             return quote!();
         }
-        let inputs = (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::emitted::Real(#x[#k])));
-        let ty = template::shape_type(shape, &quote!(::kin::emitted::Real<::kin::emitted::Dual3_64>));
+        let inputs =
+            (0..leaf.arguments.len()).map(literal).map(|k| quote!(::kin::emitted::Real(#x[#k])));
+        let ty =
+            template::shape_type(shape, &quote!(::kin::emitted::Real<::kin::emitted::Dual3_64>));
         let results = (0..shape.count()).map(|k| template::component(&value, kind, k));
         quote! {
             let #value: #ty = self.#function([#(#inputs),*]);

@@ -1,5 +1,5 @@
-//! The emitted constraint: a struct of the function's name, its constructor, `impl Constraint` and `impl
-//! Equation`.
+//! The emitted constraint: a struct of the function's name, its constructor, `impl Constraint` and
+//! `impl Equation`.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
@@ -8,8 +8,8 @@ use super::functions::Parts;
 use super::kernel::Kernel;
 use super::route::DualReason;
 use super::{
-    attachments, blame, demands, described, editor, facts, functions, measures, rewrite, template, unlinted,
-    written,
+    attachments, blame, demands, described, editor, facts, functions, measures, rewrite, template,
+    unlinted, written,
 };
 use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
@@ -53,7 +53,8 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
         Dual::Graph(code.tokens, rows)
     };
     let frame = Frame { trig, ..Frame::new(source, dual, row_names, pattern) };
-    let (written, attachments) = (&parts.written, attachments::symbolic(&source.arguments, &lowered));
+    let written = &parts.written;
+    let attachments = attachments::symbolic(&source.arguments, &lowered);
     let leaves: Vec<TokenStream> = lowered
         .leaves
         .iter()
@@ -67,16 +68,20 @@ pub fn symbolic(source: &ConstraintFn, mut lowered: Lowered) -> TokenStream {
 pub fn dual(source: &ConstraintFn, reason: &DualReason) -> TokenStream {
     let row_names = names_as_written(source);
     let n = super::columns(&source.arguments);
-    let pattern = (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
+    let pattern =
+        (0..row_names.len()).flat_map(|row| (0..n).map(move |column| (row, column))).collect();
     let (body, expressions) = rewrite::traced(&source.body, &source.arguments);
-    let (attachments, blame) = (attachments::dual(source), blame::dual(&expressions.all));
-    let (explained, warning) = (reason.explained(), reason.warning(&source.name, source.warn_dual));
+    let attachments = attachments::dual(source);
+    let blame = blame::dual(&expressions.all);
+    let explained = reason.explained();
+    let warning = reason.warning(&source.name, source.warn_dual);
     let parts = Parts {
         facts: quote!(reason: #explained,),
         formulas: functions::dual(),
         written: quote!(#attachments #blame),
     };
-    let constraint = Frame::new(source, Dual::Body(body), row_names, pattern).emit(&parts, &[], None);
+    let constraint =
+        Frame::new(source, Dual::Body(body), row_names, pattern).emit(&parts, &[], None);
     quote!(#constraint #warning)
 }
 
@@ -87,21 +92,39 @@ impl<'a> Frame<'a> {
         row_names: Vec<String>,
         pattern: Vec<(usize, usize)>,
     ) -> Self {
-        Frame { source, n: super::columns(&source.arguments), row_names, pattern, dual, trig: vec![] }
+        Frame {
+            source,
+            n: super::columns(&source.arguments),
+            row_names,
+            pattern,
+            dual,
+            trig: vec![],
+        }
     }
 
-    fn emit(&self, parts: &Parts, leaves: &[TokenStream], lowered: Option<&Lowered>) -> TokenStream {
+    fn emit(
+        &self,
+        parts: &Parts,
+        leaves: &[TokenStream],
+        lowered: Option<&Lowered>,
+    ) -> TokenStream {
         let source = self.source;
-        let (name, n, m) = (&source.name, literal(self.n), literal(self.row_names.len()));
-        let (declaration, equations) = (declaration(source), self.equations());
+        let name = &source.name;
+        let n = literal(self.n);
+        let m = literal(self.row_names.len());
+        let declaration = declaration(source);
+        let equations = self.equations();
         let body = rewrite::plain(source.written(), &source.arguments);
         let used = demands::mentioned(source);
         let inputs = written::inputs(&source.arguments);
-        let (output, attributes) = (&source.output_type, &source.attributes[..]);
+        let output = &source.output_type;
+        let attributes = &source.attributes[..];
         let copy = written::Copy { inputs: &inputs, output, body: &body, used: &used, attributes };
         let written = written::written(name, &copy, &measures::written(source), lowered);
-        let (unlinted, edited) = (unlinted(), editor::constraint(source, &body));
-        let leaves = if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
+        let unlinted = unlinted();
+        let edited = editor::constraint(source, &body);
+        let leaves =
+            if leaves.is_empty() { quote!() } else { quote!(#unlinted impl #name { #(#leaves)* }) };
         let kind = syn::ext::IdentExt::unraw(name).to_string();
         let kinds = source.arguments.iter().flat_map(super::kinds);
         let as_data = described::described(source, &kind, &n, &m);
@@ -127,16 +150,22 @@ impl<'a> Frame<'a> {
 
     /// `impl Constraint`, `impl Parameters` and `impl Written`.
     fn constraint(&self, kind: &str, parts: &Parts, lowered: Option<&Lowered>) -> TokenStream {
-        let (source, unlinted) = (self.source, unlinted());
+        let source = self.source;
+        let unlinted = unlinted();
         let name = &source.name;
         let facts = facts::facts(source, kind, (&self.row_names, &self.pattern), &parts.facts);
-        let (arguments, describe) = (self.arguments(), described::describe(source, lowered));
+        let arguments = self.arguments();
+        let describe = described::describe(source, lowered);
         let (visit, set) = super::parameter_methods(&source.arguments);
         let take = described::take(source);
-        let (ends, measure) = (measures::ends(source), measures::measure(source));
-        let (refusal, branch) = (demands::refusal(source), demands::branch(source));
-        let laws = lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
-        let (formulas, written) = (&parts.formulas, &parts.written);
+        let ends = measures::ends(source);
+        let measure = measures::measure(source);
+        let refusal = demands::refusal(source);
+        let branch = demands::branch(source);
+        let laws =
+            lowered.map(|lowered| functions::laws(&source.arguments, lowered)).unwrap_or_default();
+        let formulas = &parts.formulas;
+        let written = &parts.written;
         quote! {
             #unlinted
             impl ::kin::Constraint for #name {
@@ -192,7 +221,8 @@ impl<'a> Frame<'a> {
                 Kind::Coord => quote!(::kin::emitted::Target::Coord(self.#name, #trig)),
                 Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => {
                     for k in 0..n {
-                        let (trig, k) = (self.trig(slot - n + k), literal(k));
+                        let trig = self.trig(slot - n + k);
+                        let k = literal(k);
                         let target = match argument.kind {
                             Kind::Planars(_) => quote!(Planar(self.#name[#k])),
                             Kind::Spatials(_) => quote!(Spatial(self.#name[#k])),
@@ -219,14 +249,17 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The user's body with dual numbers, and as it was written. The names that are not the user's are
-    /// hygienic: an argument may be called `q`.
+    /// The user's body with dual numbers, and as it was written. The names that are not the user's
+    /// are hygienic: an argument may be called `q`.
     fn equations(&self) -> TokenStream {
         let source = self.source;
-        let (n, m) = (literal(self.n), literal(self.row_names.len()));
-        let (q, t, value) = (super::own("q"), super::own("t"), super::own("value"));
-        let (states, parameters) =
-            (states(&source.arguments, &q, &t), super::dual_bindings(&source.arguments));
+        let n = literal(self.n);
+        let m = literal(self.row_names.len());
+        let q = super::own("q");
+        let t = super::own("t");
+        let value = super::own("value");
+        let states = states(&source.arguments, &q, &t);
+        let parameters = super::dual_bindings(&source.arguments);
         let ty = rewrite::lifted_type(&source.output_type);
         let prepared = quote!(#(#states)* #(#parameters)*);
         let measure = measures::evaluation(source, &n, [&q, &t], &prepared);
@@ -284,7 +317,9 @@ fn is_called_link(ty: &syn::Type) -> bool {
 
 /// The struct and its constructor.
 pub fn declaration(source: &ConstraintFn) -> TokenStream {
-    let (visibility, name, attributes) = (&source.visibility, &source.name, &source.attributes);
+    let visibility = &source.visibility;
+    let name = &source.name;
+    let attributes = &source.attributes;
     let fields: Vec<&Argument> = source.arguments.iter().filter(|a| a.kind.is_field()).collect();
     let names: Vec<_> = fields.iter().map(|a| &a.name).collect();
     let types = fields.iter().map(|a| super::field_type(a));
@@ -330,12 +365,14 @@ pub fn declaration(source: &ConstraintFn) -> TokenStream {
     }
 }
 
-/// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and the time
-/// `t`.
+/// The user's names for bodies, coordinates and time, bound to states made of the columns `q` and
+/// the time `t`.
 fn states(arguments: &[Argument], q: &Ident, t: &Ident) -> Vec<TokenStream> {
     let scalar = quote!(::kin::emitted::Real<__D>);
     let bound = arguments.iter().filter_map(|argument| {
-        let (name, mutable, next) = (&argument.name, super::mutable(argument), next(argument, q, t)?);
+        let name = &argument.name;
+        let mutable = super::mutable(argument);
+        let next = next(argument, q, t)?;
         let ty = match argument.kind {
             Kind::Planar => quote!(::kin::emitted::PlanarState<#scalar>),
             Kind::Spatial => quote!(::kin::emitted::SpatialState<#scalar>),

@@ -1,5 +1,5 @@
-//! The demands of a constraint or a law: of its parameters (`#[require]`), and of the pose it is meant in
-//! (`#[branch]`).
+//! The demands of a constraint or a law: of its parameters (`#[require]`), and of the pose it is
+//! meant in (`#[branch]`).
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -7,8 +7,8 @@ use quote::{ToTokens, quote};
 use super::written;
 use kin_language::parse::{Argument, ConstraintFn, Demand, Kind};
 
-/// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold. Laws of a
-/// constraint with time in it drive the motion.
+/// `refusal`: what the parameters themselves refuse, then the first requirement that does not hold.
+/// Laws of a constraint with time in it drive the motion.
 pub fn refusal(source: &ConstraintFn) -> TokenStream {
     method(&source.requirements, &source.arguments, |argument| {
         matches!(argument.kind, Kind::Law | Kind::Axis)
@@ -29,7 +29,8 @@ fn method(
         .iter()
         .filter(|argument| can_refuse(argument))
         .map(|argument| {
-            let (name, text) = (&argument.name, argument.name.to_string());
+            let name = &argument.name;
+            let text = argument.name.to_string();
             quote!((#text, &self.#name))
         })
         .collect();
@@ -43,12 +44,15 @@ fn method(
     });
     let parameters = parameters(arguments);
     let checks = requirements.iter().map(|demand| {
-        let (condition, text) = (&demand.condition, &demand.text);
+        let condition = &demand.condition;
+        let text = &demand.text;
         let shown = parameters.iter().filter(|argument| {
-            matches!(argument.kind, Kind::Numbers(_) | Kind::Axis) && mentions(condition, &argument.name)
+            matches!(argument.kind, Kind::Numbers(_) | Kind::Axis)
+                && mentions(condition, &argument.name)
         });
         let shown = shown.map(|argument| {
-            let (name, text) = (&argument.name, argument.name.to_string());
+            let name = &argument.name;
+            let text = argument.name.to_string();
             quote!((#text, &self.#name))
         });
         quote!(let holds: bool = #condition; if !holds {
@@ -68,7 +72,10 @@ fn method(
 }
 
 fn parameters(arguments: &[Argument]) -> Vec<&Argument> {
-    arguments.iter().filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field()).collect()
+    arguments
+        .iter()
+        .filter(|argument| argument.kind.slots() == 0 && argument.kind.is_field())
+        .collect()
 }
 
 /// The user's names for the parameters that stand in some expressions, in plain f64.
@@ -91,10 +98,11 @@ pub fn bindings<'a>(
         .collect()
 }
 
-/// The arguments that attributes speak of: a parameter may be there for a requirement, or for the end of a
-/// measure, alone.
+/// The arguments that attributes speak of: a parameter may be there for a requirement, or for the
+/// end of a measure, alone.
 pub fn mentioned(source: &ConstraintFn) -> Vec<Ident> {
-    let demands = source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
+    let demands =
+        source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
     let measures = source.measures.iter().flat_map(|measure| {
         let ends = measure.ends.iter().flat_map(|(from, to)| [from, to]);
         std::iter::once(&measure.value).chain(ends)
@@ -110,7 +118,10 @@ pub fn mentioned_by_law(requirements: &[Demand], parameters: &[Argument]) -> Vec
 
 fn named(arguments: &[Argument], expressions: &[&syn::Expr]) -> Vec<Ident> {
     let names = arguments.iter().map(|argument| &argument.name);
-    names.filter(|name| expressions.iter().any(|expression| mentions(expression, name))).cloned().collect()
+    names
+        .filter(|name| expressions.iter().any(|expression| mentions(expression, name)))
+        .cloned()
+        .collect()
 }
 
 /// True if a name stands in an expression.
@@ -137,7 +148,8 @@ pub fn branch(source: &ConstraintFn) -> TokenStream {
         .arguments
         .iter()
         .map(|argument| {
-            let (name, at) = (&argument.name, proc_macro2::Literal::usize_unsuffixed(slot));
+            let name = &argument.name;
+            let at = proc_macro2::Literal::usize_unsuffixed(slot);
             slot += argument.kind.slots();
             match argument.kind {
                 Kind::Planar => quote!(at.planar(#at)),
@@ -151,7 +163,9 @@ pub fn branch(source: &ConstraintFn) -> TokenStream {
             }
         })
         .collect();
-    let (ty, names, values) = (quote!(fn(#(#types),*) -> bool), quote!(#(#names),*), quote!(#(#values),*));
+    let ty = quote!(fn(#(#types),*) -> bool);
+    let names = quote!(#(#names),*);
+    let values = quote!(#(#values),*);
     let conditions = source.branches.iter().map(|demand| &demand.condition);
     let texts = source.branches.iter().map(|demand| &demand.text);
     quote! {

@@ -8,10 +8,13 @@ use kin_language::parse::{Argument, ConstraintFn, Kind};
 
 /// `Parameters::describe`: every parameter under its name.
 pub fn describe(source: &ConstraintFn, lowered: Option<&Lowered>) -> TokenStream {
-    let parameters =
-        source.arguments.iter().filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);
+    let parameters = source
+        .arguments
+        .iter()
+        .filter(|argument| argument.kind.is_field() && argument.kind.slots() == 0);
     let puts = parameters.map(|argument| {
-        let (name, text) = (&argument.name, text(argument));
+        let name = &argument.name;
+        let text = text(argument);
         match argument.kind {
             Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
                 quote!(::kin::emitted::OutgoingRefused::put(&&::kin::emitted::Outgoing(&self.#name), #text, to);)
@@ -46,31 +49,35 @@ pub fn take(source: &ConstraintFn) -> Option<TokenStream> {
 
 /// `impl Described`: what a registry needs to make it anew.
 pub fn described(source: &ConstraintFn, kind: &str, n: &Literal, m: &Literal) -> TokenStream {
-    let (name, unlinted) = (&source.name, super::unlinted());
-    let fields = source.arguments.iter().filter(|argument| argument.kind.is_field()).map(|argument| {
-        let (field, text, ty) = (&argument.name, text(argument), super::field_type(argument));
-        let value = match argument.kind {
-            Kind::Planar => quote!(from.planar()),
-            Kind::Spatial => quote!(from.spatial()),
-            Kind::Coord => quote!(from.coord()),
-            Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => {
-                let one = match argument.kind {
-                    Kind::Planars(_) => quote!(from.planar()),
-                    Kind::Spatials(_) => quote!(from.spatial()),
-                    _ => quote!(from.coord()),
-                };
-                let each = std::iter::repeat_n(one, n);
-                quote!([#(#each),*])
-            }
-            // A value that lives as long as the program is in no file.
-            Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
-                quote!(return ::core::option::Option::None)
-            }
-            Kind::Other => quote!((&::kin::emitted::Incoming::<#ty>::new()).get(#text, from)?),
-            _ => quote!(from.get(#text)),
-        };
-        quote!(#field: #value)
-    });
+    let name = &source.name;
+    let unlinted = super::unlinted();
+    let fields =
+        source.arguments.iter().filter(|argument| argument.kind.is_field()).map(|argument| {
+            let field = &argument.name;
+            let text = text(argument);
+            let ty = super::field_type(argument);
+            let value = match argument.kind {
+                Kind::Planar => quote!(from.planar()),
+                Kind::Spatial => quote!(from.spatial()),
+                Kind::Coord => quote!(from.coord()),
+                Kind::Coords(n) | Kind::Planars(n) | Kind::Spatials(n) => {
+                    let one = match argument.kind {
+                        Kind::Planars(_) => quote!(from.planar()),
+                        Kind::Spatials(_) => quote!(from.spatial()),
+                        _ => quote!(from.coord()),
+                    };
+                    let each = std::iter::repeat_n(one, n);
+                    quote!([#(#each),*])
+                }
+                // A value that lives as long as the program is in no file.
+                Kind::Other if matches!(argument.ty, syn::Type::Reference(_)) => {
+                    quote!(return ::core::option::Option::None)
+                }
+                Kind::Other => quote!((&::kin::emitted::Incoming::<#ty>::new()).get(#text, from)?),
+                _ => quote!(from.get(#text)),
+            };
+            quote!(#field: #value)
+        });
     let bindings = super::may_hang(source.arguments.iter())
         .then(|| quote!(, __bindings: ::kin::emitted::Bindings::NONE));
     quote! {

@@ -15,7 +15,8 @@ pub fn facts(
     (rows, pattern): (&[String], &[(usize, usize)]),
     of_route: &TokenStream,
 ) -> TokenStream {
-    let (description, measures) = (description(&source.attributes), measures::facts(source));
+    let description = description(&source.attributes);
+    let measures = measures::facts(source);
     let pattern = pattern.iter().map(|(row, column)| {
         let [row, column] = [row, column].map(|k| Literal::usize_unsuffixed(*k));
         quote!(::kin::emitted::Entry::new(#row, #column))

@@ -1,5 +1,5 @@
-//! The constructor of a force: it takes the length or the angle in the place of coordinates, and makes a
-//! load.
+//! The constructor of a force: it takes the length or the angle in the place of coordinates, and
+//! makes a load.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -11,17 +11,25 @@ fn parameters(source: &ConstraintFn) -> Vec<&Argument> {
     source.arguments.iter().filter(|a| a.kind.is_field() && a.kind.slots() == 0).collect()
 }
 
-/// The inputs of the constructor: x, which is any constraint of one row or the name of a measure, then the
-/// parameters.
+/// The inputs of the constructor: x, which is any constraint of one row or the name of a measure,
+/// then the parameters.
 pub fn inputs(source: &ConstraintFn) -> Vec<TokenStream> {
-    let others = parameters(source).into_iter().map(|argument| super::constructor_input(argument).0);
+    let others =
+        parameters(source).into_iter().map(|argument| super::constructor_input(argument).0);
     std::iter::once(quote!(impl ::kin::IntoAlong)).chain(others).collect()
 }
 
 /// The body of the constructor is `prepared`, then the load that is made of x and this struct.
-pub fn constructor(source: &ConstraintFn, prepared: &TokenStream, bindings: &TokenStream) -> TokenStream {
-    let (visibility, name, attributes) = (&source.visibility, &source.name, &source.attributes);
-    let (inputs, x) = (inputs(source), super::own("x"));
+pub fn constructor(
+    source: &ConstraintFn,
+    prepared: &TokenStream,
+    bindings: &TokenStream,
+) -> TokenStream {
+    let visibility = &source.visibility;
+    let name = &source.name;
+    let attributes = &source.attributes;
+    let inputs = inputs(source);
+    let x = super::own("x");
     let others = parameters(source);
     let silent = others.iter().map(|argument| super::warned_elsewhere(&argument.name));
     let names = others.iter().map(|argument| &argument.name);

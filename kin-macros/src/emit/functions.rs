@@ -24,18 +24,22 @@ pub struct Parts {
 /// `residual`, `jacobian`, `linearize`, `velocity_rhs` and `acceleration_rhs`; the formula.
 pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivatives) -> Parts {
     let rows = &derived.rows;
-    let (m, entries) = (literal(rows.len()), literal(derived.jacobian.len()));
+    let m = literal(rows.len());
+    let entries = literal(derived.jacobian.len());
     let (to_c, c) = outputs("c", quote!(c.first_chunk_mut()), rows, |_| true);
     let values: Vec<Node> = derived.jacobian.iter().map(|entry| entry.2).collect();
     let (to_c_q, c_q) = outputs("c_q", quote!(c_q.first_chunk_mut()), &values, |_| true);
     let both: Vec<_> = c.iter().cloned().chain(c_q).collect();
-    let (to_rhs, rhs) = outputs("rhs", quote!(rhs.first_chunk_mut()), &derived.velocity_rhs, |_| true);
-    let (to_q_d, q_d) = outputs("q_d", quote!(q_d.first_chunk_mut()), &derived.acceleration_rhs, |_| true);
+    let (to_rhs, rhs) =
+        outputs("rhs", quote!(rhs.first_chunk_mut()), &derived.velocity_rhs, |_| true);
+    let (to_q_d, q_d) =
+        outputs("q_d", quote!(q_d.first_chunk_mut()), &derived.acceleration_rhs, |_| true);
     let all: Vec<Node> = both.iter().chain(&rhs).chain(&q_d).map(|output| output.1).collect();
     let linear = derived.is_linear(&lowered.graph);
     let timed = Timed::new(lowered, &all, derived, linear);
     let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
-    let mut kernel = |outputs: &[(Ident, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
+    let mut kernel =
+        |outputs: &[(Ident, Node)]| Kernel::scheduled(lowered, arguments, &timed, outputs);
     // Where only the time has changed a constraint may be asked for C alone; all others seldom are.
     let alone = !linear && on_t;
     let residual = alone.then(|| kernel(&c).tokens).map(|residual| quote!(#to_c #residual));
@@ -44,11 +48,13 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     let right_side = commented("Q_d for t_dot = 1", kernel(&q_d));
     let velocity = (!rhs.is_empty()).then(|| (to_rhs, kernel(&rhs)));
     let velocity = self::velocity(&m, velocity);
-    let (at_time, numbers_of_time) = (timed::function(lowered, &timed), timed::facts(&timed));
+    let at_time = timed::function(lowered, &timed);
+    let numbers_of_time = timed::facts(&timed);
     let promises = facts::promises(&derived.promises(&lowered.graph));
     let reason = route::read(lowered);
     let facts = quote!(reason: #reason, #promises #numbers_of_time);
-    let ((linearize_doc, linearize), (right_doc, right_side)) = (linearize, right_side);
+    let (linearize_doc, linearize) = linearize;
+    let (right_doc, right_side) = right_side;
     let formulas = quote! {
         #at_time
         fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
@@ -73,8 +79,9 @@ pub fn symbolic(arguments: &[Argument], lowered: &mut Lowered, derived: &Derivat
     Parts { facts, formulas, written: super::blame::symbolic(arguments, lowered) }
 }
 
-/// References to the places of a list by name, `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`,
-/// and what is written behind those that are `wanted`.
+/// References to the places of a list by name,
+/// `let Some([c_0, c_1]) = c.first_chunk_mut() else { return };`, and what is written behind those
+/// that are `wanted`.
 pub fn outputs(
     list: &str,
     places: TokenStream,
@@ -121,7 +128,8 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
     let (code, values) = Kernel::plain(lowered, arguments).values(&nodes);
     let code = code.tokens;
     let shown = asked.iter().enumerate().map(|(k, (law, _))| {
-        let (x, place) = (super::own(&format!("x_{k}")), super::template::place(&lowered.laws[*law]));
+        let x = super::own(&format!("x_{k}"));
+        let place = super::template::place(&lowered.laws[*law]);
         let name = kin_language::error::tidy(&place.to_string()).replace(' ', "");
         let name = name.trim_start_matches("self.");
         quote!(visit(#name, &#place, #x);)

@@ -1,5 +1,5 @@
-//! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and how each is
-//! written.
+//! Straight-line code for some outputs of the graph: which nodes get a name, in which order, and
+//! how each is written.
 
 mod branches;
 mod dual;
@@ -78,7 +78,8 @@ pub struct Code {
 }
 
 impl<'a> Kernel<'a> {
-    /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was evaluated before.
+    /// Code for `outputs` after the scheduler has had a look at it; what is in `timed` was
+    /// evaluated before.
     pub fn scheduled(
         lowered: &'a mut Lowered,
         arguments: &[Argument],
@@ -90,7 +91,8 @@ impl<'a> Kernel<'a> {
         let nodes = schedule::prepare(&mut lowered.graph, &nodes);
         let outputs: Vec<_> =
             outputs.iter().zip(nodes).map(|((place, _), node)| (place.clone(), node)).collect();
-        Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }.write(&outputs)
+        Kernel { scheduled: true, timed: timed.len(), ..Kernel::new(lowered, arguments) }
+            .write(&outputs)
     }
 
     /// Code in plain numbers, as it comes.
@@ -98,7 +100,8 @@ impl<'a> Kernel<'a> {
         Kernel::new(lowered, arguments)
     }
 
-    /// A kernel in which some nodes have a name already; what these are computed from is not looked at.
+    /// A kernel in which some nodes have a name already; what these are computed from is not looked
+    /// at.
     pub fn from_given(
         lowered: &'a Lowered,
         arguments: &[Argument],
@@ -109,7 +112,11 @@ impl<'a> Kernel<'a> {
 
     /// Code in dual numbers: the states have the user's names, the time is `t`.
     pub fn over_duals(lowered: &'a Lowered, arguments: &'a [Argument]) -> Self {
-        Kernel { numbers: Numbers::Dual, places: dual::places(arguments), ..Kernel::new(lowered, arguments) }
+        Kernel {
+            numbers: Numbers::Dual,
+            places: dual::places(arguments),
+            ..Kernel::new(lowered, arguments)
+        }
     }
 
     /// Code before the values of `nodes`, and these as expressions, conditions as 1 or 0.
@@ -126,7 +133,11 @@ impl<'a> Kernel<'a> {
     /// A result as a number.
     fn output(&mut self, node: Node) -> TokenStream {
         let value = self.expression(node);
-        if is_condition(self.lowered, node) { quote!(if #value { 1.0 } else { 0.0 }) } else { value }
+        if is_condition(self.lowered, node) {
+            quote!(if #value { 1.0 } else { 0.0 })
+        } else {
+            value
+        }
     }
 
     /// Code that computes `outputs` and writes each behind the reference given with it.
@@ -188,13 +199,17 @@ impl<'a> Kernel<'a> {
         let fma = if self.fused { quote!(let #fma = ::kin::emitted::fma;) } else { quote!() };
         let items = &self.lowered.items;
         let items = if items.is_empty() { quote!() } else { quote!(#(#[allow(unused)] #items)*) };
-        Code { tokens: quote!(#items #fma #timed #bindings #(#statements)*), operations: self.operations }
+        Code {
+            tokens: quote!(#items #fma #timed #bindings #(#statements)*),
+            operations: self.operations,
+        }
     }
 
     /// The numbers of states and rates of arguments, of those that are read.
     fn bindings(&self) -> TokenStream {
         let of = |k: usize, of_state: bool| {
-            let parts = if of_state { self.slots[k].state_parts() } else { self.slots[k].columns() };
+            let parts =
+                if of_state { self.slots[k].state_parts() } else { self.slots[k].columns() };
             let read = |part: &Part| self.read.contains(&(k, *part, of_state));
             parts.iter().any(read).then(|| {
                 binding(
@@ -210,8 +225,8 @@ impl<'a> Kernel<'a> {
         all.collect()
     }
 
-    /// The name of a number of a state or of the rates, read just before it is needed first: registers are
-    /// few.
+    /// The name of a number of a state or of the rates, read just before it is needed first:
+    /// registers are few.
     fn reading(&mut self, slot: usize, part: Part, of_state: bool) -> Ident {
         let name = self.name_of(slot, part, of_state);
         if self.read.insert((slot, part, of_state)) {
@@ -227,13 +242,17 @@ impl<'a> Kernel<'a> {
     /// Learns of `outputs` how often each node is used, and which choices are worth a branch.
     fn look_at(&mut self, outputs: &[Node]) {
         let known = |node: Node| self.named.contains_key(&node);
-        self.branches = Branches::new(self.graph(), outputs, known, |table| self.is_readable(table));
+        self.branches =
+            Branches::new(self.graph(), outputs, known, |table| self.is_readable(table));
         self.count_uses(outputs);
     }
 
-    /// The nodes that `outputs` need and that are not known yet, in the order in which to compute them.
+    /// The nodes that `outputs` need and that are not known yet, in the order in which to compute
+    /// them.
     fn order(&self, outputs: &[Node]) -> Vec<Group> {
-        schedule::order(self.graph(), &self.branches, outputs, |node| self.named.contains_key(&node))
+        schedule::order(self.graph(), &self.branches, outputs, |node| {
+            self.named.contains_key(&node)
+        })
     }
 
     fn count_uses(&mut self, outputs: &[Node]) {
@@ -243,17 +262,24 @@ impl<'a> Kernel<'a> {
         let known = |node: Node| self.named.contains_key(&node);
         // The numbers of a table are not computed.
         let given = |node: Node| known(node) || self.branches.cell(node).is_some();
-        let order: Vec<Node> =
-            self.graph().reachable_from(outputs, given).into_iter().filter(|&node| !known(node)).collect();
+        let order: Vec<Node> = self
+            .graph()
+            .reachable_from(outputs, given)
+            .into_iter()
+            .filter(|&node| !known(node))
+            .collect();
         for node in order.into_iter().rev() {
             // Minus x is written out as often as it is used.
-            let times = if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
+            let times =
+                if let Op::Neg(_) = self.graph().op(node) { self.uses[node.index()] } else { 1 };
             match self.branches.cell(node) {
                 Some((table, _)) => {
                     let searched = self.branches.lookup(table).searched();
                     searched.for_each(|operand| self.uses[operand.index()] += times);
                 }
-                None => self.graph().each_operand(node, |operand| self.uses[operand.index()] += times),
+                None => {
+                    self.graph().each_operand(node, |operand| self.uses[operand.index()] += times)
+                }
             }
         }
     }
@@ -282,7 +308,8 @@ impl<'a> Kernel<'a> {
             return;
         }
         let mut depth = 1;
-        self.graph().each_operand(node, |operand| depth = depth.max(1 + self.depth[operand.index()]));
+        self.graph()
+            .each_operand(node, |operand| depth = depth.max(1 + self.depth[operand.index()]));
         if self.uses[node.index()] > 1 || depth > DEEPEST {
             let value = self.written(node);
             let name = self.temporary(value);
@@ -293,7 +320,10 @@ impl<'a> Kernel<'a> {
     }
 
     fn is_leaf_of_expression(&self, node: Node) -> bool {
-        matches!(self.graph().op(node), Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_))
+        matches!(
+            self.graph().op(node),
+            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_)
+        )
     }
 
     fn temporary(&mut self, value: TokenStream) -> Ident {
@@ -316,10 +346,14 @@ impl<'a> Kernel<'a> {
 
     /// Sine and cosine of one angle are one call, where both are needed.
     fn pair(&mut self, angle: Node) -> bool {
-        let find = |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses[n.index()] > 0);
-        let (Some(sin), Some(cos)) = (find(Function::Sin), find(Function::Cos)) else { return false };
+        let find =
+            |f| self.graph().existing(Op::Call(f, angle)).filter(|n| self.uses[n.index()] > 0);
+        let (Some(sin), Some(cos)) = (find(Function::Sin), find(Function::Cos)) else {
+            return false;
+        };
         let of = self.expression(angle);
-        let (s, c) = (format!("s{}", self.temporaries), format!("c{}", self.temporaries));
+        let s = format!("s{}", self.temporaries);
+        let c = format!("c{}", self.temporaries);
         let [s, c] = [s, c].map(|name| Ident::new(&name, Span::mixed_site()));
         self.temporaries += 1;
         self.statements.push(match self.numbers {
@@ -344,9 +378,12 @@ impl<'a> Kernel<'a> {
         let simple = self.named.contains_key(&node)
             || match self.graph().op(node) {
                 Op::Constant(bits) => f64::from_bits(bits) >= 0.0,
-                Op::Input(_) | Op::Decimal(_) | Op::Call(..) | Op::Call2(..) | Op::Powi(..) | Op::Fma(..) => {
-                    !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..))
-                }
+                Op::Input(_)
+                | Op::Decimal(_)
+                | Op::Call(..)
+                | Op::Call2(..)
+                | Op::Powi(..)
+                | Op::Fma(..) => !matches!(self.graph().op(node), Op::Call2(Function2::Rem, ..)),
                 _ => false,
             };
         let value = self.expression(node);

@@ -13,14 +13,16 @@ use kin_language::parse::LawFn;
 /// The law with its derivatives to third order, symbolic where the body could be read.
 pub fn law(source: &LawFn, lowered: Option<Lowered>) -> TokenStream {
     let body = rewrite::plain_law(source.written(), &source.parameters, &source.variable);
-    let (written, edited) = (written(source, &body, lowered.as_ref()), editor::law(source, &body));
+    let written = written(source, &body, lowered.as_ref());
+    let edited = editor::law(source, &body);
     let text = lowered.as_ref().and_then(|lowered| alone::law_text(source, lowered));
     let formula = lowered.as_ref().map(|lowered| blame::law(&source.parameters, lowered));
     let (jet, leaves) = match lowered {
         Some(lowered) => symbolic(source, lowered),
         None => (quote!(::kin::emitted::jet_by_dual(x, |x| self.evaluate(x))), vec![]),
     };
-    let ([formula, known], evaluate) = (formula.unwrap_or_default(), evaluate(source));
+    let [formula, known] = formula.unwrap_or_default();
+    let evaluate = evaluate(source);
     let own = quote!(#(#leaves)* #formula #evaluate);
     let methods = quote!(fn jet(&self, x: f64) -> [f64; 4] { #jet } #known #text);
     let emitted = emit(source, &written, &own, &methods);
@@ -86,10 +88,18 @@ fn evaluate(source: &LawFn) -> TokenStream {
     }
 }
 
-fn emit(source: &LawFn, written: &TokenStream, own: &TokenStream, methods: &TokenStream) -> TokenStream {
-    let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
+fn emit(
+    source: &LawFn,
+    written: &TokenStream,
+    own: &TokenStream,
+    methods: &TokenStream,
+) -> TokenStream {
+    let attributes = &source.attributes;
+    let visibility = &source.visibility;
+    let name = &source.name;
     let names: Vec<_> = source.parameters.iter().map(|a| &a.name).collect();
-    let (types, values): (Vec<_>, Vec<_>) = source.parameters.iter().map(super::constructor_input).unzip();
+    let (types, values): (Vec<_>, Vec<_>) =
+        source.parameters.iter().map(super::constructor_input).unzip();
     let bindings = super::own("bindings");
     let silent = names.iter().map(|name| super::warned_elsewhere(name));
     let (visit, set) = super::parameter_methods(&source.parameters);

@@ -1,4 +1,5 @@
-//! Measures of a joint, asked beside its equations, with their rates by dual numbers: `#[measure(…)]`.
+//! Measures of a joint, asked beside its equations, with their rates by dual numbers:
+//! `#[measure(…)]`.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -18,11 +19,16 @@ pub fn facts(source: &ConstraintFn) -> TokenStream {
 
 /// `ends` of `impl Parameters`; nothing where no measure has any.
 pub fn ends(source: &ConstraintFn) -> TokenStream {
-    let mentioned =
-        source.measures.iter().filter_map(|measure| measure.ends.as_ref()).flat_map(|(from, to)| [from, to]);
-    let (bindings, number) = (demands::bindings(&source.arguments, mentioned), super::own("number"));
-    let ends = numbered(source)
-        .filter_map(|(k, measure)| measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],)));
+    let mentioned = source
+        .measures
+        .iter()
+        .filter_map(|measure| measure.ends.as_ref())
+        .flat_map(|(from, to)| [from, to]);
+    let bindings = demands::bindings(&source.arguments, mentioned);
+    let number = super::own("number");
+    let ends = numbered(source).filter_map(|(k, measure)| {
+        measure.ends.as_ref().map(|(from, to)| quote!(#k => [#from, #to],))
+    });
     let ends: Vec<TokenStream> = ends.collect();
     if ends.is_empty() {
         return quote!();
@@ -52,7 +58,8 @@ pub fn measure(source: &ConstraintFn) -> TokenStream {
     }
 }
 
-/// `measured` of `impl Equation`, where `prepared` binds the names of the signature for dual numbers.
+/// `measured` of `impl Equation`, where `prepared` binds the names of the signature for dual
+/// numbers.
 pub fn evaluation(
     source: &ConstraintFn,
     n: &Literal,
@@ -62,7 +69,8 @@ pub fn evaluation(
     if source.measures.is_empty() {
         return quote!();
     }
-    let (k, value) = (super::own("k"), super::own("value"));
+    let k = super::own("k");
+    let value = super::own("value");
     let arms = numbered(source).map(|(number, measure)| {
         let body = rewrite::dual(&block(measure), &source.arguments);
         quote!(#number => (move || -> ::kin::emitted::Real<__D> #body)(),)
@@ -82,8 +90,8 @@ pub fn evaluation(
     }
 }
 
-/// The measures as they were written, in f64: their mistakes are found here, once. Each is of the type of a
-/// function.
+/// The measures as they were written, in f64: their mistakes are found here, once. Each is of the
+/// type of a function.
 pub fn written(source: &ConstraintFn) -> Vec<TokenStream> {
     let (names, types): (Vec<_>, Vec<_>) = written::inputs(&source.arguments).into_iter().unzip();
     let copy = |measure: &Measure| {

@@ -53,17 +53,21 @@ fn array(ty: &TokenStream, n: usize) -> TokenStream {
     quote!([#ty; #n])
 }
 
-/// The input of a constructor for an argument, and the value of its field. The name stands at the type in the
-/// signature, for messages.
+/// The input of a constructor for an argument, and the value of its field. The name stands at the
+/// type in the signature, for messages.
 fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
-    let (name, ty) = (&argument.name, field_type(argument));
+    let name = &argument.name;
+    let ty = field_type(argument);
     let given = |word: &str, method: &str| {
-        let at = proc_macro2::Span::call_site().located_at(syn::spanned::Spanned::span(&argument.ty));
-        let (word, method) = (proc_macro2::Ident::new(word, at), own(method));
+        let at =
+            proc_macro2::Span::call_site().located_at(syn::spanned::Spanned::span(&argument.ty));
+        let word = proc_macro2::Ident::new(word, at);
+        let method = own(method);
         (quote_spanned!(at=> impl ::kin::#word), quote!(#name: ::kin::#word::#method(#name)))
     };
     let several = |word: &str, method: &str, n: usize| {
-        let (one, method) = (given(word, method).0, own(method));
+        let one = given(word, method).0;
+        let method = own(method);
         let word = proc_macro2::Ident::new(word, proc_macro2::Span::call_site());
         (array(&one, n), quote!(#name: #name.map(::kin::#word::#method)))
     };
@@ -76,11 +80,13 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
         Kind::Axis => (given("IntoAxis", "into_axis").0, noted(name, "axis")),
         Kind::Numbers(Shape::Vector(n)) => {
             let n = proc_macro2::Literal::usize_unsuffixed(n);
-            let given = quote!(impl ::kin::emitted::Components<#n, Scalar: ::kin::emitted::IntoNumber>);
+            let given =
+                quote!(impl ::kin::emitted::Components<#n, Scalar: ::kin::emitted::IntoNumber>);
             (given, noted(name, "vector"))
         }
         Kind::Numbers(_) => {
-            let at = proc_macro2::Span::call_site().located_at(syn::spanned::Spanned::span(&argument.ty));
+            let at = proc_macro2::Span::call_site()
+                .located_at(syn::spanned::Spanned::span(&argument.ty));
             (quote_spanned!(at=> impl ::kin::emitted::IntoParameter<#ty>), noted(name, "parameter"))
         }
         Kind::Law => (ty, noted(name, "parameter")),
@@ -90,8 +96,9 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
 
 /// The value of a field, made of what may hang on dimensions by the function of that name.
 fn noted(name: &proc_macro2::Ident, function: &str) -> TokenStream {
-    let (text, function, bindings) =
-        (syn::ext::IdentExt::unraw(name).to_string(), own(function), own("bindings"));
+    let text = syn::ext::IdentExt::unraw(name).to_string();
+    let function = own(function);
+    let bindings = own("bindings");
     quote!(#name: ::kin::emitted::#function(#name, #text, #bindings))
 }
 
@@ -103,7 +110,11 @@ fn may_hang<'a>(mut arguments: impl Iterator<Item = &'a Argument>) -> bool {
 /// An argument that is called `L` is warned of once: in the function as it was written, not in the
 /// constructor too.
 fn warned_elsewhere(name: &proc_macro2::Ident) -> TokenStream {
-    if name.to_string().contains(char::is_uppercase) { quote!(#[allow(non_snake_case)]) } else { quote!() }
+    if name.to_string().contains(char::is_uppercase) {
+        quote!(#[allow(non_snake_case)])
+    } else {
+        quote!()
+    }
 }
 
 /// Lints do not look at code that is not the user's.
@@ -111,7 +122,8 @@ fn unlinted() -> TokenStream {
     quote!(#[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
-/// `parameters`, and `set_parameter` with `set_parameter_at`: laws and vectors know their own parts.
+/// `parameters`, and `set_parameter` with `set_parameter_at`: laws and vectors know their own
+/// parts.
 fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
     let numeric: Vec<_> = arguments
         .iter()
@@ -141,7 +153,8 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
     let parameters = arguments.iter().filter(|a| a.kind.is_field() && a.kind.slots() == 0);
     parameters
         .map(|argument| {
-            let (name, mutable) = (&argument.name, mutable(argument));
+            let name = &argument.name;
+            let mutable = mutable(argument);
             match argument.kind {
                 Kind::Numbers(_) | Kind::Axis => {
                     let ty = rewrite::lifted_type(&argument.ty);
@@ -161,8 +174,12 @@ fn dual_bindings(arguments: &[Argument]) -> Vec<TokenStream> {
         .collect()
 }
 
-/// `let Some([a, _, c]) = source else { return };`: the first numbers of a list by name, those that have one.
-fn chunk(names: impl Iterator<Item = Option<proc_macro2::Ident>>, source: TokenStream) -> TokenStream {
+/// `let Some([a, _, c]) = source else { return };`: the first numbers of a list by name, those that
+/// have one.
+fn chunk(
+    names: impl Iterator<Item = Option<proc_macro2::Ident>>,
+    source: TokenStream,
+) -> TokenStream {
     let names = names.map(|name| name.map_or_else(|| quote!(_), |name| quote!(#name)));
     quote!(let ::core::option::Option::Some([#(#names),*]) = #source else { return };)
 }
@@ -191,7 +208,8 @@ fn mutable(argument: &Argument) -> TokenStream {
     if argument.mutable { quote!(mut) } else { quote!() }
 }
 
-/// Attributes of the constructor, and of the struct: its documentation says what the constructor's says.
+/// Attributes of the constructor, and of the struct: its documentation says what the constructor's
+/// says.
 fn documentation(attributes: &[syn::Attribute]) -> Vec<&syn::Attribute> {
     attributes.iter().filter(|a| a.path().is_ident("doc")).collect()
 }

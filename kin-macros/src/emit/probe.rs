@@ -1,5 +1,5 @@
-//! Calls of the user's functions whose signature is not known: arguments go as they are where the function
-//! takes them so, else they are converted.
+//! Calls of the user's functions whose signature is not known: arguments go as they are where the
+//! function takes them so, else they are converted.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -30,7 +30,9 @@ pub enum How {
 pub fn call(callee: &TokenStream, arguments: Vec<Probed>, at: Span) -> TokenStream {
     let how = super::own("how");
     let names: Vec<Ident> = (0..arguments.len()).map(|k| super::own(&format!("a_{k}"))).collect();
-    let (mut values, mut types, mut handed) = (Vec::new(), Vec::new(), Vec::new());
+    let mut values = Vec::new();
+    let mut types = Vec::new();
+    let mut handed = Vec::new();
     for (argument, name) in arguments.into_iter().zip(&names) {
         let Probed { value, how: by, at } = argument;
         let (value, ty, given) = match by {
@@ -39,7 +41,8 @@ pub fn call(callee: &TokenStream, arguments: Vec<Probed>, at: Span) -> TokenStre
             How::Jet => (value, quote!(#name), quote_spanned!(at=> #how.jet(#name).argument())),
             How::Constant => (value, quote!(#name), quote_spanned!(at=> #how.constant(#name))),
             How::Borrowed => {
-                let lifted = quote!(::kin::emitted::Lift::<f64>::lift(::core::clone::Clone::clone(#name)));
+                let lifted =
+                    quote!(::kin::emitted::Lift::<f64>::lift(::core::clone::Clone::clone(#name)));
                 (value, quote!(#name), quote_spanned!(at=> #how.reference(#name, &#lifted)))
             }
             How::Reference(again) => (

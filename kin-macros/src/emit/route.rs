@@ -1,4 +1,5 @@
-//! Why a constraint is on the dual route: told among its facts, and warned of where that is asked for.
+//! Why a constraint is on the dual route: told among its facts, and warned of where that is asked
+//! for.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -16,8 +17,8 @@ pub enum DualReason<'a> {
 /// `.cargo/config.toml` is a good place for it.
 const CRATE_WIDE: &str = "KIN_WARN_DUAL";
 
-/// The `RouteReason` of a body that has been read, but perhaps for functions and constants that only rustc
-/// knows.
+/// The `RouteReason` of a body that has been read, but perhaps for functions and constants that
+/// only rustc knows.
 pub fn read(lowered: &Lowered) -> TokenStream {
     let called = lowered.leaves.iter().flat_map(|leaf| leaf.template.called());
     let values = lowered.leaves.iter().chain(&lowered.opaques);
@@ -56,11 +57,12 @@ impl DualReason<'_> {
         }
     }
 
-    /// A warning at the token that cannot be read, if the constraint or the whole crate asks for it. Stable
-    /// Rust lets a macro warn in one way only: by the use of something deprecated.
+    /// A warning at the token that cannot be read, if the constraint or the whole crate asks for
+    /// it. Stable Rust lets a macro warn in one way only: by the use of something deprecated.
     pub fn warning(&self, constraint: &Ident, asked: bool) -> TokenStream {
         let DualReason::Unread(Unreadable { span, what }) = self else { return quote!() };
-        let everywhere = std::env::var(CRATE_WIDE).is_ok_and(|value| !matches!(value.as_str(), "" | "0"));
+        let everywhere =
+            std::env::var(CRATE_WIDE).is_ok_and(|value| !matches!(value.as_str(), "" | "0"));
         let warning = (asked || everywhere).then(|| {
             let note = format!(
                 "{what} cannot be read by the compiler, so `{constraint}` is differentiated by dual numbers"
@@ -87,6 +89,7 @@ impl DualReason<'_> {
 /// A [`kin::blame::Source`].
 fn place(span: Span) -> TokenStream {
     let at = span.start();
-    let (line, column) = (Literal::usize_unsuffixed(at.line), Literal::usize_unsuffixed(at.column + 1));
+    let line = Literal::usize_unsuffixed(at.line);
+    let column = Literal::usize_unsuffixed(at.column + 1);
     quote!(::kin::emitted::Source { file: ::core::file!(), line: #line, column: #column })
 }

@@ -22,7 +22,8 @@ impl Slot {
         match self.kind {
             Kind::Planar => vec![Part::R(0), Part::R(1), Part::Theta, Part::Sin, Part::Cos],
             Kind::Spatial => {
-                let (r, p) = ((0..3).map(Part::R), (0..4).map(Part::P));
+                let r = (0..3).map(Part::R);
+                let p = (0..4).map(Part::P);
                 r.chain(p).collect()
             }
             _ => vec![Part::Theta, Part::Sin, Part::Cos],
@@ -31,7 +32,10 @@ impl Slot {
 
     /// The coordinates among them.
     pub fn columns(&self) -> Vec<Part> {
-        self.state_parts().into_iter().filter(|part| !matches!(part, Part::Sin | Part::Cos)).collect()
+        self.state_parts()
+            .into_iter()
+            .filter(|part| !matches!(part, Part::Sin | Part::Cos))
+            .collect()
     }
 
     pub fn state(&self, part: Part) -> Ident {
@@ -53,11 +57,15 @@ impl Slot {
     }
 }
 
-/// `let Some([i_x, _, i_theta, ..]) = at.state(0) else { return };`: the numbers of argument `k`'s state, or
-/// of its rates, by name.
-pub fn binding(k: usize, of_state: bool, names: impl Iterator<Item = Option<Ident>>) -> TokenStream {
-    let (k, numbers) =
-        (Literal::usize_unsuffixed(k), if of_state { quote!(at.state) } else { quote!(qd.of) });
+/// `let Some([i_x, _, i_theta, ..]) = at.state(0) else { return };`: the numbers of argument `k`'s
+/// state, or of its rates, by name.
+pub fn binding(
+    k: usize,
+    of_state: bool,
+    names: impl Iterator<Item = Option<Ident>>,
+) -> TokenStream {
+    let k = Literal::usize_unsuffixed(k);
+    let numbers = if of_state { quote!(at.state) } else { quote!(qd.of) };
     super::chunk(names, quote!(#numbers(#k)))
 }
 
@@ -67,10 +75,14 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
     let names: Vec<String> = arguments.iter().map(plain).collect();
     let mut slots = Vec::new();
     for (argument, name) in arguments.iter().zip(&names) {
-        let extends =
-            |other: &String| name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'));
-        let base =
-            if is_taken(name) || names.iter().any(extends) { format!("{name}_arg") } else { name.clone() };
+        let extends = |other: &String| {
+            name.strip_prefix(other.as_str()).is_some_and(|rest| rest.starts_with('_'))
+        };
+        let base = if is_taken(name) || names.iter().any(extends) {
+            format!("{name}_arg")
+        } else {
+            name.clone()
+        };
         for k in 0..argument.kind.slots() {
             let (kind, several) = match argument.kind {
                 Kind::Planars(_) => (Kind::Planar, true),
@@ -89,7 +101,8 @@ pub fn slots(arguments: &[Argument]) -> Vec<Slot> {
 const TEMPORARIES: &[&str] =
     &["t", "s", "c", "o", "law", "leaf", "known", "call", "c_", "c_q_", "q_d_", "rhs_", "x_"];
 
-/// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw identifiers.
+/// Names of the emitted functions' own arguments and temporaries, and keywords that came as raw
+/// identifiers.
 fn is_taken(name: &str) -> bool {
     let prefix = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let temporary = prefix.len() < name.len() && TEMPORARIES.contains(&prefix);

@@ -1,5 +1,5 @@
-//! After a mistake: something of the function's name that type-checks wherever it is used, so that one
-//! mistake gives one message. An editor is shown the function all the same.
+//! After a mistake: something of the function's name that type-checks wherever it is used, so that
+//! one mistake gives one message. An editor is shown the function all the same.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
@@ -28,9 +28,12 @@ pub fn constraint(source: &ConstraintFn) -> TokenStream {
 /// For a law whose signature was understood.
 pub fn law(source: &LawFn) -> TokenStream {
     let inputs: Vec<TokenStream> = source.parameters.iter().map(input).collect();
-    let (stand_in, shown) = (law_of(&source.visibility, &source.name, &inputs), law_function(source));
-    let edited =
-        editor::law(source, &rewrite::plain_law(source.written(), &source.parameters, &source.variable));
+    let stand_in = law_of(&source.visibility, &source.name, &inputs);
+    let shown = law_function(source);
+    let edited = editor::law(
+        source,
+        &rewrite::plain_law(source.written(), &source.parameters, &source.variable),
+    );
     quote! {
         #edited
         ::kin::emitted::outside_editor! { #stand_in }
@@ -40,9 +43,12 @@ pub fn law(source: &LawFn) -> TokenStream {
 
 /// The constructor of a law that is never called.
 pub fn law_function(source: &LawFn) -> TokenStream {
-    let (attributes, visibility, name) = (&source.attributes, &source.visibility, &source.name);
+    let attributes = &source.attributes;
+    let visibility = &source.visibility;
+    let name = &source.name;
     let inputs = source.parameters.iter().map(|argument| {
-        let (name, ty) = (&argument.name, &argument.ty);
+        let name = &argument.name;
+        let ty = &argument.ty;
         quote!(#name: #ty)
     });
     quote! {
@@ -58,10 +64,8 @@ pub fn constraint_item(item: TokenStream) -> TokenStream {
     let (item, body) = without_body(item);
     match as_function(item) {
         Ok(function) => {
-            let (stand_in, edited) = (
-                constraint_of(&function.vis, &function.sig.ident, &inputs(&function)),
-                editor::unread(&function.sig, &body),
-            );
+            let stand_in = constraint_of(&function.vis, &function.sig.ident, &inputs(&function));
+            let edited = editor::unread(&function.sig, &body);
             quote!(#edited #stand_in)
         }
         Err(other) => other,
@@ -73,10 +77,8 @@ pub fn force_item(item: TokenStream) -> TokenStream {
     let (item, body) = without_body(item);
     match as_function(item) {
         Ok(function) => {
-            let (stand_in, edited) = (
-                force_of(&function.vis, &function.sig.ident, &inputs(&function)),
-                editor::unread(&function.sig, &body),
-            );
+            let stand_in = force_of(&function.vis, &function.sig.ident, &inputs(&function));
+            let edited = editor::unread(&function.sig, &body);
             quote!(#edited #stand_in)
         }
         Err(other) => other,
@@ -101,7 +103,8 @@ pub fn law_item(item: TokenStream) -> TokenStream {
 /// The item with an empty body, and the body, which may be what is wrong with it.
 fn without_body(item: TokenStream) -> (TokenStream, TokenStream) {
     let mut tokens: Vec<TokenTree> = item.into_iter().collect();
-    let is_function = tokens.iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "fn"));
+    let is_function =
+        tokens.iter().any(|token| matches!(token, TokenTree::Ident(word) if word == "fn"));
     let body = match tokens.pop() {
         Some(TokenTree::Group(body)) if is_function && body.delimiter() == Delimiter::Brace => {
             tokens.push(Group::new(Delimiter::Brace, TokenStream::new()).into());
@@ -128,7 +131,8 @@ fn input(argument: &Argument) -> TokenStream {
     if argument.kind == Kind::Other { anything() } else { super::constructor_input(argument).0 }
 }
 
-/// The inputs that a constructor would take, as far as can be told from a signature with mistakes in it.
+/// The inputs that a constructor would take, as far as can be told from a signature with mistakes
+/// in it.
 fn inputs(function: &ItemFn) -> Vec<TokenStream> {
     let is_input = |input: &&FnArg| match input {
         FnArg::Typed(typed) => !is_time(&typed.ty),
@@ -141,9 +145,11 @@ fn inputs(function: &ItemFn) -> Vec<TokenStream> {
 fn is_time(ty: &Type) -> bool {
     match ty {
         Type::Reference(inner) => is_time(&inner.elem),
-        Type::Path(path) => {
-            path.path.segments.last().is_some_and(|last| last.ident == "Time" || last.ident == "Rate")
-        }
+        Type::Path(path) => path
+            .path
+            .segments
+            .last()
+            .is_some_and(|last| last.ident == "Time" || last.ident == "Rate"),
         _ => false,
     }
 }

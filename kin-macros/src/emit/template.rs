@@ -19,7 +19,8 @@ use kin_language::vocabulary::{
 /// The expression in plain numbers.
 pub fn plain(template: &Template, value: &mut dyn FnMut(Node) -> TokenStream) -> TokenStream {
     if let Template::When(condition, inner) = template {
-        let (condition, inner) = (value(*condition), plain(inner, value));
+        let condition = value(*condition);
+        let inner = plain(inner, value);
         return quote!(if #condition { #inner } else { ::kin::emitted::absent() });
     }
     Writer::new(value, Site::Kernel).lowered(template)
@@ -30,8 +31,8 @@ pub fn place(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Kernel).write(template, Use::Place)
 }
 
-/// An expression without values of the graph, for rustc to say what is wrong with it; the constraint is
-/// `__self`.
+/// An expression without values of the graph, for rustc to say what is wrong with it; the
+/// constraint is `__self`.
 pub fn check(template: &Template) -> TokenStream {
     Writer::new(&mut |_| quote!(()), Site::Check).lowered(template)
 }
@@ -46,7 +47,9 @@ fn calls(template: &Template) -> bool {
         | Template::Unary(_, a)
         | Template::Reference(a)
         | Template::Cast(a, _) => calls(a),
-        Template::Binary(_, And(_) | Eq(_) | Ge(_) | Gt(_) | Le(_) | Lt(_) | Ne(_) | Or(_), _) => false,
+        Template::Binary(_, And(_) | Eq(_) | Ge(_) | Gt(_) | Le(_) | Lt(_) | Ne(_) | Or(_), _) => {
+            false
+        }
         Template::Binary(a, _, b) => calls(a) || calls(b),
         _ => false,
     }
@@ -79,8 +82,8 @@ enum Site<'a> {
 struct Writer<'a> {
     value: &'a mut dyn FnMut(Node) -> TokenStream,
     site: Site<'a>,
-    /// The parts that a pattern calls by a name in a value that it matches: the key of each, and its name
-    /// here.
+    /// The parts that a pattern calls by a name in a value that it matches: the key of each, and
+    /// its name here.
     parts: Vec<(String, Ident)>,
 }
 
@@ -101,10 +104,15 @@ impl<'a> Writer<'a> {
             let place = self.write(value, Use::Place);
             let borrows = matches!(
                 **value,
-                Template::Parameter(_) | Template::Field(..) | Template::Part(..) | Template::Index(..)
+                Template::Parameter(_)
+                    | Template::Field(..)
+                    | Template::Part(..)
+                    | Template::Index(..)
             );
-            matches
-                .push((if borrows { quote!(&#place) } else { place }, renamed(pattern, name, &own, borrows)));
+            matches.push((
+                if borrows { quote!(&#place) } else { place },
+                renamed(pattern, name, &own, borrows),
+            ));
             self.parts.push((key, own));
         }
         let inner = self.write(template, Use::Value);
@@ -136,7 +144,8 @@ impl<'a> Writer<'a> {
             }
             Template::Choice(condition, a, b) => {
                 let condition = (self.value)(*condition);
-                let (a, b) = (self.write(a, using), self.write(b, using));
+                let a = self.write(a, using);
+                let b = self.write(b, using);
                 quote!(if #condition { #a } else { #b })
             }
             Template::When(_, a) => self.write(a, using),
@@ -161,12 +170,16 @@ impl<'a> Writer<'a> {
                 path.to_token_stream()
             }
             Template::Path(path, around) => {
-                let (names, units) = (around.iter(), around.iter().map(|_| quote!(())));
+                let names = around.iter();
+                let units = around.iter().map(|_| quote!(()));
                 quote!({ let [#(#names),*] = [#(#units),*]; #path })
             }
             Template::Parameter(name) => {
-                let place =
-                    if let Site::Check = self.site { quote!(__self.#name) } else { quote!(self.#name) };
+                let place = if let Site::Check = self.site {
+                    quote!(__self.#name)
+                } else {
+                    quote!(self.#name)
+                };
                 let at = Span::mixed_site().located_at(name.span());
                 match using {
                     Use::Place => place,
@@ -187,16 +200,19 @@ impl<'a> Writer<'a> {
                 quote!(#base.#member)
             }
             Template::Index(base, index) => {
-                let (base, index) = (self.write(base, Use::Place), self.write(index, Use::Value));
+                let base = self.write(base, Use::Place);
+                let index = self.write(index, Use::Value);
                 quote!(#base[#index])
             }
             Template::Binary(a, op, b) => {
-                let (a, b) = (self.write(a, Use::Value), self.write(b, Use::Value));
+                let a = self.write(a, Use::Value);
+                let b = self.write(b, Use::Value);
                 if super::rewrite::is_compound(op) {
                     let whole = Ident::new("whole", Span::mixed_site());
                     return quote!({ let mut #whole = #a; #whole #op #b; #whole });
                 }
-                // In parentheses at the user's operator: what is wrong with the whole is said there.
+                // In parentheses at the user's operator: what is wrong with the whole is said
+                // there.
                 quote_spanned!(Span::mixed_site().located_at(op.span())=> (#a #op #b))
             }
             Template::Unary(op, a) => {
@@ -212,7 +228,12 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn method(&mut self, receiver: &Template, method: &TokenStream, all: &[Template]) -> TokenStream {
+    fn method(
+        &mut self,
+        receiver: &Template,
+        method: &TokenStream,
+        all: &[Template],
+    ) -> TokenStream {
         let using = if takes_numbers(receiver, method) { Use::Value } else { Use::Argument };
         let receiver = self.write(receiver, Use::Place);
         let all: Vec<_> = all.iter().map(|a| self.write(a, using)).collect();
@@ -222,7 +243,8 @@ impl<'a> Writer<'a> {
     /// Values of the graph, converted where the user's function may ask for another kind of number.
     fn numbers(&mut self, nodes: &[Node], shape: &Shape, at: Span, using: Use) -> TokenStream {
         let built = self.built(nodes, shape);
-        let built = if matches!(using, Use::Argument | Use::Field) { located(built, at) } else { built };
+        let built =
+            if matches!(using, Use::Argument | Use::Field) { located(built, at) } else { built };
         match (using, self.site) {
             (Use::Place, _) => quote!((#built)),
             (Use::Value, _) => built,
@@ -235,7 +257,9 @@ impl<'a> Writer<'a> {
             (Use::Argument | Use::Field, Site::Leaf(_)) => {
                 quote_spanned!(at=> ::kin::emitted::constant_argument(#built))
             }
-            (Use::Argument | Use::Field, _) => quote_spanned!(at=> ::kin::emitted::plain_argument(#built)),
+            (Use::Argument | Use::Field, _) => {
+                quote_spanned!(at=> ::kin::emitted::plain_argument(#built))
+            }
         }
     }
 
@@ -247,9 +271,11 @@ impl<'a> Writer<'a> {
             _ => Use::Argument,
         };
         let callee = match callee {
-            // Of unknown type where the function as it was written does not compile: what is wrong with the
-            // call is said once.
-            Template::Path(path, _) if using == Use::Argument && !matches!(self.site, Site::Check) => {
+            // Of unknown type where the function as it was written does not compile: what is wrong
+            // with the call is said once.
+            Template::Path(path, _)
+                if using == Use::Argument && !matches!(self.site, Site::Check) =>
+            {
                 quote_spanned!(Span::mixed_site().located_at(path.span())=> ::kin::emitted::callee::<__SOUND, _>(#path))
             }
             Template::Path(path, _) => path.to_token_stream(),
@@ -289,11 +315,12 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// True if a method takes Kin's own numbers as they are; on a parameter itself it is the user's, whatever its
-/// name.
+/// True if a method takes Kin's own numbers as they are; on a parameter itself it is the user's,
+/// whatever its name.
 fn takes_numbers(receiver: &Template, method: &TokenStream) -> bool {
     let name = method.clone().into_iter().next().map(|token| token.to_string()).unwrap_or_default();
-    !matches!(receiver, Template::Parameter(_)) && (is_number_method(&name) || is_reading_method(&name))
+    !matches!(receiver, Template::Parameter(_))
+        && (is_number_method(&name) || is_reading_method(&name))
 }
 
 fn varies(graph: &Graph, nodes: &[Node]) -> bool {
@@ -342,7 +369,8 @@ pub fn shape_type(shape: &Shape, scalar: &TokenStream) -> TokenStream {
             quote!(::kin::emitted::#name<#scalar>)
         }
         Shape::Array(inner, n) => {
-            let (inner, n) = (shape_type(inner, scalar), Literal::usize_unsuffixed(*n));
+            let inner = shape_type(inner, scalar);
+            let n = Literal::usize_unsuffixed(*n);
             quote!([#inner; #n])
         }
         Shape::Tuple(all) => {
@@ -364,8 +392,14 @@ pub fn leaf_name(leaf: usize) -> Ident {
     format_ident!("__leaf{leaf}")
 }
 
-/// The user's call as a function of its arguments that carry derivatives, generic over the dual number.
-pub fn leaf_function(graph: &Graph, leaf: usize, value: &OpaqueValue, items: &[syn::Item]) -> TokenStream {
+/// The user's call as a function of its arguments that carry derivatives, generic over the dual
+/// number.
+pub fn leaf_function(
+    graph: &Graph,
+    leaf: usize,
+    value: &OpaqueValue,
+    items: &[syn::Item],
+) -> TokenStream {
     let name = leaf_name(leaf);
     let OpaqueKind::Numbers(shape) = &value.kind else { return quote!() };
     let n = Literal::usize_unsuffixed(graph.leaves[leaf].arguments.len());

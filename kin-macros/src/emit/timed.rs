@@ -1,5 +1,6 @@
-//! The values that a constraint makes of the time alone: laws, sines and calls in which no coordinate stands.
-//! They are evaluated once a time (`at_time`), and every other function of the constraint reads them.
+//! The values that a constraint makes of the time alone: laws, sines and calls in which no
+//! coordinate stands. They are evaluated once a time (`at_time`), and every other function of the
+//! constraint reads them.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -13,13 +14,18 @@ use kin_language::lower::Lowered;
 pub struct Timed {
     /// The nodes that the other functions read (sorted).
     read: Vec<Node>,
-    /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a solver wants
-    /// to know of it.
+    /// C(0, t) of all rows, −C_t and −C_tt, of a constraint that is linear for good: all that a
+    /// solver wants to know of it.
     sides: Vec<Node>,
 }
 
 impl Timed {
-    pub fn new(lowered: &mut Lowered, outputs: &[Node], derived: &Derivatives, linear: bool) -> Self {
+    pub fn new(
+        lowered: &mut Lowered,
+        outputs: &[Node],
+        derived: &Derivatives,
+        linear: bool,
+    ) -> Self {
         let rows = &derived.rows;
         let on_t = rows.iter().any(|row| lowered.graph.depends(*row).on_t);
         let sides = if linear && on_t { sides(&mut lowered.graph, rows, derived) } else { None };
@@ -47,11 +53,12 @@ fn sides(g: &mut Graph, rows: &[Node], derived: &Derivatives) -> Option<Vec<Node
     all.into_iter().map(|node| known[node.index()]).collect()
 }
 
-/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1; `of` tells what its
-/// operands are there.
+/// A part of a linear row where all coordinates and their rates are zero, and ṫ = 1; `of` tells
+/// what its operands are there.
 fn at_origin(g: &mut Graph, node: Node, of: impl Fn(Node) -> Option<Node>) -> Option<Node> {
     let op = g.op(node);
-    if g.operands(node).into_iter().all(|operand| of(operand) == Some(operand)) && !matches!(op, Op::Input(_))
+    if g.operands(node).into_iter().all(|operand| of(operand) == Some(operand))
+        && !matches!(op, Op::Input(_))
     {
         return Some(node);
     }
@@ -69,13 +76,14 @@ fn at_origin(g: &mut Graph, node: Node, of: impl Fn(Node) -> Option<Node>) -> Op
     })
 }
 
-/// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a function.
-/// Conditions are computed where they are used.
+/// Of what `outputs` need, the largest parts that depend on t and parameters alone and call a
+/// function. Conditions are computed where they are used.
 fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
     let g = &lowered.graph;
     let order = g.reachable(outputs);
     let found = |list: &[Node], node: &Node| list.binary_search(node).is_ok();
-    let (mut moving, mut calling) = (Vec::new(), Vec::new());
+    let mut moving = Vec::new();
+    let mut calling = Vec::new();
     for &node in &order {
         let operands = g.operands(node);
         let any = |list: &[Node]| operands.iter().any(|n| found(list, n));
@@ -86,7 +94,10 @@ fn select(lowered: &Lowered, outputs: &[Node]) -> Vec<Node> {
         {
             moving.push(node);
         } else if any(&calling)
-            || matches!(g.op(node), Op::Call(..) | Op::Call2(..) | Op::Law(..) | Op::Opaque(..) | Op::Leaf(_))
+            || matches!(
+                g.op(node),
+                Op::Call(..) | Op::Call2(..) | Op::Law(..) | Op::Opaque(..) | Op::Leaf(_)
+            )
         {
             calling.push(node);
         }
@@ -109,7 +120,11 @@ pub fn read(g: &mut Graph, timed: &Timed, outputs: &[Node]) -> Vec<Node> {
 }
 
 /// The outputs with nodes that were evaluated before read where they stand.
-pub fn read_at(g: &mut Graph, place: impl Fn(Node) -> Option<usize>, outputs: &[Node]) -> Vec<Node> {
+pub fn read_at(
+    g: &mut Graph,
+    place: impl Fn(Node) -> Option<usize>,
+    outputs: &[Node],
+) -> Vec<Node> {
     let nodes = g.reachable_from(outputs, |node| place(node).is_some());
     let mut read: Vec<Option<Node>> = vec![None; g.len()];
     for node in nodes {
@@ -128,8 +143,8 @@ pub fn facts(timed: &Timed) -> TokenStream {
         return quote!();
     }
     let [n, first] = [timed.len(), timed.read.len()].map(Literal::usize_unsuffixed);
-    let sides =
-        (!timed.sides.is_empty()).then(|| quote!(sides_of_time: ::core::option::Option::Some(#first),));
+    let sides = (!timed.sides.is_empty())
+        .then(|| quote!(sides_of_time: ::core::option::Option::Some(#first),));
     quote!(n_timed: #n, #sides)
 }
 
@@ -140,8 +155,8 @@ pub fn function(lowered: &Lowered, timed: &Timed) -> TokenStream {
     }
     let all: Vec<Node> = timed.read.iter().chain(&timed.sides).copied().collect();
     let (code, values) = Kernel::plain(lowered, &[]).values(&all);
-    let (doc, code) =
-        (format!(" What depends on t and parameters alone: {} operations", code.operations), code.tokens);
+    let doc = format!(" What depends on t and parameters alone: {} operations", code.operations);
+    let code = code.tokens;
     quote! {
         #[doc = #doc]
         fn at_time(&self, t: f64, timed: &mut [f64]) {

@@ -1,6 +1,6 @@
-//! The function as it was written, in plain f64, and what makes one slip one message: where rustc finds a
-//! mistake in it, or in what was taken for a number, the type [`kin::emitted::If`] of everything made from it
-//! is unknown, and of unknown types rustc says nothing.
+//! The function as it was written, in plain f64, and what makes one slip one message: where rustc
+//! finds a mistake in it, or in what was taken for a number, the type [`kin::emitted::If`] of
+//! everything made from it is unknown, and of unknown types rustc says nothing.
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
@@ -24,9 +24,9 @@ pub struct Copy<'a> {
     pub attributes: &'a [syn::Attribute],
 }
 
-/// Constants and types for the other copies to stand on: `__WRITTEN` is the function, `__SOUND` whether it
-/// compiles, `__Dual` and `__Real` are types that stand if it does. Lints look at the function as at any
-/// other.
+/// Constants and types for the other copies to stand on: `__WRITTEN` is the function, `__SOUND`
+/// whether it compiles, `__Dual` and `__Real` are types that stand if it does. Lints look at the
+/// function as at any other.
 pub fn written(
     owner: &Ident,
     copy: &Copy,
@@ -41,7 +41,9 @@ pub fn written(
     let lints = copy.attributes.iter().filter(|attribute| {
         ["allow", "warn", "deny", "forbid"].iter().any(|word| attribute.path().is_ident(word))
     });
-    let (output, body, unlinted) = (known(copy.output), using(copy.body, copy.used), super::unlinted());
+    let output = known(copy.output);
+    let body = using(copy.body, copy.used);
+    let unlinted = super::unlinted();
     quote! {
         #[allow(unused_imports)]
         use ::kin::emitted::{LiftAny as _, LiftNumbers as _, LowerAny as _, LowerReal as _};
@@ -77,8 +79,8 @@ fn using(body: &Block, used: &[Ident]) -> Block {
     body
 }
 
-/// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for. A wrong
-/// one is blamed at its token.
+/// `__CONSTANTS`: whether constants and the user's parameters are of the types they were taken for.
+/// A wrong one is blamed at its token.
 fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
     let constant = |value: &&kin_language::lower::OpaqueValue| value.template.nodes().is_empty();
     let checks: Vec<TokenStream> = lowered
@@ -86,14 +88,16 @@ fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
         .iter()
         .filter(constant)
         .map(|value| {
-            let (ty, value) = (template::kind_type(&value.kind), template::check(&value.template));
+            let ty = template::kind_type(&value.kind);
+            let value = template::check(&value.template);
             quote_spanned!(value.span()=> let _: #ty = #value;)
         })
         .collect();
     if checks.is_empty() {
         return quote!();
     }
-    let (items, unlinted) = (&lowered.items, super::unlinted());
+    let items = &lowered.items;
+    let unlinted = super::unlinted();
     quote! {
         /// Constants and parameters are of the types they were taken for.
         #unlinted
@@ -106,11 +110,15 @@ fn constants(owner: &Ident, lowered: &Lowered) -> TokenStream {
 
 /// The arguments of the function as it was written: pattern and type.
 pub fn inputs(arguments: &[Argument]) -> Vec<(TokenStream, TokenStream)> {
-    arguments.iter().map(|argument| (pattern(argument), plain_type(&argument.kind, &argument.ty))).collect()
+    arguments
+        .iter()
+        .map(|argument| (pattern(argument), plain_type(&argument.kind, &argument.ty)))
+        .collect()
 }
 
 fn pattern(argument: &Argument) -> TokenStream {
-    let (name, mutable) = (&argument.name, super::mutable(argument));
+    let name = &argument.name;
+    let mutable = super::mutable(argument);
     quote!(#mutable #name)
 }
 
@@ -146,8 +154,8 @@ impl VisitMut for Known {
     }
 }
 
-/// Code over `__D` that is silent where the written function does not compile: `::kin::emitted::Real` becomes
-/// `__Real`, and `__D` by itself `__Dual<__D>`.
+/// Code over `__D` that is silent where the written function does not compile:
+/// `::kin::emitted::Real` becomes `__Real`, and `__D` by itself `__Dual<__D>`.
 pub fn silent(tokens: TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let mut out: Vec<TokenTree> = Vec::new();
@@ -156,7 +164,8 @@ pub fn silent(tokens: TokenStream) -> TokenStream {
     while k < tokens.len() {
         if let Some(length) = real_path(&tokens[k..]) {
             out.push(
-                Ident::new("__Real", tokens[k + length - 1].span().resolved_at(Span::mixed_site())).into(),
+                Ident::new("__Real", tokens[k + length - 1].span().resolved_at(Span::mixed_site()))
+                    .into(),
             );
             of_real = true;
             k += length;
@@ -173,7 +182,8 @@ pub fn silent(tokens: TokenStream) -> TokenStream {
             }
             token => out.push(token.clone()),
         }
-        of_real &= matches!(&tokens[k], TokenTree::Punct(punct) if matches!(punct.as_char(), '<' | ':'));
+        of_real &=
+            matches!(&tokens[k], TokenTree::Punct(punct) if matches!(punct.as_char(), '<' | ':'));
         k += 1;
     }
     out.into_iter().collect()
@@ -182,7 +192,8 @@ pub fn silent(tokens: TokenStream) -> TokenStream {
 /// How many of the first tokens are `::kin::emitted::Real`.
 fn real_path(tokens: &[TokenTree]) -> Option<usize> {
     const PATH: [&str; 9] = [":", ":", "kin", ":", ":", "emitted", ":", ":", "Real"];
-    let matches = tokens.len() >= PATH.len() && tokens.iter().zip(PATH).all(|(token, text)| is(token, text));
+    let matches =
+        tokens.len() >= PATH.len() && tokens.iter().zip(PATH).all(|(token, text)| is(token, text));
     matches.then_some(PATH.len())
 }
 
@@ -194,7 +205,8 @@ fn is(token: &TokenTree, text: &str) -> bool {
     }
 }
 
-/// The code at a place of the user's, where rustc says what is wrong with it; its names stay the macro's.
+/// The code at a place of the user's, where rustc says what is wrong with it; its names stay the
+/// macro's.
 pub fn located(tokens: TokenStream, at: Span) -> TokenStream {
     let moved = |token: TokenTree| {
         let mut token = match token {

@@ -1,5 +1,5 @@
-//! Finds `#[constraint]`, `#[potential]`, `#[force]` and `#[law]` in a file and expands what is under them,
-//! as rustc would.
+//! Finds `#[constraint]`, `#[potential]`, `#[force]` and `#[law]` in a file and expands what is
+//! under them, as rustc would.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -16,7 +16,8 @@ pub struct Attributed {
 
 impl Attributed {
     pub fn expand(&self) -> TokenStream {
-        let (arguments, item) = (self.arguments.clone(), self.item.clone());
+        let arguments = self.arguments.clone();
+        let item = self.item.clone();
         match self.mark.as_str() {
             "law" => expand::law(&arguments, item),
             "potential" => expand::potential(arguments, item),
@@ -26,20 +27,30 @@ impl Attributed {
     }
 }
 
-/// The part of an expansion that the compiler sees, taken out of the macros that choose between it and an
-/// editor. What an editor is shown need be no Rust, since the user's body is in it.
+/// The part of an expansion that the compiler sees, taken out of the macros that choose between it
+/// and an editor. What an editor is shown need be no Rust, since the user's body is in it.
 pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
     let mut file: syn::File = syn::parse2(expansion)?;
     let mut items = Vec::new();
     for item in file.items {
         match &item {
             syn::Item::Macro(call)
-                if call.mac.path.segments.last().is_some_and(|last| last.ident == "outside_editor") =>
+                if call
+                    .mac
+                    .path
+                    .segments
+                    .last()
+                    .is_some_and(|last| last.ident == "outside_editor") =>
             {
                 items.extend(syn::parse2::<syn::File>(call.mac.tokens.clone())?.items);
             }
             syn::Item::Macro(call)
-                if call.mac.path.segments.last().is_some_and(|last| last.ident == "inside_editor") => {}
+                if call
+                    .mac
+                    .path
+                    .segments
+                    .last()
+                    .is_some_and(|last| last.ident == "inside_editor") => {}
             _ => items.push(item),
         }
     }
@@ -47,8 +58,8 @@ pub fn compiled(expansion: TokenStream) -> syn::Result<syn::File> {
     Ok(file)
 }
 
-/// Every item of `file` under one of the attributes. Works on tokens, so that the item need not be good
-/// Rust.
+/// Every item of `file` under one of the attributes. Works on tokens, so that the item need not be
+/// good Rust.
 pub fn attributed(file: TokenStream) -> Vec<Attributed> {
     let mut found = Vec::new();
     let mut item: Vec<TokenTree> = Vec::new();
@@ -75,15 +86,15 @@ fn without_attribute(item: &[TokenTree]) -> Option<Attributed> {
         .filter(|(k, _)| *k != place && *k != place + 1)
         .map(|(_, t)| t.clone())
         .collect();
-    let keyword = rest
-        .iter()
-        .position(|token| matches!(token, TokenTree::Ident(word) if word == "fn" || word == "struct"));
+    let keyword = rest.iter().position(
+        |token| matches!(token, TokenTree::Ident(word) if word == "fn" || word == "struct"),
+    );
     let name = keyword.and_then(|k| rest.get(k + 1)).map(ToString::to_string).unwrap_or_default();
     Some(Attributed { name, mark, arguments, item: rest.into_iter().collect() })
 }
 
-/// Recognises two tokens that are `#` and `[constraint(…)]` or `[law]`: gives which of them, and the
-/// attribute's own arguments.
+/// Recognises two tokens that are `#` and `[constraint(…)]` or `[law]`: gives which of them, and
+/// the attribute's own arguments.
 fn is_attribute(hash: &TokenTree, content: &TokenTree) -> Option<(String, TokenStream)> {
     let (TokenTree::Punct(hash), TokenTree::Group(content)) = (hash, content) else { return None };
     let mut tokens = content.stream().into_iter();

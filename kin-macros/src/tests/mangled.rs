@@ -1,5 +1,5 @@
-//! The macro never panics: good constraints with tokens left out, doubled, exchanged or replaced, a few
-//! hundred of them from a fixed seed.
+//! The macro never panics: good constraints with tokens left out, doubled, exchanged or replaced, a
+//! few hundred of them from a fixed seed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -14,13 +14,17 @@ const STREAMS: usize = 800;
 #[test]
 fn mangled_constraints_give_messages_and_never_panic() {
     let refused = refused(&originals(), STREAMS);
-    assert!((STREAMS / 4..STREAMS).contains(&refused), "{refused} of {STREAMS} streams are refused");
+    assert!(
+        (STREAMS / 4..STREAMS).contains(&refused),
+        "{refused} of {STREAMS} streams are refused"
+    );
 }
 
 /// `KIN_STREAMS=4000` tries as many of them.
 #[test]
 fn mangled_bodies_of_honest_rust_give_messages_and_never_panic() {
-    let streams = std::env::var("KIN_STREAMS").ok().and_then(|n| n.parse().ok()).unwrap_or(STREAMS / 2);
+    let streams =
+        std::env::var("KIN_STREAMS").ok().and_then(|n| n.parse().ok()).unwrap_or(STREAMS / 2);
     let bodies = bodies();
     assert!(bodies.len() > 60, "only {} bodies", bodies.len());
     let refused = refused(&bodies, streams);
@@ -65,7 +69,9 @@ pub fn bodies() -> Vec<Attributed> {
         let tokens: TokenStream = source.parse().unwrap_or_else(|error| panic!("{name}: {error}"));
         let tokens: Vec<TokenTree> = tokens.into_iter().collect();
         for three in tokens.windows(3) {
-            let (TokenTree::Ident(word), TokenTree::Group(group)) = (&three[0], &three[2]) else { continue };
+            let (TokenTree::Ident(word), TokenTree::Group(group)) = (&three[0], &three[2]) else {
+                continue;
+            };
             let item = group.stream().into_iter().skip_while(|token| token.to_string() != "fn");
             if word == "twice" {
                 all.push(Attributed {
@@ -110,7 +116,9 @@ fn count(tokens: &TokenStream) -> usize {
     tokens
         .clone()
         .into_iter()
-        .map(|token| 1 + if let TokenTree::Group(group) = token { count(&group.stream()) } else { 0 })
+        .map(|token| {
+            1 + if let TokenTree::Group(group) = token { count(&group.stream()) } else { 0 }
+        })
         .sum()
 }
 

@@ -1,5 +1,6 @@
-//! The messages for the mistakes of `tests/ui`, each at its token. `tests/ui.rs` asks rustc about the same
-//! programs; lines that begin with the number of one of rustc's own errors are only for that test.
+//! The messages for the mistakes of `tests/ui`, each at its token. `tests/ui.rs` asks rustc about
+//! the same programs; lines that begin with the number of one of rustc's own errors are only for
+//! that test.
 
 use proc_macro2::{TokenStream, TokenTree};
 
@@ -12,8 +13,8 @@ fn every_slip_gives_its_message_at_its_token() {
     assert!(programs.len() >= 28, "only {} programs in tests/ui", programs.len());
     let mut differences = Vec::new();
     for (_, path) in programs {
-        let source =
-            std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let source = std::fs::read_to_string(&path)
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         // A constraint that a macro of the program writes is seen by rustc alone.
         if source.contains("macro_rules!") {
             continue;
@@ -33,7 +34,11 @@ fn every_slip_gives_its_message_at_its_token() {
         let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
         differences.extend(compared(&stored, &text));
     }
-    assert!(differences.is_empty(), "KIN_BLESS=1 stores what is found\n\n{}", differences.join("\n\n"));
+    assert!(
+        differences.is_empty(),
+        "KIN_BLESS=1 stores what is found\n\n{}",
+        differences.join("\n\n")
+    );
 }
 
 /// ``line:column `token`: [E0308]``
@@ -48,10 +53,17 @@ fn messages(source: &str, expansion: TokenStream) -> Vec<String> {
     for (k, token) in tokens.iter().enumerate() {
         match (token, tokens.get(k + 2)) {
             (TokenTree::Ident(name), Some(TokenTree::Group(text))) if name == "compile_error" => {
-                let (start, end) = (name.span().start(), text.span().end());
-                let text: syn::LitStr = syn::parse2(text.stream()).unwrap_or_else(|error| panic!("{error}"));
+                let start = name.span().start();
+                let end = text.span().end();
+                let text: syn::LitStr =
+                    syn::parse2(text.stream()).unwrap_or_else(|error| panic!("{error}"));
                 let token = between(source, (start.line, start.column), (end.line, end.column));
-                found.push(format!("{}:{} `{token}`: {}", start.line, start.column + 1, text.value()));
+                found.push(format!(
+                    "{}:{} `{token}`: {}",
+                    start.line,
+                    start.column + 1,
+                    text.value()
+                ));
             }
             (TokenTree::Group(group), _) => found.extend(messages(source, group.stream())),
             _ => {}

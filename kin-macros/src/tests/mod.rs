@@ -1,5 +1,5 @@
-//! Tests of the whole macro without rustc: its messages, what it emits, and that nothing makes it panic or
-//! run away.
+//! Tests of the whole macro without rustc: its messages, what it emits, and that nothing makes it
+//! panic or run away.
 
 mod attributes;
 mod golden;
@@ -17,13 +17,15 @@ fn compared(path: &Path, found: &str) -> Option<String> {
         std::fs::write(path, found).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     }
     let expected = std::fs::read_to_string(path).unwrap_or_default();
-    (expected != found).then(|| format!("{}\nexpected:\n{expected}\nfound:\n{found}", path.display()))
+    (expected != found)
+        .then(|| format!("{}\nexpected:\n{expected}\nfound:\n{found}", path.display()))
 }
 
 /// The Rust files of a folder beside the crate's manifest, by name.
 fn rust_files(folder: &str) -> Vec<(String, std::path::PathBuf)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let entries =
+        std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
     let files = paths.filter(|path| path.extension().is_some_and(|end| end == "rs"));
     let mut files: Vec<_> = files

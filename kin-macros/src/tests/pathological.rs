@@ -49,7 +49,10 @@ fn deep_and_long(n: usize) -> Vec<String> {
         format!("{}x", "-".repeat(n)),
         vec!["x"; n].join(" + "),
         vec!["(k - x)"; n].join(" * "),
-        format!("if x > 0.0 {{ x }} {} else {{ k * x }}", "else if x > k { x * 2.0 }".repeat(n / 2)),
+        format!(
+            "if x > 0.0 {{ x }} {} else {{ k * x }}",
+            "else if x > k { x * 2.0 }".repeat(n / 2)
+        ),
     ]
 }
 
@@ -87,7 +90,8 @@ fn many_steps_are_read() {
         "match n {{ {} _ => x }}",
         (0..400).map(|i| format!("{i} => {i}.5 * x, ")).collect::<String>()
     );
-    let table = format!("let c = [{}]; c[1] * x", "[0.5, -1.5], ".repeat(2000)).replace("c[1]", "c[1][0]");
+    let table =
+        format!("let c = [{}]; c[1] * x", "[0.5, -1.5], ".repeat(2000)).replace("c[1]", "c[1][0]");
     for body in [steps, arms, table] {
         let expansion = on_rustcs_stack(body.clone());
         assert!(
@@ -102,23 +106,35 @@ fn many_steps_are_read() {
 /// The expansion on a stack like that of rustc, of which some is taken: tests have less.
 fn on_rustcs_stack(body: String) -> String {
     let thread = std::thread::Builder::new().stack_size(6 << 20).spawn(move || expanded(&body));
-    thread.unwrap_or_else(|error| panic!("{error}")).join().unwrap_or_else(|_| panic!("the macro panics"))
+    thread
+        .unwrap_or_else(|error| panic!("{error}"))
+        .join()
+        .unwrap_or_else(|_| panic!("the macro panics"))
 }
 
 #[test]
 fn long_loops_are_left_to_dual_numbers() {
-    for range in
-        ["0..1000000", "0..=9223372036854775807", "-9223372036854775808..9223372036854775807", "0..n"]
-    {
-        assert!(is_dual(&expanded(&format!("let mut s = x; for _ in {range} {{ s += k; }} s"))), "{range}");
+    for range in [
+        "0..1000000",
+        "0..=9223372036854775807",
+        "-9223372036854775808..9223372036854775807",
+        "0..n",
+    ] {
+        assert!(
+            is_dual(&expanded(&format!("let mut s = x; for _ in {range} {{ s += k; }} s"))),
+            "{range}"
+        );
     }
-    let nested = "let mut s = x; for a in 0..4000 { for b in 0..4000 { for c in 0..4000 { s += k; } } } s";
+    let nested =
+        "let mut s = x; for a in 0..4000 { for b in 0..4000 { for c in 0..4000 { s += k; } } } s";
     assert!(is_dual(&expanded(nested)));
     let growing = "let mut s = x; for _ in 0..4000 { s = s.sin() * s.cos() + s; } s";
     let expansion = expanded(growing);
     assert!(is_symbolic(&expansion) || is_dual(&expansion));
     assert!(is_symbolic(&expanded("let mut s = x; for _ in 5..0 { s += k; } s")));
-    for body in ["let a = [x; 1000000]; a[0]", "let a = [[[[x; 4000]; 4000]; 4000]; 4000]; a[0][0][0][0]"] {
+    for body in
+        ["let a = [x; 1000000]; a[0]", "let a = [[[[x; 4000]; 4000]; 4000]; 4000]; a[0][0][0][0]"]
+    {
         let expansion = expanded(body);
         assert!(is_dual(&expansion), "{body}: {:?}", message(&expansion));
     }
@@ -139,8 +155,10 @@ fn branches_do_not_double_the_work() {
 #[test]
 fn shared_parts_of_linear_rows_do_not_double_the_work() {
     let sums = "let c = a + b; let a = b; let b = c;".repeat(60);
-    let expansion =
-        expanded_with("x: Coord, y: Coord, t: Time", &format!("let a = x; let b = y - t; {sums} b"));
+    let expansion = expanded_with(
+        "x: Coord, y: Coord, t: Time",
+        &format!("let a = x; let b = y - t; {sums} b"),
+    );
     assert!(is_symbolic(&expansion) && expansion.contains("sides_of_time"));
 }
 
@@ -199,7 +217,10 @@ fn recursion_ends() {
     ];
     for body in whole {
         let expansion = expanded(body);
-        assert!(is_symbolic(&expansion) || is_dual(&expansion) || message(&expansion).is_some(), "{body}");
+        assert!(
+            is_symbolic(&expansion) || is_dual(&expansion) || message(&expansion).is_some(),
+            "{body}"
+        );
     }
 }
 

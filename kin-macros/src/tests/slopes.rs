@@ -1,5 +1,5 @@
-//! Derivatives of mangled bodies, as far as they are read: C_q, −C_t and Q_d of the graph against differences
-//! of its own rows.
+//! Derivatives of mangled bodies, as far as they are read: C_q, −C_t and Q_d of the graph against
+//! differences of its own rows.
 
 use std::collections::BTreeMap;
 
@@ -64,8 +64,10 @@ impl Source<f64> for State {
 impl State {
     fn random(columns: &[Column], parameters: usize, random: &mut SplitMix) -> State {
         let mut number = || random.below(1 << 20) as f64 / f64::from(1 << 19) * 2.0 - 2.0;
-        let mut each = |_: &str| columns.iter().map(|of| ((of.argument, of.part), number())).collect();
-        let (q, qd) = (each("q"), each("q̇"));
+        let mut each =
+            |_: &str| columns.iter().map(|of| ((of.argument, of.part), number())).collect();
+        let q = each("q");
+        let qd = each("q̇");
         State { q, qd, parameters: (0..parameters).map(|_| number()).collect(), t: number() }
     }
 
@@ -93,7 +95,8 @@ enum Way {
     Rates,
 }
 
-/// A derivative of a row by differences, if two steps agree: the first one, or the second one along rates.
+/// A derivative of a row by differences, if two steps agree: the first one, or the second one along
+/// rates.
 fn by_differences(g: &Graph, row: Node, state: &State, way: Way) -> Option<f64> {
     let value = |s: f64| evaluate(g, &[row], &state.at(way, s)).number(row).unwrap_or(f64::NAN);
     let middle = value(0.0);
@@ -108,11 +111,14 @@ fn by_differences(g: &Graph, row: Node, state: &State, way: Way) -> Option<f64> 
     ((a - b).abs() < BELIEVED * size).then_some(b)
 }
 
-/// Compares all derivatives at some states; how many were compared, or the text of the first that is wrong.
+/// Compares all derivatives at some states; how many were compared, or the text of the first that
+/// is wrong.
 fn compared(item: &TokenStream, random: &mut SplitMix) -> Result<usize, String> {
-    let read = limits::check(item).and_then(|()| parse::constraint(TokenStream::new(), item.clone()));
-    let Some((source, mut lowered)) =
-        read.ok().and_then(|source| lower::constraint(&source).ok().map(|lowered| (source, lowered)))
+    let read =
+        limits::check(item).and_then(|()| parse::constraint(TokenStream::new(), item.clone()));
+    let Some((source, mut lowered)) = read
+        .ok()
+        .and_then(|source| lower::constraint(&source).ok().map(|lowered| (source, lowered)))
     else {
         return Ok(0);
     };
@@ -122,7 +128,8 @@ fn compared(item: &TokenStream, random: &mut SplitMix) -> Result<usize, String> 
     let g = &lowered.graph;
     let columns = g.columns(&rows);
     let entry = |&(row, local, node): &(usize, usize, Node)| {
-        let column = columns.iter().find(|column| local_column(&source.arguments, **column) == local);
+        let column =
+            columns.iter().find(|column| local_column(&source.arguments, **column) == local);
         column.map(|&column| (row, Way::Coordinate(column), node, 1.0))
     };
     let right_side = |way: Way, side: &[Node]| -> Vec<_> {
@@ -151,7 +158,8 @@ fn compared(item: &TokenStream, random: &mut SplitMix) -> Result<usize, String> 
 fn mangled_bodies_that_are_read_have_the_slopes_of_their_rows() {
     let streams = std::env::var("KIN_STREAMS").ok().and_then(|n| n.parse().ok()).unwrap_or(STREAMS);
     let (originals, mut random): (Vec<Attributed>, _) = (bodies(), SplitMix(0x0051_09E5));
-    let (mut read, mut numbers) = (0, 0);
+    let mut read = 0;
+    let mut numbers = 0;
     for k in 0..streams {
         let mut item = originals[random.below(originals.len())].item.clone();
         for _ in 0..k % 3 {

@@ -1,5 +1,5 @@
-//! Tables as they are emitted: however they are searched, one piece is computed, and its numbers are read
-//! from a row that is found once.
+//! Tables as they are emitted: however they are searched, one piece is computed, and its numbers
+//! are read from a row that is found once.
 
 use proc_macro2::{TokenStream, TokenTree};
 
@@ -7,9 +7,12 @@ use super::attributes::{Attributed, attributed, compiled};
 
 /// The text of a function of an expansion.
 fn function(constraint: &Attributed, name: &str) -> String {
-    let file = compiled(constraint.expand()).unwrap_or_else(|error| panic!("{}: {error}", constraint.name));
+    let file = compiled(constraint.expand())
+        .unwrap_or_else(|error| panic!("{}: {error}", constraint.name));
     let text = prettyplease::unparse(&file);
-    let begin = text.find(&format!("fn {name}(")).unwrap_or_else(|| panic!("{}: no {name}", constraint.name));
+    let begin = text
+        .find(&format!("fn {name}("))
+        .unwrap_or_else(|| panic!("{}: no {name}", constraint.name));
     let rest = &text[begin..];
     rest[..rest.find("\n        }\n").unwrap_or(rest.len())].to_string()
 }
@@ -18,13 +21,19 @@ fn function(constraint: &Attributed, name: &str) -> String {
 fn tables() -> Vec<Attributed> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/language/tables.rs");
     let source = std::fs::read_to_string(path).unwrap_or_default();
-    let tokens: Vec<TokenTree> = source.parse().map(TokenStream::into_iter).into_iter().flatten().collect();
+    let tokens: Vec<TokenTree> =
+        source.parse().map(TokenStream::into_iter).into_iter().flatten().collect();
     let of = |three: &[TokenTree]| match three {
         [TokenTree::Ident(word), _, TokenTree::Group(group)] if word == "twice" => {
             let inside: Vec<TokenTree> = group.stream().into_iter().collect();
             let name = inside.get(1).map(ToString::to_string).unwrap_or_default();
             let item = inside.into_iter().skip_while(|token| token.to_string() != "fn").collect();
-            Some(Attributed { name, mark: "constraint".to_string(), arguments: TokenStream::new(), item })
+            Some(Attributed {
+                name,
+                mark: "constraint".to_string(),
+                arguments: TokenStream::new(),
+                item,
+            })
         }
         _ => None,
     };
@@ -48,7 +57,10 @@ fn however_a_table_is_searched_its_numbers_are_looked_up() {
         };
         assert!(branches <= most, "{name}: {branches} branches in {text}");
         // Few knots are compared one after the other.
-        assert!(text.contains("emitted::first(") && !text.contains("partition_point"), "{name}: {text}");
+        assert!(
+            text.contains("emitted::first(") && !text.contains("partition_point"),
+            "{name}: {text}"
+        );
     }
 }
 
@@ -56,7 +68,8 @@ fn however_a_table_is_searched_its_numbers_are_looked_up() {
 fn spline(n: usize) -> Attributed {
     let knots: Vec<String> = (0..n).map(|k| format!("{}.5", k)).collect();
     let pieces: Vec<String> = (0..n).map(|k| format!("[{k}.25, 0.3, -{k}.7, 0.2]")).collect();
-    let (knots, pieces) = (knots.join(", "), pieces.join(", "));
+    let knots = knots.join(", ");
+    let pieces = pieces.join(", ");
     let last = n - 1;
     let text = format!(
         "#[constraint] fn spline(x: Coord, y: Coord) -> f64 {{

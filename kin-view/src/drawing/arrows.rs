@@ -29,8 +29,8 @@ pub(crate) struct Scale {
 /// The largest force is drawn this long, as a share of the size of the mechanism.
 const LONG: f64 = 0.22;
 
-/// A peak does not shrink all others: one that is larger by this than all forces but at this share of the
-/// times is cut there.   \[-\]
+/// A peak does not shrink all others: one that is larger by this than all forces but at this share
+/// of the times is cut there.   \[-\]
 const CUT: f64 = 1.5;
 const BUT: f64 = 0.03;
 
@@ -62,7 +62,8 @@ impl Drawing {
     /// A place in the body, or a track of its own where the point moves in the body.
     fn foot(&mut self, scene: &Scene, arrow: &Arrow) -> (usize, Vec3) {
         let body = self.track(scene, arrow.body).unwrap_or(0);
-        let local = arrow.points.first().map_or(Vec3::zeros(), |p| self.tracks[body].frame(0).local(*p));
+        let local =
+            arrow.points.first().map_or(Vec3::zeros(), |p| self.tracks[body].frame(0).local(*p));
         let stays = |(k, p): (usize, &Vec3)| {
             (self.tracks[body].frame(k).point(local) - *p).norm() <= FIXED * self.size
         };
@@ -76,7 +77,8 @@ impl Drawing {
     fn scale(&self, scene: &Scene, is_torque: bool) -> Scale {
         let all = || self.pushes.iter().filter(|push| push.is_torque == is_torque);
         let largest_at = |k: usize| all().map(|push| push.vectors[k].norm()).fold(0.0, f64::max);
-        let mut sizes: Vec<f64> = (0..self.times.len()).map(largest_at).filter(|x| x.is_finite()).collect();
+        let mut sizes: Vec<f64> =
+            (0..self.times.len()).map(largest_at).filter(|x| x.is_finite()).collect();
         sizes.sort_by(f64::total_cmp);
         let usual = sizes.len().saturating_sub(1 + (BUT * sizes.len() as f64) as usize);
         let Some(size) = sizes.get(usual).copied().filter(|size| *size > 0.0) else {
@@ -133,7 +135,8 @@ fn round_above(x: f64) -> f64 {
 fn round_numbers(x: f64) -> [f64; 5] {
     let power = 10.0_f64.powf(x.log10().floor());
     // By its digits, so that 0.05 is not 0.05000000000000001.
-    [0.5, 1.0, 2.0, 5.0, 10.0].map(|first| format!("{:.0e}", first * power).parse().unwrap_or(first * power))
+    [0.5, 1.0, 2.0, 5.0, 10.0]
+        .map(|first| format!("{:.0e}", first * power).parse().unwrap_or(first * power))
 }
 
 #[cfg(test)]

@@ -35,7 +35,8 @@ impl Drawing {
             self.draw_pieces(ground, 0, color, &pieces);
         }
         for outline in ground.outlines.iter().chain(&ground.added).filter(|_| !ground.hidden) {
-            let style = if outline.kind == OutlineKind::Filled { Style::Plate } else { Style::Guide };
+            let style =
+                if outline.kind == OutlineKind::Filled { Style::Plate } else { Style::Guide };
             self.shape(&ground.name, 0, outline.points.clone(), style, color);
         }
         let slots: Vec<(&String, &Slot)> =
@@ -50,15 +51,18 @@ impl Drawing {
                 None if still[track] => GROUND,
                 None => PALETTE[k % PALETTE.len()],
             };
-            let own: Vec<_> = slots.iter().copied().filter(|(_, slot)| slot.track == track).collect();
+            let own: Vec<_> =
+                slots.iter().copied().filter(|(_, slot)| slot.track == track).collect();
             if look.outlines.is_empty() {
                 self.draw_pieces(look, track, color, &pieces);
             }
             match look.outlines.is_empty() {
-                // Points of what stands still are marked as supports; only a link is known to be more than
-                // that.
+                // Points of what stands still are marked as supports; only a link is known to be
+                // more than that.
                 true if still[track] && look.length.is_none() => {}
-                true => self.draw_by_points(look, track, color, self.held_at((track, look), held, &own)),
+                true => {
+                    self.draw_by_points(look, track, color, self.held_at((track, look), held, &own))
+                }
                 false => self.draw_told(&look.outlines, look, track, color),
             }
             self.draw_told(&look.added, look, track, color);
@@ -66,16 +70,16 @@ impl Drawing {
                 self.draw_slot(name, slot, color, still[track]);
             }
             let planar = self.planar && look.outlines.is_empty();
-            for (_, slot) in slots
-                .iter()
-                .filter(|(_, slot)| planar && slot.runner.0 == track && slot.guided && slot.straight)
-            {
+            for (_, slot) in slots.iter().filter(|(_, slot)| {
+                planar && slot.runner.0 == track && slot.guided && slot.straight
+            }) {
                 self.draw_block(look, slot, color);
             }
         }
     }
 
-    /// Where a body is held, in its frame: points of joints and traces, the ends of a link, and its slots.
+    /// Where a body is held, in its frame: points of joints and traces, the ends of a link, and its
+    /// slots.
     fn held_at(
         &self,
         (track, look): (usize, &Look),
@@ -84,7 +88,9 @@ impl Drawing {
     ) -> Vec<Vec3> {
         let mut points: Vec<Vec3> = Vec::new();
         let mut add = |p: Vec3| {
-            if p.norm().is_finite() && !points.iter().any(|known| (*known - p).norm() < 1e-6 * self.size) {
+            if p.norm().is_finite()
+                && !points.iter().any(|known| (*known - p).norm() < 1e-6 * self.size)
+            {
                 points.push(p);
             }
         };
@@ -102,7 +108,8 @@ impl Drawing {
     /// The shapes that joints know of a body.
     fn draw_pieces(&mut self, look: &Look, track: usize, color: &str, pieces: &[Piece]) {
         for piece in pieces.iter().filter(|piece| piece.track == track) {
-            let style = if track == 0 && piece.style == Style::Slot { Style::Guide } else { piece.style };
+            let style =
+                if track == 0 && piece.style == Style::Slot { Style::Guide } else { piece.style };
             self.shape(&look.name, track, piece.points.clone(), style, color);
         }
     }
@@ -126,7 +133,9 @@ impl Drawing {
         }
         if self.planar {
             self.shape(&look.name, track, rounded(&points, BAR * self.size), Style::Plate, color);
-            if let ([at], false) = (&points[..], told_by_pieces || self.tracks[track].keeps_its_angle()) {
+            if let ([at], false) =
+                (&points[..], told_by_pieces || self.tracks[track].keeps_its_angle())
+            {
                 let spoke = vec![*at, *at + Vec3::x() * (MARK * self.size)];
                 self.shape(&look.name, track, spoke, Style::Slot, color);
             }
@@ -144,8 +153,9 @@ impl Drawing {
         }
     }
 
-    /// Draws a disc with a spoke in the middle of a line that turns about itself. On a single point the disc
-    /// stands across the axis about which the body turns. Without the disc nothing would be seen to move.
+    /// Draws a disc with a spoke in the middle of a line that turns about itself. On a single point
+    /// the disc stands across the axis about which the body turns. Without the disc nothing would
+    /// be seen to move.
     fn draw_turn(&mut self, look: &Look, track: usize, color: &str, line: &[Vec3]) {
         /// Corners of the disc.
         const CORNERS: usize = 24;
@@ -171,7 +181,8 @@ impl Drawing {
     fn draw_slot(&mut self, name: &str, slot: &Slot, color: &str, still: bool) {
         let mut points = if self.planar { self.thinned(&slot.path) } else { slot.path.clone() };
         if slot.straight {
-            points = ends(&slot.path, if slot.guided { (BLOCK[0] + 0.02) * self.size } else { 0.0 });
+            points =
+                ends(&slot.path, if slot.guided { (BLOCK[0] + 0.02) * self.size } else { 0.0 });
         }
         let closed = self.planar && !slot.straight && is_closed(&slot.path);
         let style = match (closed, still) {
@@ -186,11 +197,13 @@ impl Drawing {
     fn draw_block(&mut self, look: &Look, slot: &Slot, color: &str) {
         let (track, at) = slot.runner;
         let line = ends(&slot.path, 0.0);
-        let (guide, body) = (self.tracks[slot.track].frame(0), self.tracks[track].frame(0));
+        let guide = self.tracks[slot.track].frame(0);
+        let body = self.tracks[track].frame(0);
         let along = body.a.transpose() * (guide.a * (line[1] - line[0]));
         let x = vec2(along.x, along.y) / along.norm();
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(a, b)| {
-            let (a, b) = (a * BLOCK[0] * self.size, b * BLOCK[1] * self.size);
+            let a = a * BLOCK[0] * self.size;
+            let b = b * BLOCK[1] * self.size;
             at + Vec3::new(a * x.x - b * x.y, a * x.y + b * x.x, 0.0)
         });
         self.shape(&look.name, track, corners.to_vec(), Style::Plate, color);
@@ -210,7 +223,10 @@ impl Drawing {
 
     fn thinned(&self, path: &[Vec3]) -> Vec<Vec3> {
         let flat: Vec<Vec2> = path.iter().map(|p| vec2(p.x, p.y)).collect();
-        thinned_path(&flat, 5e-4 * self.size).into_iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect()
+        thinned_path(&flat, 5e-4 * self.size)
+            .into_iter()
+            .map(|p| Vec3::new(p.x, p.y, 0.0))
+            .collect()
     }
 }
 
@@ -218,7 +234,10 @@ impl Drawing {
 fn ends(path: &[Vec3], by: f64) -> Vec<Vec3> {
     let Some(first) = path.first() else { return Vec::new() };
     let far = |from: Vec3| {
-        path.iter().copied().max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm())).unwrap_or(from)
+        path.iter()
+            .copied()
+            .max_by(|a, b| (*a - from).norm().total_cmp(&(*b - from).norm()))
+            .unwrap_or(from)
     };
     let a = far(*first);
     let b = far(a);

@@ -19,7 +19,8 @@ pub(super) struct Piece {
 /// Everything that joints know of the shapes of their bodies.
 pub(super) fn pieces(joints: &[(String, Held)], samples: &Samples) -> Vec<Piece> {
     let shown = || joints.iter().map(|(_, joint)| joint).filter(|joint| !joint.hidden);
-    let mut all = Pieces { joints, samples, wheels: Vec::new(), racks: Vec::new(), pieces: Vec::new() };
+    let mut all =
+        Pieces { joints, samples, wheels: Vec::new(), racks: Vec::new(), pieces: Vec::new() };
     for joint in shown() {
         match &joint.form {
             Some(Form::Gears { radii, ring, .. }) => all.gears(joint, *radii, *ring),
@@ -51,11 +52,14 @@ impl Pieces<'_> {
         self.pieces.push(Piece { track, points, style });
     }
 
-    /// Where the axle of a wheel is in its body: a point at which it is held that stays where it is on the
-    /// frame, else its origin.
+    /// Where the axle of a wheel is in its body: a point at which it is held that stays where it is
+    /// on the frame, else its origin.
     fn axle(&self, wheel: usize, frame: usize) -> Vec2 {
-        let held =
-            self.joints.iter().flat_map(|(_, joint)| &joint.points).filter(|(track, _)| *track == wheel);
+        let held = self
+            .joints
+            .iter()
+            .flat_map(|(_, joint)| &joint.points)
+            .filter(|(track, _)| *track == wheel);
         let stays = |p: &&(usize, Vec3)| self.samples.stays(**p, frame);
         held.into_iter().find(stays).map_or(vec2(0.0, 0.0), |(_, p)| vec2(p.x, p.y))
     }
@@ -83,8 +87,8 @@ impl Pieces<'_> {
         }
     }
 
-    /// Where the teeth of one wheel of a pair stand, if that is known of the other: both are turned until a
-    /// tooth stands at the pitch point.
+    /// Where the teeth of one wheel of a pair stand, if that is known of the other: both are turned
+    /// until a tooth stands at the pitch point.
     fn mesh(&mut self, joint: &Held) {
         match (&joint.form, &joint.tracks[..]) {
             (Some(Form::Gears { radii: [r_i, r_j], phase, ring }), &[i, j, arm]) => {
@@ -92,19 +96,22 @@ impl Pieces<'_> {
                     self.wheels.iter().position(|w| w.track == track && w.radius == radius)
                 };
                 let (Some(a), Some(b)) = (place(i, *r_i), place(j, *r_j)) else { return };
-                let [at_i, at_j] = [a, b]
-                    .map(|k| self.samples.seen((self.wheels[k].track, lifted(self.wheels[k].centre)), arm));
-                let (beta, sense) =
-                    ((at_i.y - at_j.y).atan2(at_i.x - at_j.x), if *ring { -1.0 } else { 1.0 });
+                let [at_i, at_j] = [a, b].map(|k| {
+                    self.samples.seen((self.wheels[k].track, lifted(self.wheels[k].centre)), arm)
+                });
+                let beta = (at_i.y - at_j.y).atan2(at_i.x - at_j.x);
+                let sense = if *ring { -1.0 } else { 1.0 };
                 let gamma = if *ring { beta } else { beta + PI };
                 match (self.wheels[a].tooth, self.wheels[b].tooth) {
                     (Some(_), Some(_)) => {}
                     (Some(tooth), None) => {
-                        self.wheels[b].tooth = Some(beta + sense * r_i / r_j * (gamma - tooth - phase))
+                        self.wheels[b].tooth =
+                            Some(beta + sense * r_i / r_j * (gamma - tooth - phase))
                     }
                     (None, known) => {
                         let tooth = known.unwrap_or(beta);
-                        self.wheels[a].tooth = Some(gamma - phase + sense * r_j / r_i * (beta - tooth));
+                        self.wheels[a].tooth =
+                            Some(gamma - phase + sense * r_j / r_i * (beta - tooth));
                         self.wheels[b].tooth = Some(tooth);
                     }
                 }
@@ -172,15 +179,19 @@ impl Pieces<'_> {
         }
         let [at_i, at_j] = [(i, centres[0]), (j, centres[1])]
             .map(|(track, centre)| self.samples.seen((track, lifted(centre)), frame));
-        let (line, crossed) = (at_j - at_i, r_i * r_j < 0.0);
-        let (r_i, r_j) = (r_i.abs(), r_j.abs());
+        let line = at_j - at_i;
+        let crossed = r_i * r_j < 0.0;
+        let r_i = r_i.abs();
+        let r_j = r_j.abs();
         let share = (if crossed { r_i + r_j } else { r_i - r_j }) / line.norm();
         if share.is_nan() || share.abs() >= 1.0 {
             return; // One pulley stands within the other.
         }
-        let (towards, half) = (line.y.atan2(line.x), share.acos());
+        let towards = line.y.atan2(line.x);
+        let half = share.acos();
         let arc = |centre: Vec2, radius: f64, from: f64, to: f64| {
-            (0..=32).map(move |k| centre + disc_point(radius, from + (to - from) * f64::from(k) / 32.0))
+            (0..=32)
+                .map(move |k| centre + disc_point(radius, from + (to - from) * f64::from(k) / 32.0))
         };
         let round_i = arc(at_i, r_i, towards + half, towards + TAU - half);
         let round_j = match crossed {
@@ -202,9 +213,11 @@ impl Pieces<'_> {
             }
             Touch::Roller { .. } => {}
             Touch::Face { at, normal, contact: [low, high] } => {
-                // Seen from the cam's centre the point of the face wanders, and so does the point of contact.
+                // Seen from the cam's centre the point of the face wanders, and so does the point
+                // of contact.
                 let along = normal.perp();
-                let ways = self.samples.relative((cam, lifted(vec2(0.0, 0.0))), follower).into_iter();
+                let ways =
+                    self.samples.relative((cam, lifted(vec2(0.0, 0.0))), follower).into_iter();
                 let ways = ways.map(|p| along.dot(vec2(p.x, p.y) - *at)).filter(|x| x.is_finite());
                 let (least, most) =
                     ways.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));

@@ -41,20 +41,23 @@ pub(crate) fn convex(mut points: Vec<Vec2>) -> Vec<Vec2> {
 
 /// Twice the area of the triangle a, b, c; positive if it turns left.
 fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
-    let (u, v) = (b - a, c - a);
+    let u = b - a;
+    let v = c - a;
     u.x * v.y - u.y * v.x
 }
 
-/// True if a polygon covers a point, both seen along z: a line to the right crosses its edge an odd number of
-/// times.
+/// True if a polygon covers a point, both seen along z: a line to the right crosses its edge an odd
+/// number of times.
 pub(crate) fn covers(polygon: &[Vec3], p: Vec3) -> bool {
     let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
-    let crossed = edges
-        .filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y));
+    let crossed = edges.filter(|(a, b)| {
+        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)
+    });
     crossed.count() % 2 == 1
 }
 
-/// In space: the corners of a plate if the points lie in a plane, else lines from their middle to each.
+/// In space: the corners of a plate if the points lie in a plane, else lines from their middle to
+/// each.
 pub(crate) enum Spread {
     Line(Vec<Vec3>),
     Plate(Vec<Vec3>),
@@ -75,15 +78,18 @@ pub(crate) fn spread(points: &[Vec3]) -> Spread {
     let a = far(*first);
     let x = far(a) - a;
     let off = |p: &Vec3| (*p - a) - x * ((*p - a).dot(x) / x.dot(x));
-    let widest = points.iter().copied().max_by(|p, q| off(p).norm().total_cmp(&off(q).norm())).unwrap_or(a);
+    let widest =
+        points.iter().copied().max_by(|p, q| off(p).norm().total_cmp(&off(q).norm())).unwrap_or(a);
     let y = off(&widest);
     if y.norm() <= 1e-6 * x.norm() || !y.norm().is_finite() {
         return Spread::Line(vec![a, a + x]);
     }
-    let (x, y) = (x / x.norm(), y / y.norm());
+    let x = x / x.norm();
+    let y = y / y.norm();
     let normal = x.cross(y);
     if points.iter().any(|p| (*p - a).dot(normal).abs() > 1e-3 * (far(a) - a).norm()) {
-        let middle = points.iter().fold(Vec3::new(0.0, 0.0, 0.0), |sum, p| sum + *p) / points.len() as f64;
+        let middle =
+            points.iter().fold(Vec3::new(0.0, 0.0, 0.0), |sum, p| sum + *p) / points.len() as f64;
         return Spread::Star(points.iter().map(|p| [middle, *p]).collect());
     }
     let flat = points.iter().map(|p| vec2((*p - a).dot(x), (*p - a).dot(y))).collect();
@@ -104,9 +110,14 @@ mod tests {
     #[test]
     fn a_polygon_covers_what_is_inside() {
         let at = |x: f64, y: f64| Vec3::new(x, y, 0.0);
-        let hook = [at(0.0, 0.0), at(3.0, 0.0), at(3.0, 1.0), at(1.0, 1.0), at(1.0, 3.0), at(0.0, 3.0)];
+        let hook =
+            [at(0.0, 0.0), at(3.0, 0.0), at(3.0, 1.0), at(1.0, 1.0), at(1.0, 3.0), at(0.0, 3.0)];
         assert!(covers(&hook, at(0.5, 2.0)) && covers(&hook, at(2.5, 0.5)));
-        assert!(!covers(&hook, at(2.0, 2.0)) && !covers(&hook, at(-0.1, 0.5)) && !covers(&[], at(0.0, 0.0)));
+        assert!(
+            !covers(&hook, at(2.0, 2.0))
+                && !covers(&hook, at(-0.1, 0.5))
+                && !covers(&[], at(0.0, 0.0))
+        );
     }
 
     #[test]

@@ -50,7 +50,10 @@ pub(crate) struct Samples {
 impl Samples {
     pub fn new(tracks: &[Track], times: &[usize], size: f64) -> Samples {
         Samples {
-            frames: tracks.iter().map(|track| times.iter().map(|&k| track.frame(k)).collect()).collect(),
+            frames: tracks
+                .iter()
+                .map(|track| times.iter().map(|&k| track.frame(k)).collect())
+                .collect(),
             size,
         }
     }
@@ -95,7 +98,8 @@ impl Samples {
     /// True if track a does not turn as track b sees it.
     fn turns_with(&self, a: usize, b: usize) -> bool {
         let x = Vec3::new(1.0, 0.0, 0.0);
-        let mut seen = self.frames[a].iter().zip(&self.frames[b]).map(|(a, b)| b.a.transpose() * (a.a * x));
+        let mut seen =
+            self.frames[a].iter().zip(&self.frames[b]).map(|(a, b)| b.a.transpose() * (a.a * x));
         seen.next().is_none_or(|first| seen.all(|h| (h - first).norm() < 1e-6))
     }
 
@@ -103,9 +107,11 @@ impl Samples {
     pub fn drawn(&self, joint: &Held, still: &[bool]) -> Drawn {
         let points = &joint.points;
         let alone = |k: usize| {
-            !(0..points.len()).any(|l| points[l].0 != points[k].0 && self.together(points[k], points[l]))
+            !(0..points.len())
+                .any(|l| points[l].0 != points[k].0 && self.together(points[k], points[l]))
         };
-        let lonely: Vec<(usize, Vec3)> = (0..points.len()).filter(|&k| alone(k)).map(|k| points[k]).collect();
+        let lonely: Vec<(usize, Vec3)> =
+            (0..points.len()).filter(|&k| alone(k)).map(|k| points[k]).collect();
         let mut drawn = Drawn { marks: points.clone(), ..Drawn::default() };
         if lonely.len() < points.len() || joint.form.is_some() {
             return drawn;
@@ -121,13 +127,15 @@ impl Samples {
         drawn
     }
 
-    /// The straightest of the paths that a point of one body draws in the other; of equals that in a body
-    /// that stands still.
+    /// The straightest of the paths that a point of one body draws in the other; of equals that in
+    /// a body that stands still.
     fn slot(&self, joint: &Held, still: &[bool]) -> Option<Slot> {
         let [a, b] = joint.tracks[..] else { return None };
-        let point_of = |track: usize| joint.points.iter().copied().find(|(known, _)| *known == track);
-        let origin =
-            |track: usize| joint.directed.contains(&track).then_some((track, Vec3::new(0.0, 0.0, 0.0)));
+        let point_of =
+            |track: usize| joint.points.iter().copied().find(|(known, _)| *known == track);
+        let origin = |track: usize| {
+            joint.directed.contains(&track).then_some((track, Vec3::new(0.0, 0.0, 0.0)))
+        };
         let is_rod = joint.directed.is_empty() && point_of(a).is_some() && point_of(b).is_some();
         let made = |track: usize, other: usize| {
             let runner = point_of(other).or(origin(other))?;
@@ -142,18 +150,23 @@ impl Samples {
                 guided: self.turns_with(other, track),
             })
         };
-        let mut all: Vec<Slot> = [made(a, b), made(b, a)].into_iter().flatten().filter(|_| !is_rod).collect();
-        all.sort_by_key(|slot| (!slot.straight, !still[slot.track], !joint.directed.contains(&slot.track)));
+        let mut all: Vec<Slot> =
+            [made(a, b), made(b, a)].into_iter().flatten().filter(|_| !is_rod).collect();
+        all.sort_by_key(|slot| {
+            (!slot.straight, !still[slot.track], !joint.directed.contains(&slot.track))
+        });
         all.into_iter().next()
     }
 }
 
-/// The length of a path's longest chord from its start, and how far it strays from it; `None` where it is not
-/// known.
+/// The length of a path's longest chord from its start, and how far it strays from it; `None` where
+/// it is not known.
 fn shape(path: &[Vec3]) -> Option<(f64, f64)> {
     let first = *path.first()?;
-    let far = path.iter().copied().max_by(|a, b| (*a - first).norm().total_cmp(&(*b - first).norm()))?;
-    let end = path.iter().copied().max_by(|a, b| (*a - far).norm().total_cmp(&(*b - far).norm()))?;
+    let far =
+        path.iter().copied().max_by(|a, b| (*a - first).norm().total_cmp(&(*b - first).norm()))?;
+    let end =
+        path.iter().copied().max_by(|a, b| (*a - far).norm().total_cmp(&(*b - far).norm()))?;
     let chord = far - end;
     let extent = chord.norm();
     let off = |p: &Vec3| (*p - end).cross(chord).norm() / extent.max(f64::MIN_POSITIVE);
@@ -162,7 +175,8 @@ fn shape(path: &[Vec3]) -> Option<(f64, f64)> {
 
 /// True if a path in the plane encloses something: it ends where it began, and has an area.
 pub(crate) fn is_closed(path: &[Vec3]) -> bool {
-    let (Some(first), Some(last), Some((extent, _))) = (path.first(), path.last(), shape(path)) else {
+    let (Some(first), Some(last), Some((extent, _))) = (path.first(), path.last(), shape(path))
+    else {
         return false;
     };
     let area: f64 = path.windows(2).map(|w| 0.5 * (w[0].x * w[1].y - w[0].y * w[1].x)).sum();

@@ -136,8 +136,8 @@ impl Drawing {
             longest: 0.0,
             tracks,
         };
-        drawing.planar =
-            !drawing.tracks.iter().any(|track| matches!(track, Track::Spatial(_))) && !drawing.leaves_plane();
+        drawing.planar = !drawing.tracks.iter().any(|track| matches!(track, Track::Spatial(_)))
+            && !drawing.leaves_plane();
         drawing.traces = drawing.traced(scene);
         let held = drawing.held(scene);
         drawing.measure(&held, scene);
@@ -164,9 +164,9 @@ impl Drawing {
 
     /// True if a moving line has a point off the plane z = 0.
     fn leaves_plane(&self) -> bool {
-        self.tracks
-            .iter()
-            .any(|track| matches!(track, Track::Point([_, _, z]) if z.iter().any(|z| z.abs() > 0.0)))
+        self.tracks.iter().any(
+            |track| matches!(track, Track::Point([_, _, z]) if z.iter().any(|z| z.abs() > 0.0)),
+        )
     }
 
     /// The track of a body.
@@ -179,7 +179,8 @@ impl Drawing {
     }
 
     fn traced(&self, scene: &Scene) -> Vec<Mark> {
-        let traces = scene.traces.iter().filter_map(|trace| Some((trace, self.track(scene, trace.body)?)));
+        let traces =
+            scene.traces.iter().filter_map(|trace| Some((trace, self.track(scene, trace.body)?)));
         let marks = traces.enumerate().map(|(k, (trace, track))| Mark {
             name: trace.name.clone(),
             track,
@@ -197,7 +198,8 @@ impl Drawing {
                 joint.bodies.iter().map(|body| self.track(scene, *body)).collect::<Option<_>>()?;
             let points = joint.points.iter().map(|(body, u)| (tracks[*body], *u)).collect();
             let directed = joint.directed.iter().map(|body| tracks[*body]).collect();
-            let (form, hidden) = (joint.form.clone(), joint.hidden);
+            let form = joint.form.clone();
+            let hidden = joint.hidden;
             Some((joint.name.clone(), Held { tracks, points, directed, form, hidden }))
         });
         joints.collect()
@@ -224,7 +226,8 @@ impl Drawing {
 
     /// Bounds of everything that is drawn.
     fn measure_shapes(&mut self) {
-        let shapes = self.shapes.iter().flat_map(|shape| shape.points.iter().map(|p| (shape.track, *p)));
+        let shapes =
+            self.shapes.iter().flat_map(|shape| shape.points.iter().map(|p| (shape.track, *p)));
         let marks = self.marks.iter().chain(&self.traces).map(|mark| (mark.track, mark.local));
         let lines = self.lines.iter().flat_map(|line| line.points.iter().copied());
         let all: Vec<(usize, Vec3)> = shapes.chain(marks).chain(lines).collect();
@@ -234,15 +237,18 @@ impl Drawing {
     fn set_bounds(&mut self, points: &[(usize, Vec3)]) {
         let samples = self.samples();
         let far = Vec3::new(f64::MAX, f64::MAX, f64::MAX);
-        let (mut low, mut high) = (far, -far);
-        for p in points.iter().flat_map(|point| samples.path(*point)).filter(|p| p.norm().is_finite()) {
+        let mut low = far;
+        let mut high = -far;
+        for p in
+            points.iter().flat_map(|point| samples.path(*point)).filter(|p| p.norm().is_finite())
+        {
             low = Vec3::new(low.x.min(p.x), low.y.min(p.y), low.z.min(p.z));
             high = Vec3::new(high.x.max(p.x), high.y.max(p.y), high.z.max(p.z));
         }
         let size = (high - low).norm();
         if low.x > high.x || !(size > 0.0 && size.is_finite()) {
-            let (half, middle) =
-                (Vec3::new(0.5, 0.5, 0.0), if low.x > high.x { Vec3::new(0.0, 0.0, 0.0) } else { low });
+            let half = Vec3::new(0.5, 0.5, 0.0);
+            let middle = if low.x > high.x { Vec3::new(0.0, 0.0, 0.0) } else { low };
             (low, high) = (middle - half, middle + half);
         }
         self.bounds = [low, high];
@@ -258,11 +264,13 @@ impl Drawing {
         let samples = self.samples();
         // At one time alone nothing can be said of what stands still but the ground.
         let stands = |track: &Track| {
-            self.times.len() > 1 && track.is_still(1e-9 * self.size) || matches!(track, Track::Ground)
+            self.times.len() > 1 && track.is_still(1e-9 * self.size)
+                || matches!(track, Track::Ground)
         };
         let still: Vec<bool> = self.tracks.iter().map(stands).collect();
         let shown = held.iter().filter(|(_, joint)| !joint.hidden);
-        let drawn: Vec<_> = shown.map(|(name, joint)| (name, samples.drawn(joint, &still))).collect();
+        let drawn: Vec<_> =
+            shown.map(|(name, joint)| (name, samples.drawn(joint, &still))).collect();
         self.draw_bodies(scene, held, &drawn, &still, forms::pieces(held, &samples));
         for (name, joint) in &drawn {
             if let Some(rod) = &joint.rod {
@@ -277,13 +285,21 @@ impl Drawing {
         for line in told {
             let last = line.points.len().saturating_sub(1);
             ends.extend(
-                line.points.iter().enumerate().map(|(k, point)| (k != last, line.name.clone(), *point)),
+                line.points
+                    .iter()
+                    .enumerate()
+                    .map(|(k, point)| (k != last, line.name.clone(), *point)),
             );
         }
         // The last point has the name of its line, also where another line begins there.
         ends.sort_by_key(|(begins, ..)| *begins);
         for (begins, name, point) in ends {
-            self.mark(&samples, &if begins { format!("{name}, start") } else { name }, point, still[point.0]);
+            self.mark(
+                &samples,
+                &if begins { format!("{name}, start") } else { name },
+                point,
+                still[point.0],
+            );
         }
     }
 
@@ -301,8 +317,8 @@ impl Drawing {
         }
     }
 
-    /// A rod between two points; where their distance changes, as a cylinder: a barrel on the body that comes
-    /// first, and the rod in it.
+    /// A rod between two points; where their distance changes, as a cylinder: a barrel on the body
+    /// that comes first, and the rod in it.
     fn draw_rod(&mut self, name: &str, rod: [(usize, Vec3); 2]) {
         /// How much of a cylinder the barrel is: a share of its least length, and of its greatest.
         const BARREL: [f64; 2] = [0.92, 0.7];
@@ -311,7 +327,8 @@ impl Drawing {
         let lengths = (0..self.times.len())
             .map(|k| (ends(k)[1] - ends(k)[0]).norm())
             .filter(|length| length.is_finite());
-        let (least, most) = lengths.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        let (least, most) =
+            lengths.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         let line = |points: Vec<(usize, Vec3)>, kind: LineKind| Line {
             name: name.to_string(),
             points,
@@ -333,7 +350,8 @@ impl Drawing {
         self.lines.push(line(vec![from, mouth], LineKind::Barrel));
     }
 
-    /// Marks a point, unless one is marked that is always there; a support takes the place of a pin.
+    /// Marks a point, unless one is marked that is always there; a support takes the place of a
+    /// pin.
     fn mark(&mut self, samples: &Samples, name: &str, point: (usize, Vec3), grounded: bool) {
         match self.marks.iter_mut().find(|mark| samples.together((mark.track, mark.local), point)) {
             Some(mark) => {
@@ -358,7 +376,9 @@ impl Drawing {
 
 /// The ends of a link in its frame; of other bodies none.
 fn link_ends(look: &Look) -> impl Iterator<Item = Vec3> {
-    look.length.into_iter().flat_map(|length| [-0.5, 0.5].map(|share| Vec3::new(share * length, 0.0, 0.0)))
+    look.length
+        .into_iter()
+        .flat_map(|length| [-0.5, 0.5].map(|share| Vec3::new(share * length, 0.0, 0.0)))
 }
 
 /// Told lines, with a track for each of their points.

@@ -42,8 +42,9 @@ impl Track {
         if body.is_ground() {
             return Ok(Track::Ground);
         }
-        let column =
-            |coordinate: Coordinate| motion.coordinate(coordinate).map(|c| c.value.values().to_vec());
+        let column = |coordinate: Coordinate| {
+            motion.coordinate(coordinate).map(|c| c.value.values().to_vec())
+        };
         Ok(match body.0 {
             Kind::Planar(body) => Track::Planar([
                 column(Coordinate::Planar(body, 0))?,
@@ -61,7 +62,8 @@ impl Track {
     /// The history of a point: one position a time, or one for good.
     pub fn of_point(positions: &[Vec3], times: usize) -> Track {
         let at = |k: usize| positions.get(k).or(positions.last().filter(|_| positions.len() == 1));
-        let column = |pick: fn(&Vec3) -> f64| (0..times).map(|k| at(k).map_or(f64::NAN, pick)).collect();
+        let column =
+            |pick: fn(&Vec3) -> f64| (0..times).map(|k| at(k).map_or(f64::NAN, pick)).collect();
         Track::Point([column(|p| p.x), column(|p| p.y), column(|p| p.z)])
     }
 
@@ -81,7 +83,9 @@ impl Track {
                 let state = SpatialState::new(std::array::from_fn(|c| at(&columns[c])));
                 Frame { r: state.r, a: state.a() }
             }
-            Track::Point([x, y, z]) => Frame { r: Vec3::new(at(x), at(y), at(z)), a: Mat3::identity() },
+            Track::Point([x, y, z]) => {
+                Frame { r: Vec3::new(at(x), at(y), at(z)), a: Mat3::identity() }
+            }
         }
     }
 
@@ -110,8 +114,9 @@ impl Track {
             3
         };
         self.columns().iter().enumerate().all(|(k, column)| {
-            let (low, high) =
-                column.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+            let (low, high) = column
+                .iter()
+                .fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
             high - low <= if k < rotations { least } else { 1e-9 }
         })
     }

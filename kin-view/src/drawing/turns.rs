@@ -1,4 +1,5 @@
-//! How bodies turn: by how much between two times, about their own length, in one plane all together.
+//! How bodies turn: by how much between two times, about their own length, in one plane all
+//! together.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -9,16 +10,17 @@ use super::joints::Samples;
 use super::track::Track;
 use crate::scene::{Body, Kind, Scene};
 
-/// Between two poses that are farther apart nothing is drawn: a straight way between them would take bodies
-/// apart that a joint holds together.   [rad]
+/// Between two poses that are farther apart nothing is drawn: a straight way between them would
+/// take bodies apart that a joint holds together. [rad]
 pub(crate) const LEAP: f64 = 0.6;
 /// A body that turns about its own length by less shows no mark.   [rad]
 const SEEN: f64 = 0.05;
 /// Directions that differ by less are one, and lengths by this share of the size of all.
 const SAME: f64 = 1e-6;
 
-/// The largest angle by which a body turns from each time to the next. A planar body whose origin stands
-/// still counts for nothing: its angle alone changes, and a straight way between two angles is its true way.
+/// The largest angle by which a body turns from each time to the next. A planar body whose origin
+/// stands still counts for nothing: its angle alone changes, and a straight way between two angles
+/// is its true way.
 pub(super) fn turns(scene: &Scene, motion: &Motion) -> Result<Vec<f64>> {
     let mut most = vec![0.0_f64; motion.len().saturating_sub(1)];
     for look in scene.looks.iter().filter(|look| !look.body.is_ground()) {
@@ -45,8 +47,11 @@ fn planar(track: &Track) -> Vec<f64> {
 /// From Euler parameters, and from their rates: two whole turns leave the parameters as they were.
 fn spatial(motion: &Motion, body: Body) -> Result<Vec<f64>> {
     let Kind::Spatial(body) = body.0 else { return Ok(Vec::new()) };
-    let all = (3..7).map(|k| motion.coordinate(Coordinate::Spatial(body, k))).collect::<Result<Vec<_>>>()?;
-    let dot = |k: usize| all.iter().map(|e| e.value.values()[k] * e.value.values()[k + 1]).sum::<f64>();
+    let all = (3..7)
+        .map(|k| motion.coordinate(Coordinate::Spatial(body, k)))
+        .collect::<Result<Vec<_>>>()?;
+    let dot =
+        |k: usize| all.iter().map(|e| e.value.values()[k] * e.value.values()[k + 1]).sum::<f64>();
     let speed = |k: usize| 2.0 * all.iter().map(|e| e.rate.values()[k].powi(2)).sum::<f64>().sqrt();
     let times = motion.times();
     let turn = |k: usize| {
@@ -62,8 +67,8 @@ impl Drawing {
         self.turns.iter().map(|turn| *turn > LEAP)
     }
 
-    /// Azimuth and elevation of an eye that looks straight at the plane in which everything moves; `None`
-    /// where there is no such plane, or nothing turns in it.   \[rad\]
+    /// Azimuth and elevation of an eye that looks straight at the plane in which everything moves;
+    /// `None` where there is no such plane, or nothing turns in it.   \[rad\]
     pub(super) fn face(&self) -> Option<(f64, f64)> {
         let sampled = self.sampled();
         let moving = || self.tracks.iter().filter(|track| !matches!(track, Track::Ground));
@@ -75,7 +80,9 @@ impl Drawing {
                 Vec3::new(f - d, b - e, c - a) * 0.5
             })
         });
-        let axis = turned.filter(|axis| axis.norm() > SEEN).max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+        let axis = turned
+            .filter(|axis| axis.norm() > SEEN)
+            .max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
         let normal = axis / axis.norm();
         let in_plane = |track: &Track| {
             let first = track.frame(0);
@@ -89,7 +96,8 @@ impl Drawing {
     }
 }
 
-/// An eye on the line of a normal, on that side from which x points to the right; y where x is not seen.
+/// An eye on the line of a normal, on that side from which x points to the right; y where x is not
+/// seen.
 fn eye_along(normal: Vec3) -> (f64, f64) {
     if normal.x.hypot(normal.y) <= SAME {
         return (-FRAC_PI_2, FRAC_PI_2);
@@ -105,12 +113,15 @@ impl Samples {
     pub(super) fn turns_about(&self, track: usize, along: Vec3) -> bool {
         let across = perpendicular(along);
         let Some(first) = self.frame(track, 0) else { return false };
-        let (h, g) = (first.a * along, first.a * across);
+        let h = first.a * along;
+        let g = first.a * across;
         let twist = |k: usize| {
             let frame = self.frame(track, k)?;
-            let (to, now) = (frame.a * along, frame.a * across);
+            let to = frame.a * along;
+            let now = frame.a * across;
             // g swung along by the least turn that takes h to where it points now.
-            let (v, c) = (h.cross(to), h.dot(to));
+            let v = h.cross(to);
+            let c = h.dot(to);
             let swung = g * c + v.cross(g) + v * (v.dot(g) / (1.0 + c));
             Some([to.dot(swung.cross(now)).atan2(swung.dot(now)).abs(), v.norm().atan2(c)])
         };
@@ -151,8 +162,10 @@ mod tests {
 
     /// The directions to the right and upwards as an eye sees them.
     fn seen((azimuth, elevation): (f64, f64)) -> [Vec3; 2] {
-        let ((sin, cos), (high, flat)) = (azimuth.sin_cos(), elevation.sin_cos());
-        let (right, eye) = (Vec3::new(-sin, cos, 0.0), Vec3::new(flat * cos, flat * sin, high));
+        let (sin, cos) = azimuth.sin_cos();
+        let (high, flat) = elevation.sin_cos();
+        let right = Vec3::new(-sin, cos, 0.0);
+        let eye = Vec3::new(flat * cos, flat * sin, high);
         [right, eye.cross(right)]
     }
 
@@ -167,7 +180,10 @@ mod tests {
             (-Vec3::x(), Vec3::y(), Vec3::z()),
         ] {
             let [to_right, upwards] = seen(eye_along(normal));
-            assert!((to_right - right).norm() < 1e-12 && (upwards - up).norm() < 1e-12, "{normal:?}");
+            assert!(
+                (to_right - right).norm() < 1e-12 && (upwards - up).norm() < 1e-12,
+                "{normal:?}"
+            );
         }
         let normal = Vec3::new(0.48, -0.6, 0.64);
         let [right, up] = seen(eye_along(normal));

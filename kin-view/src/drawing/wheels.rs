@@ -1,5 +1,5 @@
-//! Wheels: a disc on the pitch circle, with marks where teeth could stand. How many teeth a wheel has its
-//! radius does not tell; marks of wheels that mesh have one pitch, and meet.
+//! Wheels: a disc on the pitch circle, with marks where teeth could stand. How many teeth a wheel
+//! has its radius does not tell; marks of wheels that mesh have one pitch, and meet.
 
 use std::f64::consts::TAU;
 
@@ -8,8 +8,8 @@ use kin::{Vec2, vec2};
 use super::Style;
 use crate::scene::circle;
 
-/// How many marks the smallest wheel of all has, at least and at most; all others must have whole numbers of
-/// them, too.
+/// How many marks the smallest wheel of all has, at least and at most; all others must have whole
+/// numbers of them, too.
 const MARKS: std::ops::RangeInclusive<usize> = 12..=48;
 /// How many corners a wheel without marks has.
 const CORNERS: usize = 96;
@@ -32,9 +32,12 @@ impl Wheel {
     /// Its shapes, for a pitch that all wheels with teeth share, if there is one.
     pub fn drawn(&self, pitch: Option<f64>) -> Vec<(Vec<Vec2>, Style)> {
         let tooth = self.tooth.unwrap_or(0.0);
-        let at =
-            |share: f64, angle: f64| self.centre + vec2(angle.cos(), angle.sin()) * (self.radius * share);
-        let marks = pitch.filter(|_| self.toothed).map(|pitch| (TAU * self.radius / pitch).round() as usize);
+        let at = |share: f64, angle: f64| {
+            self.centre + vec2(angle.cos(), angle.sin()) * (self.radius * share)
+        };
+        let marks = pitch
+            .filter(|_| self.toothed)
+            .map(|pitch| (TAU * self.radius / pitch).round() as usize);
         let Some(marks) = marks else {
             let rim: Vec<Vec2> =
                 (0..CORNERS).map(|k| at(1.0, tooth + TAU * k as f64 / CORNERS as f64)).collect();
@@ -48,7 +51,8 @@ impl Wheel {
         let depth = MARK * TAU / marks as f64;
         let inside = if self.ring { 1.0 + depth } else { 1.0 - depth };
         let comb = (0..=marks * between).flat_map(|k| {
-            let (on, off) = (at(1.0, angle(k)), at(inside, angle(k)));
+            let on = at(1.0, angle(k));
+            let off = at(inside, angle(k));
             if k % between == 0 { vec![on, off, on] } else { vec![on] }
         });
         self.rim(rim).into_iter().chain([(comb.collect(), Style::Slot)]).collect()
@@ -59,20 +63,23 @@ impl Wheel {
         if !self.ring {
             return vec![(rim, Style::Plate)];
         }
-        let closed =
-            |points: Vec<Vec2>| (points.iter().chain(points.first()).copied().collect(), Style::Slot);
+        let closed = |points: Vec<Vec2>| {
+            (points.iter().chain(points.first()).copied().collect(), Style::Slot)
+        };
         let outer = rim.iter().map(|p| self.centre + (*p - self.centre) * 1.12).collect();
         vec![closed(rim), closed(outer)]
     }
 }
 
-/// A pitch of which the circumference of each wheel is a whole number; `None` if there is none that is
-/// neither fine nor coarse.
+/// A pitch of which the circumference of each wheel is a whole number; `None` if there is none that
+/// is neither fine nor coarse.
 pub(super) fn pitch(radii: &[f64]) -> Option<f64> {
     let least = radii.iter().copied().reduce(f64::min).filter(|r| *r > 0.0)?;
     let whole = |x: f64| (x - x.round()).abs() < 1e-6;
     let fits = |marks: &usize| {
-        radii.iter().all(|r| whole(r / least * *marks as f64) && r / least * (*marks as f64) < 400.0)
+        radii
+            .iter()
+            .all(|r| whole(r / least * *marks as f64) && r / least * (*marks as f64) < 400.0)
     };
     MARKS.into_iter().find(fits).map(|marks| TAU * least / marks as f64)
 }
@@ -93,6 +100,8 @@ mod tests {
             let marks = TAU * radius / pitch;
             assert!((marks - marks.round()).abs() < 1e-6 && marks > 11.0, "{marks}");
         }
-        assert!(super::pitch(&[1.0, std::f64::consts::SQRT_2]).is_none() && super::pitch(&[]).is_none());
+        assert!(
+            super::pitch(&[1.0, std::f64::consts::SQRT_2]).is_none() && super::pitch(&[]).is_none()
+        );
     }
 }

@@ -28,8 +28,10 @@ const TOP: u32 = 48;
 const BOTTOM: u32 = 54;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn =
-    Result<(), DrawingAreaErrorKind<<SVGBackend<'static> as plotters::backend::DrawingBackend>::ErrorType>>;
+type Drawn = Result<
+    (),
+    DrawingAreaErrorKind<<SVGBackend<'static> as plotters::backend::DrawingBackend>::ErrorType>,
+>;
 
 /// Panels row by row, each of this height.
 pub fn page(panels: &[Panel], columns: usize, height: u32) -> String {
@@ -37,8 +39,11 @@ pub fn page(panels: &[Panel], columns: usize, height: u32) -> String {
     let [across, down] = [WIDTH * columns as u32, height * rows as u32];
     let mut svg = String::new();
     // A picture in memory cannot fail to be written; what plotters refuses to draw is left out.
-    let _ =
-        draw_all(SVGBackend::with_string(&mut svg, (across * FINE, down * FINE)), panels, [rows, columns]);
+    let _ = draw_all(
+        SVGBackend::with_string(&mut svg, (across * FINE, down * FINE)),
+        panels,
+        [rows, columns],
+    );
     // Seen at its size where nothing else is said; the view box lets a page show it at any width.
     let fine = format!("width=\"{}\" height=\"{}\"", across * FINE, down * FINE);
     svg.replacen(&fine, &format!("width=\"{across}\" height=\"{down}\""), 1)
@@ -107,13 +112,18 @@ impl Panel {
     fn title(&self, area: &Area<'_>) -> Drawn {
         let middle = (LEFT + (WIDTH - LEFT - RIGHT) / 2) * FINE;
         let style = letters(15, area).pos(Pos::new(HPos::Center, VPos::Center));
-        area.draw(&Text::new(self.title.as_str(), (middle as i32, ((TOP - 18) * FINE) as i32), style))
+        area.draw(&Text::new(
+            self.title.as_str(),
+            (middle as i32, ((TOP - 18) * FINE) as i32),
+            style,
+        ))
     }
 
     /// Names of lines and dots, right of the axes.
     fn names(&self, area: &Area<'_>) -> Drawn {
         let left = ((WIDTH - RIGHT + 15) * FINE) as i32;
-        let named = self.marks.iter().filter_map(|mark| mark.label.as_ref().map(|label| (mark, label)));
+        let named =
+            self.marks.iter().filter_map(|mark| mark.label.as_ref().map(|label| (mark, label)));
         for (k, (mark, label)) in named.enumerate() {
             let y = ((TOP + 6 + 18 * k as u32) * FINE) as i32;
             let [from, to, text] = [0, 12, 20].map(|across| left + across * FINE as i32);
@@ -121,7 +131,10 @@ impl Panel {
             if mark.style == Style::Dots {
                 area.draw(&Circle::new(((from + to) / 2, y), 3 * FINE, color.filled()))?;
             } else {
-                area.draw(&PathElement::new([(from, y), (to, y)], color.stroke_width(mark.width())))?;
+                area.draw(&PathElement::new(
+                    [(from, y), (to, y)],
+                    color.stroke_width(mark.width()),
+                ))?;
             }
             let style = letters(12, area).pos(Pos::new(HPos::Left, VPos::Center));
             area.draw(&Text::new(label.as_str(), (text, y), style))?;
@@ -137,12 +150,16 @@ impl Panel {
                 Some(range.map_or(x..x, |range| range.start.min(x)..range.end.max(x)))
             })
         };
-        let (across, up) = (of(&|p| x.of_number(p.0)), of(&|p| y.of_number(p.1)));
+        let across = of(&|p| x.of_number(p.0));
+        let up = of(&|p| y.of_number(p.1));
         match self.axes {
             Axes::Time { span, log } => {
-                let span = span.filter(|(first, last)| first.is_finite() && last.is_finite() && first < last);
-                let across = span
-                    .map_or_else(|| widened(across), |(first, last)| x.of_number(first)..x.of_number(last));
+                let span = span
+                    .filter(|(first, last)| first.is_finite() && last.is_finite() && first < last);
+                let across = span.map_or_else(
+                    || widened(across),
+                    |(first, last)| x.of_number(first)..x.of_number(last),
+                );
                 (across, if log && y == Measure::Plain { powers(up) } else { widened(up) })
             }
             Axes::Plane => equal(widened(across), widened(up), area),
@@ -171,7 +188,8 @@ impl Mark {
         if self.style == Style::Dots {
             chart.draw_series(points.map(|p| Circle::new(p, 3 * FINE, color.filled())))?;
         } else {
-            let line = PathElement::new(points.collect::<Vec<_>>(), color.stroke_width(self.width()));
+            let line =
+                PathElement::new(points.collect::<Vec<_>>(), color.stroke_width(self.width()));
             chart.draw_series([line])?;
         }
         Ok(())
@@ -185,7 +203,8 @@ fn widened(range: Option<Range<f64>>) -> Range<f64> {
     // Ticks of a narrower range could not be told apart.
     let least = if size == 0.0 { 1.0 } else { 1e-9 * size };
     let span = range.end - range.start;
-    let room = if span < least { if span == 0.0 { 0.1 * size } else { least } } else { 0.05 * span };
+    let room =
+        if span < least { if span == 0.0 { 0.1 * size } else { least } } else { 0.05 * span };
     let room = if room == 0.0 { 1.0 } else { room };
     range.start - room..range.end + room
 }
@@ -193,7 +212,8 @@ fn widened(range: Option<Range<f64>>) -> Range<f64> {
 /// Powers of ten round numbers above zero.
 fn powers(range: Option<Range<f64>>) -> Range<f64> {
     let range = range.unwrap_or(1.0..10.0);
-    let [low, high] = [range.start.log10().floor(), range.end.log10().ceil()].map(|power| power as i32);
+    let [low, high] =
+        [range.start.log10().floor(), range.end.log10().ceil()].map(|power| power as i32);
     // A little more, so that the powers at both ends have their numbers.
     10f64.powi(low) * (1.0 - 1e-6)..10f64.powi(high.max(low + 1)) * (1.0 + 1e-6)
 }
@@ -207,7 +227,8 @@ fn equal(across: Range<f64>, up: Range<f64>, area: &Area<'_>) -> (Range<f64>, Ra
     ];
     let scale = ((across.end - across.start) / width).max((up.end - up.start) / height);
     let grown = |range: Range<f64>, pixels: f64| {
-        let (middle, half) = (0.5 * range.start + 0.5 * range.end, 0.5 * scale * pixels);
+        let middle = 0.5 * range.start + 0.5 * range.end;
+        let half = 0.5 * scale * pixels;
         middle - half..middle + half
     };
     (grown(across, width), grown(up, height))
@@ -221,12 +242,14 @@ fn letters<'a>(size: u32, area: &Area<'_>) -> TextStyle<'a> {
 
 /// A colour from its digits, `#rrggbb`.
 fn color(hex: &str) -> RGBColor {
-    let part =
-        |k: usize| hex.get(k..k + 2).and_then(|digits| u8::from_str_radix(digits, 16).ok()).unwrap_or(0);
+    let part = |k: usize| {
+        hex.get(k..k + 2).and_then(|digits| u8::from_str_radix(digits, 16).ok()).unwrap_or(0)
+    };
     RGBColor(part(1), part(3), part(5))
 }
 
-/// Numbers beside an axis: four digits are enough, and zero is zero though steps from the end miss it.
+/// Numbers beside an axis: four digits are enough, and zero is zero though steps from the end miss
+/// it.
 fn tick(range: &Range<f64>) -> impl Fn(&f64) -> String {
     let nothing = if range.contains(&0.0) { 1e-9 * (range.end - range.start) } else { 0.0 };
     move |&value| {

@@ -12,7 +12,8 @@ pub(crate) struct Group {
     pub series: Vec<(String, Series)>,
 }
 
-/// Efforts of drives by their units, then the forces of joints; as many in one group as have colours.
+/// Efforts of drives by their units, then the forces of joints; as many in one group as have
+/// colours.
 pub(crate) fn groups(forces: &Forces<'_>) -> Vec<Group> {
     let drives = forces.drives().into_iter().filter_map(|name| forces.drive(name).ok());
     let efforts: Vec<Series> = drives.flat_map(|drive| drive.efforts().to_vec()).collect();
@@ -22,12 +23,14 @@ pub(crate) fn groups(forces: &Forces<'_>) -> Vec<Group> {
             units.push(effort.unit());
         }
     }
-    let of_unit = |unit: &&str| efforts.iter().filter(|effort| effort.unit() == *unit).cloned().collect();
+    let of_unit =
+        |unit: &&str| efforts.iter().filter(|effort| effort.unit() == *unit).cloned().collect();
     let efforts = units.iter().map(|unit| (["efforts of drives", "effort"], of_unit(unit)));
     let joints = std::iter::once((["forces in joints", "F"], forces.magnitudes()));
     let split = |([title, label], all): ([&'static str; 2], Vec<Series>)| -> Vec<Group> {
         let named = |series: &Series| (short(series.name()).to_string(), series.clone());
-        let group = |some: &[Series]| Group { title, label, series: some.iter().map(named).collect() };
+        let group =
+            |some: &[Series]| Group { title, label, series: some.iter().map(named).collect() };
         all.chunks(PALETTE.len()).map(group).collect()
     };
     efforts.chain(joints).flat_map(split).collect()
@@ -39,8 +42,8 @@ fn short(name: &str) -> &str {
 }
 
 impl Figure {
-    /// The effort of each drive and the size of the force of each joint over time; forces that are not
-    /// unique are not shown.
+    /// The effort of each drive and the size of the force of each joint over time; forces that are
+    /// not unique are not shown.
     pub fn of_forces(forces: &Forces<'_>) -> Figure {
         let panel = |group: &Group| {
             let empty = Panel::over_time(group.title, group.label);

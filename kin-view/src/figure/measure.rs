@@ -1,7 +1,7 @@
 //! How numbers of any size are brought onto an axis.
 
-/// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be no
-/// numbers.
+/// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be
+/// no numbers.
 pub const SANE: f64 = 1e100;
 
 /// How numbers are brought onto an axis.
@@ -11,8 +11,8 @@ pub enum Measure {
     Plain,
     /// In units of 10^k, which the label says.
     Power(i32),
-    /// By their logarithm to the base 10: on a logarithmic axis that is too long to have a tick for each
-    /// power of ten.
+    /// By their logarithm to the base 10: on a logarithmic axis that is too long to have a tick for
+    /// each power of ten.
     Logarithm,
 }
 

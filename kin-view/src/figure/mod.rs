@@ -31,7 +31,8 @@ impl Figure {
 
     /// One coordinate with its rates over time, one panel each.
     pub fn of_coordinate(name: &str, motion: &Quantity) -> Figure {
-        let panel = |title: &str, label: &str, series| Panel::over_time(title, label).series(label, series);
+        let panel =
+            |title: &str, label: &str, series| Panel::over_time(title, label).series(label, series);
         Figure::new([
             panel(name, "q", &motion.value),
             panel(&format!("{name}, velocity"), "q̇", &motion.rate),
@@ -46,8 +47,8 @@ impl Figure {
         self
     }
 
-    /// Writes the figure, making folders that are missing; as PNG if the file is called so (with the feature
-    /// `png`), else as SVG.
+    /// Writes the figure, making folders that are missing; as PNG if the file is called so (with
+    /// the feature `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {

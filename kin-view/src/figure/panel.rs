@@ -6,7 +6,8 @@ use super::measure::{Measure, SANE};
 use super::thin::thinned;
 use crate::color::PALETTE;
 
-/// One pair of axes: quantities over time, or paths in the plane. Values that are not finite are gaps.
+/// One pair of axes: quantities over time, or paths in the plane. Values that are not finite are
+/// gaps.
 pub struct Panel {
     pub(super) title: String,
     pub(super) x_label: String,
@@ -48,13 +49,14 @@ impl Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: false })
     }
 
-    /// Quantities over time in powers of ten, such as a condition number; values that are not above zero are
-    /// gaps.
+    /// Quantities over time in powers of ten, such as a condition number; values that are not above
+    /// zero are gaps.
     pub fn log_over_time(title: &str, quantity: &str) -> Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: true })
     }
 
-    /// The plane of motion, one metre (or what [`Panel::in_units`] calls it) as long upwards as to the right.
+    /// The plane of motion, one metre (or what [`Panel::in_units`] calls it) as long upwards as to
+    /// the right.
     pub fn plane(title: &str) -> Panel {
         Panel::new(title, "x [m]", "y [m]", Axes::Plane)
     }
@@ -64,13 +66,14 @@ impl Panel {
         Panel::new(title, x_label, y_label, Axes::Numbers)
     }
 
-    /// Lengths and times in these words: [`kin::Motion::unit_words`]. Quantities over time know them by
-    /// themselves.
+    /// Lengths and times in these words: [`kin::Motion::unit_words`]. Quantities over time know
+    /// them by themselves.
     pub fn in_units(mut self, units: &Units) -> Panel {
         match self.axes {
             Axes::Time { .. } => self.x_label = format!("t [{}]", units.time()),
             Axes::Plane => {
-                [self.x_label, self.y_label] = ["x", "y"].map(|axis| format!("{axis} [{}]", units.length()))
+                [self.x_label, self.y_label] =
+                    ["x", "y"].map(|axis| format!("{axis} [{}]", units.length()))
             }
             Axes::Numbers => {}
         }
@@ -102,7 +105,12 @@ impl Panel {
     /// Points, as dots.
     pub fn scatter(mut self, label: &str, points: &[Vec2]) -> Panel {
         let points = points.iter().filter(|p| self.shown(p)).map(|p| (p.x, p.y)).collect();
-        let mark = Mark { points, color: self.color(), label: Some(label.to_string()), style: Style::Dots };
+        let mark = Mark {
+            points,
+            color: self.color(),
+            label: Some(label.to_string()),
+            style: Style::Dots,
+        };
         self.marks.push(mark);
         self
     }
@@ -121,7 +129,12 @@ impl Panel {
         let marks: Vec<Mark> = runs
             .map(|(k, run)| {
                 let points = thinned(run).into_iter().map(|p| (p.x, p.y)).collect();
-                Mark { points, color, label: (k == 0).then(|| label.to_string()), style: Style::Line }
+                Mark {
+                    points,
+                    color,
+                    label: (k == 0).then(|| label.to_string()),
+                    style: Style::Line,
+                }
             })
             .collect();
         self.marks.extend(marks);
@@ -140,7 +153,8 @@ impl Panel {
         if let (Axes::Time { span, .. }, Some(first), Some(last)) =
             (&mut self.axes, series.times().first(), series.times().last())
         {
-            let (low, high) = (first.min(*last), first.max(*last));
+            let low = first.min(*last);
+            let high = first.max(*last);
             *span = Some(span.map_or((low, high), |known| (known.0.min(low), known.1.max(high))));
             self.x_label = format!("t [{}]", series.unit_words().time());
         }
@@ -163,7 +177,8 @@ impl Panel {
             Axes::Time { span: Some((first, last)), .. } => vec![first, last],
             _ => vec![],
         };
-        let (x, y) = (Measure::of(points().map(|p| p.0).chain(span)), Measure::of(points().map(|p| p.1)));
+        let x = Measure::of(points().map(|p| p.0).chain(span));
+        let y = Measure::of(points().map(|p| p.1));
         match self.axes {
             Axes::Plane => {
                 let both = Measure::of(points().flat_map(|p| [p.0, p.1]));

@@ -2,21 +2,25 @@
 
 use kin::{Vec2, vec2};
 
-/// A point that a straight line misses by less than this share of the picture is left out: a tenth of a pixel
-/// or so.
+/// A point that a straight line misses by less than this share of the picture is left out: a tenth
+/// of a pixel or so.
 const INVISIBLE: f64 = 2e-4;
 
-/// The points without those that nobody would miss (Douglas and Peucker), the picture taken as one unit high
-/// and wide; all are finite.
+/// The points without those that nobody would miss (Douglas and Peucker), the picture taken as one
+/// unit high and wide; all are finite.
 pub fn thinned(points: &[Vec2]) -> Vec<Vec2> {
     let extent = |pick: fn(&Vec2) -> f64| {
-        let (low, high) =
-            points.iter().map(pick).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        let (low, high) = points
+            .iter()
+            .map(pick)
+            .fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         // Halves: the whole may be too large for a number.
         (0.5 * high - 0.5 * low).max(f64::MIN_POSITIVE)
     };
-    let (width, height) = (extent(|p| p.x), extent(|p| p.y));
-    let unit: Vec<Vec2> = points.iter().map(|p| vec2(0.5 * p.x / width, 0.5 * p.y / height)).collect();
+    let width = extent(|p| p.x);
+    let height = extent(|p| p.y);
+    let unit: Vec<Vec2> =
+        points.iter().map(|p| vec2(0.5 * p.x / width, 0.5 * p.y / height)).collect();
     let visible = visible(&unit, INVISIBLE);
     visible.into_iter().map(|k| points[k]).collect()
 }
@@ -44,8 +48,11 @@ fn visible(points: &[Vec2], invisible: f64) -> Vec<usize> {
 /// How far p is from the line between a and b.
 fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let chord = b - a;
-    let along =
-        if chord.norm() > 0.0 { ((p - a).dot(chord) / chord.dot(chord)).clamp(0.0, 1.0) } else { 0.0 };
+    let along = if chord.norm() > 0.0 {
+        ((p - a).dot(chord) / chord.dot(chord)).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     (p - a - chord * along).norm()
 }
 
@@ -57,7 +64,8 @@ mod tests {
     fn a_line_needs_its_ends_and_a_corner_itself() {
         let line: Vec<Vec2> = (0..100).map(|k| vec2(f64::from(k), 2.0 * f64::from(k))).collect();
         assert_eq!(thinned(&line).len(), 2);
-        let corner: Vec<Vec2> = (-50..=50).map(|k| vec2(f64::from(k), f64::from(k).abs())).collect();
+        let corner: Vec<Vec2> =
+            (-50..=50).map(|k| vec2(f64::from(k), f64::from(k).abs())).collect();
         assert_eq!(thinned(&corner), [vec2(-50.0, 50.0), vec2(0.0, 0.0), vec2(50.0, 50.0)]);
         assert!(thinned(&[]).is_empty());
         assert_eq!(thinned(&[vec2(1.0, 2.0)]).len(), 1);
@@ -72,7 +80,8 @@ mod tests {
         let thin = thinned_path(&circle, 1e-3);
         assert!(thin.len() < 140, "{}", thin.len());
         for p in &circle {
-            let nearest = thin.windows(2).map(|w| distance(*p, w[0], w[1])).fold(f64::MAX, f64::min);
+            let nearest =
+                thin.windows(2).map(|w| distance(*p, w[0], w[1])).fold(f64::MAX, f64::min);
             assert!(nearest < 1.01e-3);
         }
     }

@@ -13,7 +13,8 @@ use crate::picture::escaped;
 const INDEX: &str = include_str!("index.html");
 const STYLE: &str = include_str!("index.css");
 
-/// An index of pages, each in a folder of its own beside it with an animated picture and other files.
+/// An index of pages, each in a folder of its own beside it with an animated picture and other
+/// files.
 pub struct Gallery {
     title: String,
     text: String,
@@ -32,8 +33,8 @@ impl Gallery {
         Gallery { title: title.to_string(), text: text.to_string(), entries: Vec::new() }
     }
 
-    /// The page `FOLDER/index.html`, with what is to be seen there; `FOLDER/animated.svg` is its picture, the
-    /// other files are listed.
+    /// The page `FOLDER/index.html`, with what is to be seen there; `FOLDER/animated.svg` is its
+    /// picture, the other files are listed.
     pub fn entry(mut self, folder: &str, title: &str, text: &str) -> Gallery {
         self.entries.push(Entry {
             folder: folder.to_string(),
@@ -48,7 +49,8 @@ impl Gallery {
     /// Errors: an entry without its page or picture, a file that cannot be written, by its path.
     pub fn save(&self, folder: impl AsRef<Path>) -> Result<()> {
         let folder = folder.as_ref();
-        let entries = self.entries.iter().map(|entry| entry.html(folder)).collect::<Result<String>>()?;
+        let entries =
+            self.entries.iter().map(|entry| entry.html(folder)).collect::<Result<String>>()?;
         let parts = [
             ("fingerprint", fingerprint(STYLE)),
             ("title", escaped(&self.title)),
@@ -63,12 +65,15 @@ impl Gallery {
 impl Entry {
     fn html(&self, root: &Path) -> Result<String> {
         let folder = root.join(&self.folder);
-        let read = |path: PathBuf| std::fs::read(&path).map_err(|source| Error::File { path, source });
+        let read =
+            |path: PathBuf| std::fs::read(&path).map_err(|source| Error::File { path, source });
         let picture = STANDARD.encode(read(folder.join("animated.svg"))?);
         read(folder.join("index.html"))?;
-        let (here, title, text) = (escaped(&self.folder), escaped(&self.title), escaped(&self.text));
-        let files =
-            std::fs::read_dir(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+        let here = escaped(&self.folder);
+        let title = escaped(&self.title);
+        let text = escaped(&self.text);
+        let files = std::fs::read_dir(&folder)
+            .map_err(|source| Error::File { path: folder.clone(), source })?;
         let mut files: Vec<String> =
             files.filter_map(|file| file.ok()?.file_name().into_string().ok()).collect();
         files.retain(|name| !matches!(name.as_str(), "index.html" | "animated.svg"));

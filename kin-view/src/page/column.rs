@@ -1,5 +1,5 @@
-//! A column of numbers as few characters: whole multiples of a step, second differences of them, seven bits a
-//! byte, base64.
+//! A column of numbers as few characters: whole multiples of a step, second differences of them,
+//! seven bits a byte, base64.
 //!
 //! A smooth motion costs about one byte a number. The reader is `column` in `assets/data.js`.
 
@@ -7,13 +7,14 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
-/// Finest steps that a range is cut into, whatever is asked for: 2⁴⁰, far below what a page can show.
+/// Finest steps that a range is cut into, whatever is asked for: 2⁴⁰, far below what a page can
+/// show.
 const MOST_STEPS: f64 = (1_u64 << 40) as f64;
 /// Values that are not below this are not shown: differences of larger numbers may not be numbers.
 const LARGEST: f64 = 1e300;
 
-/// The column, each number within half a `step` of what it was (coarser if the range is more than 2⁴⁰ steps);
-/// what is not finite, or beyond 10³⁰⁰, is a gap.
+/// The column, each number within half a `step` of what it was (coarser if the range is more than
+/// 2⁴⁰ steps); what is not finite, or beyond 10³⁰⁰, is a gap.
 pub(super) fn packed(values: &[f64], step: f64) -> Value {
     let is_shown = |x: &f64| x.abs() < LARGEST;
     let (low, high) = values
@@ -25,7 +26,9 @@ pub(super) fn packed(values: &[f64], step: f64) -> Value {
     let step = if step > 0.0 && step.is_finite() { step } else { 1.0 }.max(range / MOST_STEPS);
     let offset = if low > high { 0.0 } else { low };
     let mut bytes = Vec::with_capacity(values.len());
-    let (mut last, mut slope, mut count) = (0_i64, 0_i64, 0_usize);
+    let mut last = 0_i64;
+    let mut slope = 0_i64;
+    let mut count = 0_usize;
     for x in values {
         if !is_shown(x) {
             bytes.push(0);
@@ -58,10 +61,16 @@ mod tests {
     /// Unpacks a column as the page's script does.
     fn unpacked(packed: &Value) -> Vec<f64> {
         let bytes = STANDARD.decode(packed["d"].as_str().unwrap()).unwrap();
-        let (offset, step) = (packed["o"].as_f64().unwrap(), packed["s"].as_f64().unwrap());
-        let (mut values, mut at, mut last, mut slope, mut known) = (Vec::new(), 0, 0.0, 0.0, 0);
+        let offset = packed["o"].as_f64().unwrap();
+        let step = packed["s"].as_f64().unwrap();
+        let mut values = Vec::new();
+        let mut at = 0;
+        let mut last = 0.0;
+        let mut slope = 0.0;
+        let mut known = 0;
         while at < bytes.len() {
-            let (mut code, mut factor) = (0.0, 1.0);
+            let mut code = 0.0;
+            let mut factor = 1.0;
             loop {
                 code += f64::from(bytes[at] & 127) * factor;
                 factor *= 128.0;
@@ -104,15 +113,17 @@ mod tests {
 
     #[test]
     fn a_motion_of_ten_thousand_frames_is_small() {
-        let values: Vec<f64> =
-            (0..10_000).map(|k| (f64::from(k) * 0.002).sin() + 0.3 * (f64::from(k) * 0.011).cos()).collect();
+        let values: Vec<f64> = (0..10_000)
+            .map(|k| (f64::from(k) * 0.002).sin() + 0.3 * (f64::from(k) * 0.011).cos())
+            .collect();
         let size = comes_back(&values, 1e-6, 0.51e-6);
         assert!(size < 20_000, "{size}");
     }
 
     #[test]
     fn gaps_and_awkward_numbers_come_back() {
-        let (nan, inf) = (f64::NAN, f64::INFINITY);
+        let nan = f64::NAN;
+        let inf = f64::INFINITY;
         comes_back(&[], 1e-6, 0.0);
         comes_back(&[nan, nan], 1e-6, 0.0);
         comes_back(&[nan, 1.0, 2.0, 4.0, inf, -3.0, nan, nan, 0.5, 0.25], 1e-6, 1e-6);

@@ -1,5 +1,5 @@
-//! One self-contained HTML file: the mechanism moves, charts follow. Nothing is loaded, and only its own
-//! script may run.
+//! One self-contained HTML file: the mechanism moves, charts follow. Nothing is loaded, and only
+//! its own script may run.
 
 mod column;
 
@@ -29,7 +29,8 @@ const SCRIPT: [&str; 5] = [
     include_str!("assets/main.js"),
 ];
 
-/// Positions on the page are right to this share of the mechanism's size, angles to this many radians.
+/// Positions on the page are right to this share of the mechanism's size, angles to this many
+/// radians.
 const FINE: f64 = 1e-7;
 
 /// Forces on the page are right to this share of the largest of each.
@@ -74,13 +75,20 @@ impl Page {
         self
     }
 
-    /// A chart of quantities over time, each with a name; the unit is that of the first. Values that are not
-    /// finite are gaps.
-    pub fn chart<'a>(mut self, title: &str, series: impl IntoIterator<Item = (&'a str, &'a Series)>) -> Page {
+    /// A chart of quantities over time, each with a name; the unit is that of the first. Values
+    /// that are not finite are gaps.
+    pub fn chart<'a>(
+        mut self,
+        title: &str,
+        series: impl IntoIterator<Item = (&'a str, &'a Series)>,
+    ) -> Page {
         let series: Vec<(&str, &Series)> = series.into_iter().collect();
-        let unit = series.first().map(|(_, series)| series.unit().replace("^2", "²")).unwrap_or_default();
-        let series =
-            series.into_iter().map(|(name, series)| (name.to_string(), series.values().to_vec())).collect();
+        let unit =
+            series.first().map(|(_, series)| series.unit().replace("^2", "²")).unwrap_or_default();
+        let series = series
+            .into_iter()
+            .map(|(name, series)| (name.to_string(), series.values().to_vec()))
+            .collect();
         self.charts.push(Chart {
             title: title.to_string(),
             unit: if unit == "-" { String::new() } else { unit },
@@ -100,20 +108,24 @@ impl Page {
     /// [`Scene::forces`].
     pub fn forces(self, forces: &Forces<'_>) -> Page {
         groups(forces).iter().fold(self, |page, group| {
-            page.chart(group.title, group.series.iter().map(|(name, series)| (name.as_str(), series)))
+            page.chart(
+                group.title,
+                group.series.iter().map(|(name, series)| (name.as_str(), series)),
+            )
         })
     }
 
     /// The times that were asked for. Where the motion is only a part of them (the one in an error,
-    /// [`kin::Error::motion`]) the page shows that part, and says that the run ended before its last time.
+    /// [`kin::Error::motion`]) the page shows that part, and says that the run ended before its
+    /// last time.
     ///   \[s\]
     pub fn asked(mut self, times: &[f64]) -> Page {
         self.unreached = times.last().copied().filter(|_| times.len() > self.drawing.times.len());
         self
     }
 
-    /// Why the run ended early, as its error says ([`kin::Error::reason`]); the page shows it where not all
-    /// times were reached.
+    /// Why the run ended early, as its error says ([`kin::Error::reason`]); the page shows it where
+    /// not all times were reached.
     pub fn ended(mut self, why: &str) -> Page {
         self.why = why.to_string();
         self
@@ -155,9 +167,13 @@ impl Page {
         let time = self.drawing.units.time();
         let (first, rest) = self.why.split_once('\n').unwrap_or((&self.why, ""));
         let more = "<details><summary>more</summary><p>";
-        let rest =
-            if rest.is_empty() { String::new() } else { format!("{more}{}</p></details>", escaped(rest)) };
-        let why = if first.is_empty() { String::new() } else { format!("<p>{}</p>", escaped(first)) };
+        let rest = if rest.is_empty() {
+            String::new()
+        } else {
+            format!("{more}{}</p></details>", escaped(rest))
+        };
+        let why =
+            if first.is_empty() { String::new() } else { format!("<p>{}</p>", escaped(first)) };
         format!(
             "<aside id=\"ended\" role=\"note\"><b>The run ended early: the page shows it up to t = {} {time}, of {} {time} \
              that were asked for.</b>{why}{rest}</aside>",
@@ -179,8 +195,9 @@ impl Page {
                 Track::Point(_) => ("point", 3),
             };
             let columns = track.columns().iter().enumerate();
-            let columns: Vec<Value> =
-                columns.map(|(k, column)| packed(column, if k < lengths { fine } else { FINE })).collect();
+            let columns: Vec<Value> = columns
+                .map(|(k, column)| packed(column, if k < lengths { fine } else { FINE }))
+                .collect();
             json!({ "kind": kind, "columns": columns })
         });
         let shapes = drawing.shapes.iter().map(|shape| {
@@ -193,7 +210,8 @@ impl Page {
         });
         let mark = |mark: &Mark| json!({ "name": mark.name, "track": mark.track, "local": place(mark.local, drawing.size), "color": mark.color, "grounded": mark.grounded });
         let times = self.drawing.times.as_slice();
-        let leaps: Vec<f64> = drawing.leaps().map(|leaps| f64::from(u8::from(leaps))).chain([0.0]).collect();
+        let leaps: Vec<f64> =
+            drawing.leaps().map(|leaps| f64::from(u8::from(leaps))).chain([0.0]).collect();
         let leaps = leaps.contains(&1.0).then(|| packed(&leaps[..times.len()], 1.0));
         let pushes: Vec<Value> = drawing.pushes.iter().map(|push| self.push_data(push)).collect();
         let scale = |scale: &Scale| json!({ "length": scale.length, "turn": scale.turn, "unit": scale.unit });
@@ -228,7 +246,8 @@ impl Page {
         let largest = push.vectors.iter().map(|vector| vector.norm()).filter(|x| x.is_finite());
         let step = FINE_FORCE * largest.fold(0.0, f64::max);
         let column = |axis: &usize| {
-            let values: Vec<f64> = push.vectors.iter().map(|vector| vector.to_array()[*axis]).collect();
+            let values: Vec<f64> =
+                push.vectors.iter().map(|vector| vector.to_array()[*axis]).collect();
             packed(&values, step)
         };
         json!({
@@ -253,7 +272,8 @@ impl Page {
 /// Greatest less least of the finite values; 1 if there is no difference.
 fn span(values: &[f64]) -> f64 {
     let known = values.iter().filter(|x| x.is_finite());
-    let (low, high) = known.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+    let (low, high) =
+        known.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
     if high > low && (high - low).is_finite() { high - low } else { 1.0 }
 }
 
@@ -306,7 +326,8 @@ pub(crate) fn filled(page: &str, parts: &[(&str, String)]) -> String {
     while let Some((before, after)) = rest.split_once("{{") {
         let (name, after) = after.split_once("}}").unwrap_or((after, ""));
         filled.push_str(before);
-        filled.extend(parts.iter().find(|(known, _)| *known == name).map(|(_, part)| part.as_str()));
+        filled
+            .extend(parts.iter().find(|(known, _)| *known == name).map(|(_, part)| part.as_str()));
         rest = after;
     }
     filled + rest

@@ -7,8 +7,8 @@ use super::view::View;
 use super::{Style, ground, line_width, shape_of};
 use crate::drawing::{Drawing, LEAP, Mark, Shape, Track};
 
-/// How many poses are shown, at least and at most. Between them everything moves straight, unless bodies turn
-/// too far from one to the next: then one pose follows the other at once.
+/// How many poses are shown, at least and at most. Between them everything moves straight, unless
+/// bodies turn too far from one to the next: then one pose follows the other at once.
 const POSES: [usize; 2] = [48, 960];
 /// A body turns by less than this between two of them, if that many are enough.   [rad]
 const TURN: f64 = 0.14;
@@ -22,7 +22,8 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
     let mut svg = Svg::new(view.width, view.height, &drawing.name);
     svg.push(STYLE);
     let poses = poses(drawing);
-    let animation = Animation { drawing, view: &view, clock: clock(seconds, leaps(drawing, &poses)), poses };
+    let animation =
+        Animation { drawing, view: &view, clock: clock(seconds, leaps(drawing, &poses)), poses };
     ground(drawing, &view, &mut svg);
     for trace in &drawing.traces {
         let path: Vec<Vec2> =
@@ -34,7 +35,11 @@ pub(super) fn animated(drawing: &Drawing, seconds: f64) -> String {
         ));
     }
     let lines = drawing.lines.iter().map(|line| {
-        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", line.color, line.kind.width());
+        let style = format!(
+            "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"",
+            line.color,
+            line.kind.width()
+        );
         animation.points(&line.points, &style, "polyline")
     });
     lines.for_each(|line| svg.push(&line));
@@ -109,8 +114,9 @@ impl Animation<'_> {
             .filter(|mark| mark.track == track && !self.stands(mark))
             .map(|mark| (mark, PIN.to_string()));
         let traces = drawing.traces.iter().filter(|trace| trace.track == track);
-        let marks: Vec<(&Mark, String)> =
-            marks.chain(traces.map(|trace| (trace, format!("r=\"3\" fill=\"{}\"", trace.color)))).collect();
+        let marks: Vec<(&Mark, String)> = marks
+            .chain(traces.map(|trace| (trace, format!("r=\"3\" fill=\"{}\"", trace.color))))
+            .collect();
         let Track::Planar([_, _, theta]) = &drawing.tracks[track] else {
             return shapes()
                 .map(|shape| self.shape(shape))
@@ -136,7 +142,8 @@ impl Animation<'_> {
         let origin = |k: usize| self.at(track, Vec3::new(0.0, 0.0, 0.0), k);
         let place = |k: usize| format!("{} {}", tenth(origin(k).x), tenth(origin(k).y));
         let angle = |k: usize| tenth(-theta.get(k).copied().unwrap_or(0.0).to_degrees());
-        let (moved, turned) = (self.values(place), self.values(angle));
+        let moved = self.values(place);
+        let turned = self.values(angle);
         // The first pose, for viewers that show no motion.
         let first = self.poses[0];
         let rest = format!("translate({}) rotate({})", place(first), angle(first));
@@ -164,11 +171,15 @@ impl Animation<'_> {
         let all: Vec<_> = shape.points.iter().map(|p| (shape.track, *p)).collect();
         let (style, tag) = match shape.style {
             Style::Plate => (
-                format!("fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"", shape.color),
+                format!(
+                    "fill=\"{0}\" fill-opacity=\".28\" stroke=\"{0}\" stroke-width=\"1.6\"",
+                    shape.color
+                ),
                 "polygon",
             ),
             style => {
-                let (color, width) = (&shape.color, line_width(style));
+                let color = &shape.color;
+                let width = line_width(style);
                 (format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\""), "polyline")
             }
         };
@@ -185,7 +196,8 @@ impl Animation<'_> {
                 .collect();
             list(&all).unwrap_or_default()
         };
-        let (first, values) = (listed(self.poses[0]), self.values(listed));
+        let first = listed(self.poses[0]);
+        let values = self.values(listed);
         format!(
             "<{tag} points=\"{first}\" {style}><animate attributeName=\"points\" values=\"{values}\" {}/></{tag}>",
             self.clock

@@ -1,4 +1,5 @@
-//! Forces in a picture: straight arrows, in the plane arcs for torques, and the scale that they are read by.
+//! Forces in a picture: straight arrows, in the plane arcs for torques, and the scale that they are
+//! read by.
 
 use kin::{Vec2, Vec3, vec2};
 
@@ -17,7 +18,8 @@ const LEAST: f64 = 2.0;
 /// An arc ends before it would meet itself.   \[rad\]
 const WHOLE: f64 = 5.6;
 
-/// Where the scale stands, from the left and from the bottom; how long it is at most, and how high.   \[px\]
+/// Where the scale stands, from the left and from the bottom; how long it is at most, and how
+/// high.   \[px\]
 const CORNER: [f64; 2] = [14.0, 14.0];
 const BAR: f64 = 90.0;
 const ROW: f64 = 18.0;
@@ -84,18 +86,27 @@ fn arc(centre: Vec2, turned: f64) -> Option<String> {
     // Pictures are upside down.
     let place = |angle: f64| centre + vec2(angle.sin(), angle.cos()) * RADIUS;
     let size = (turned.abs() * RADIUS / (1.5 * HEAD[0])).min(1.0);
-    let (from, to) = (place(0.0), place(turned));
+    let from = place(0.0);
+    let to = place(turned);
     let back = place(turned - turned.signum() * HEAD[0] * size / RADIUS);
     let along = (to - back) * (1.0 / (to - back).norm());
-    let (large, sweep) = (u8::from(turned.abs() > std::f64::consts::PI), u8::from(turned < 0.0));
+    let large = u8::from(turned.abs() > std::f64::consts::PI);
+    let sweep = u8::from(turned < 0.0);
     let run = |sweep: u8, to: Vec2| format!("A{RADIUS} {RADIUS} 0 {large} {sweep} {}", at(to));
     // The way back along the same arc leaves nothing between them to be filled.
-    Some(format!("M{}{}{}{}", at(from), run(sweep, back), run(1 - sweep, from), head(to, along, size)))
+    Some(format!(
+        "M{}{}{}{}",
+        at(from),
+        run(sweep, back),
+        run(1 - sweep, from),
+        head(to, along, size)
+    ))
 }
 
 /// A triangle with its tip there.
 fn head(tip: Vec2, along: Vec2, size: f64) -> String {
-    let (back, side) = (tip - along * (HEAD[0] * size), vec2(-along.y, along.x) * (HEAD[1] * size));
+    let back = tip - along * (HEAD[0] * size);
+    let side = vec2(-along.y, along.x) * (HEAD[1] * size);
     format!("M{}L{}L{}Z", at(tip), at(back + side), at(back - side))
 }
 
@@ -117,13 +128,18 @@ fn legend(drawing: &Drawing, view: &View, svg: &mut Svg) {
         }
         if is_torque && drawing.planar {
             let half = std::f64::consts::PI / scale.turn;
-            svg.note(vec2(CORNER[0], y + 4.0), &format!("half a turn: {} {}", digits(half), scale.unit));
+            svg.note(
+                vec2(CORNER[0], y + 4.0),
+                &format!("half a turn: {} {}", digits(half), scale.unit),
+            );
         } else {
             let pixels = scale.length * view.scale;
             let number = round_below(BAR / pixels);
             let ends = [0.0, number * pixels].map(|x| vec2(CORNER[0] + x, y));
             let d = straight(ends, is_torque).unwrap_or_default();
-            svg.push(&format!("<path d=\"{d}\" fill=\"#444444\" stroke=\"#444444\" stroke-width=\"2\"/>"));
+            svg.push(&format!(
+                "<path d=\"{d}\" fill=\"#444444\" stroke=\"#444444\" stroke-width=\"2\"/>"
+            ));
             svg.note(ends[1] + vec2(7.0, 4.0), &format!("{} {}", digits(number), scale.unit));
         }
         y -= ROW;

@@ -22,8 +22,8 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with the feature
-    /// `png`), else as SVG.
+    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with
+    /// the feature `png`), else as SVG.
     ///
     /// Errors: a file that cannot be written, by its path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -37,8 +37,8 @@ impl Picture {
 }
 
 impl Scene {
-    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced paths, and
-    /// with forces if there are any ([`Scene::forces`]).   \[s\]
+    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced
+    /// paths, and with forces if there are any ([`Scene::forces`]).   \[s\]
     ///
     /// Errors: a motion of another system.
     pub fn pose(&self, motion: &Motion, t: f64) -> Result<Picture> {
@@ -47,21 +47,23 @@ impl Scene {
         self.pictured(motion, &nearest.map(|k| (k, 1.0)).into_iter().collect::<Vec<_>>())
     }
 
-    /// The mechanism at `count` times evenly over the motion, the later the darker, with the traced paths.
+    /// The mechanism at `count` times evenly over the motion, the later the darker, with the traced
+    /// paths.
     ///
     /// Errors: a motion of another system.
     pub fn sequence(&self, motion: &Motion, count: usize) -> Result<Picture> {
         let last = motion.len().saturating_sub(1);
         let gaps = count.clamp(1, motion.len().max(1)).max(2) - 1;
-        let at =
-            |k: usize| (k * last / gaps, if k == gaps { 1.0 } else { 0.16 + 0.34 * k as f64 / gaps as f64 });
+        let at = |k: usize| {
+            (k * last / gaps, if k == gaps { 1.0 } else { 0.16 + 0.34 * k as f64 / gaps as f64 })
+        };
         self.pictured(motion, &(0..=gaps).map(at).collect::<Vec<_>>())
     }
 
-    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever: some 48
-    /// poses a turn and straight lines between them. Where a body turns by more than 0.6 rad from one time of
-    /// the motion to the next, the poses follow one another without anything between. A viewer that shows no
-    /// motion shows the first pose.
+    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever:
+    /// some 48 poses a turn and straight lines between them. Where a body turns by more than 0.6
+    /// rad from one time of the motion to the next, the poses follow one another without anything
+    /// between. A viewer that shows no motion shows the first pose.
     ///
     /// Errors: a motion of another system.
     pub fn animated(&self, motion: &Motion, seconds: f64) -> Result<Picture> {
@@ -133,11 +135,15 @@ fn moving(drawing: &Drawing, view: &View, k: usize, svg: &mut Svg) {
             &shape.color,
         )
     });
-    let lines = drawing.lines.iter().map(|line| (placed(&line.points), Drawn::Line(line.kind), &line.color));
+    let lines = drawing
+        .lines
+        .iter()
+        .map(|line| (placed(&line.points), Drawn::Line(line.kind), &line.color));
     let mut all: Vec<(Vec<Vec3>, Drawn, &String)> = shapes.chain(lines).collect();
     if !drawing.planar {
-        let depth =
-            |points: &[Vec3]| points.iter().map(|p| view.depth(*p)).sum::<f64>() / points.len().max(1) as f64;
+        let depth = |points: &[Vec3]| {
+            points.iter().map(|p| view.depth(*p)).sum::<f64>() / points.len().max(1) as f64
+        };
         all.sort_by(|a, b| depth(&a.0).total_cmp(&depth(&b.0)));
     }
     for (points, style, color) in all {

@@ -12,7 +12,8 @@ pub(super) struct Svg {
 
 impl Svg {
     pub fn new(width: f64, height: f64, title: &str) -> Svg {
-        let (w, h) = (short(width), short(height));
+        let w = short(width);
+        let h = short(height);
         let text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
              font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\
@@ -54,7 +55,8 @@ impl Svg {
         }
     }
 
-    /// A path over time: points that are not finite are gaps, points that nobody would miss are left out.
+    /// A path over time: points that are not finite are gaps, points that nobody would miss are
+    /// left out.
     pub fn path(&mut self, points: &[Vec2], color: &str, width: f64) {
         let d = path_data(points);
         if !d.is_empty() {
@@ -76,7 +78,8 @@ impl Svg {
 
     pub fn pin(&mut self, p: Vec2, color: &str) {
         if finite(&p) {
-            let (x, y) = (short(p.x), short(p.y));
+            let x = short(p.x);
+            let y = short(p.y);
             self.push(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"4\" fill=\"#ffffff\" stroke=\"{color}\" stroke-width=\"1.6\"/>"));
         }
     }
@@ -93,7 +96,11 @@ impl Svg {
     }
 
     pub fn open(&mut self, opacity: f64) {
-        self.push(&if opacity < 1.0 { format!("<g opacity=\"{opacity:.2}\">") } else { "<g>".to_string() });
+        self.push(&if opacity < 1.0 {
+            format!("<g opacity=\"{opacity:.2}\">")
+        } else {
+            "<g>".to_string()
+        });
     }
 
     pub fn close(&mut self) {
@@ -101,7 +108,8 @@ impl Svg {
     }
 
     pub fn caption(&mut self, text: &str) {
-        let (x, y) = (self.width - 10.0, self.height - 8.0);
+        let x = self.width - 10.0;
+        let y = self.height - 8.0;
         self.push(&format!(
             "<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#666666\" text-anchor=\"end\">{}</text>",
             short(x),
@@ -112,9 +120,12 @@ impl Svg {
 
     /// Words that begin at a point.
     pub fn note(&mut self, p: Vec2, text: &str) {
-        let (x, y) = (short(p.x), short(p.y));
+        let x = short(p.x);
+        let y = short(p.y);
         let text = escaped(text);
-        self.push(&format!("<text x=\"{x}\" y=\"{y}\" font-size=\"11\" fill=\"#444444\">{text}</text>"));
+        self.push(&format!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"11\" fill=\"#444444\">{text}</text>"
+        ));
     }
 
     pub fn finish(mut self) -> String {
@@ -140,7 +151,8 @@ pub(super) fn path_data(points: &[Vec2]) -> String {
 
 /// Points as an attribute; `None` if one of them is not known.
 pub(super) fn list(points: &[Vec2]) -> Option<String> {
-    let text: Vec<String> = points.iter().map(|p| format!("{},{}", short(p.x), short(p.y))).collect();
+    let text: Vec<String> =
+        points.iter().map(|p| format!("{},{}", short(p.x), short(p.y))).collect();
     points.iter().all(finite).then(|| text.join(" "))
 }
 
@@ -148,8 +160,8 @@ fn finite(p: &Vec2) -> bool {
     p.x.is_finite() && p.y.is_finite()
 }
 
-/// Two digits after the point, none where there is nothing to say; 0 for what is no number, which has no
-/// place in a picture.
+/// Two digits after the point, none where there is nothing to say; 0 for what is no number, which
+/// has no place in a picture.
 pub(crate) fn short(x: f64) -> String {
     let x = if x.is_finite() { x } else { 0.0 };
     let text = format!("{x:.2}");

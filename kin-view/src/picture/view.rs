@@ -23,17 +23,20 @@ impl View {
     /// Everything at all times within a width and a height at most.   [px]
     pub fn new(drawing: &Drawing, width: f64, height: f64) -> View {
         let [right, up, eye] = axes(drawing);
-        let (mut low, mut high) = (vec2(f64::MAX, f64::MAX), vec2(f64::MIN, f64::MIN));
+        let mut low = vec2(f64::MAX, f64::MAX);
+        let mut high = vec2(f64::MIN, f64::MIN);
         for corner in corners(&drawing.bounds) {
             let p = vec2(right.dot(corner), up.dot(corner));
             low = vec2(low.x.min(p.x), low.y.min(p.y));
             high = vec2(high.x.max(p.x), high.y.max(p.y));
         }
-        let (wide, tall) = (high.x - low.x, high.y - low.y);
+        let wide = high.x - low.x;
+        let tall = high.y - low.y;
         let least = drawing.size * 1e-3;
-        let scale = ((width - 2.0 * MARGIN) / wide.max(least)).min((height - 2.0 * MARGIN) / tall.max(least));
-        let (width, height) =
-            ((wide * scale + 2.0 * MARGIN).max(240.0), (tall * scale + 2.0 * MARGIN).max(160.0));
+        let scale = ((width - 2.0 * MARGIN) / wide.max(least))
+            .min((height - 2.0 * MARGIN) / tall.max(least));
+        let width = (wide * scale + 2.0 * MARGIN).max(240.0);
+        let height = (tall * scale + 2.0 * MARGIN).max(160.0);
         // Half of each first: their sum may be too large.
         let middle = low * 0.5 + high * 0.5;
         View {
@@ -49,7 +52,10 @@ impl View {
 
     /// Where a point is drawn.   [px]
     pub fn point(&self, p: Vec3) -> Vec2 {
-        vec2(self.shift.x + self.scale * self.right.dot(p), self.shift.y - self.scale * self.up.dot(p))
+        vec2(
+            self.shift.x + self.scale * self.right.dot(p),
+            self.shift.y - self.scale * self.up.dot(p),
+        )
     }
 
     /// How near a point is to the eye.
@@ -82,7 +88,8 @@ fn axes(drawing: &Drawing) -> [Vec3; 3] {
     if drawing.planar {
         return [Vec3::x(), Vec3::y(), Vec3::z()];
     }
-    let ((sin, cos), (high, flat)) = (drawing.eye.0.sin_cos(), drawing.eye.1.sin_cos());
+    let (sin, cos) = drawing.eye.0.sin_cos();
+    let (high, flat) = drawing.eye.1.sin_cos();
     let eye = Vec3::new(flat * cos, flat * sin, high);
     let right = Vec3::new(-sin, cos, 0.0);
     [right, eye.cross(right), eye]

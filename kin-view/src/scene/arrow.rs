@@ -31,10 +31,11 @@ pub(crate) struct Arrow {
 const NOTHING: f64 = 1e-9;
 
 impl Scene {
-    /// Shows the forces of the motion that is drawn: for each constraint and each load an arrow for the force
-    /// and one for the torque that it puts on the first of its bodies, at its point there; the other body has
-    /// the opposite. What is not unique, because equations are redundant, is not shown. Poses have them, and
-    /// pages, where they move and can be switched off; a scale beside them says how long a force is.
+    /// Shows the forces of the motion that is drawn: for each constraint and each load an arrow for
+    /// the force and one for the torque that it puts on the first of its bodies, at its point
+    /// there; the other body has the opposite. What is not unique, because equations are redundant,
+    /// is not shown. Poses have them, and pages, where they move and can be switched off; a scale
+    /// beside them says how long a force is.
     pub fn forces(mut self, forces: &Forces<'_>) -> Scene {
         let drives = forces.drives();
         for name in forces.constraints() {
@@ -50,7 +51,8 @@ impl Scene {
         }
         let [force, torque] = [false, true].map(|is_torque| self.largest(is_torque));
         let lever = torque.max(force * self.reach());
-        let is_some = |arrow: &Arrow| size(arrow) > NOTHING * if arrow.is_torque { lever } else { force };
+        let is_some =
+            |arrow: &Arrow| size(arrow) > NOTHING * if arrow.is_torque { lever } else { force };
         self.arrows.retain(is_some);
         self
     }
@@ -66,7 +68,8 @@ impl Scene {
     fn act(&mut self, name: &str, acting: Acting, reaction: &Reaction<'_>, forces: &Forces<'_>) {
         let units = forces.motion().unit_words();
         for look in &self.looks {
-            let source = Source { name: format!("{name} on {}", look.name), acting, body: look.body, units };
+            let source =
+                Source { name: format!("{name} on {}", look.name), acting, body: look.body, units };
             let elsewhere = self.is_held_elsewhere(name, look.body);
             let found = match look.body.0 {
                 Kind::Planar(body) => reaction.on(body).map(|acted| {
@@ -85,8 +88,8 @@ impl Scene {
         }
     }
 
-    /// True if a joint has points, but none in this body: of a guide on the ground the force is shown where
-    /// the body is.
+    /// True if a joint has points, but none in this body: of a guide on the ground the force is
+    /// shown where the body is.
     fn is_held_elsewhere(&self, name: &str, body: Body) -> bool {
         let Some(joint) = self.joints.iter().find(|joint| joint.name == name) else { return false };
         !joint.points.is_empty() && !joint.points.iter().any(|(k, _)| joint.bodies[*k] == body)
@@ -94,7 +97,11 @@ impl Scene {
 
     /// The largest force or torque of all at all times.
     fn largest(&self, is_torque: bool) -> f64 {
-        self.arrows.iter().filter(|arrow| arrow.is_torque == is_torque).map(size).fold(0.0, f64::max)
+        self.arrows
+            .iter()
+            .filter(|arrow| arrow.is_torque == is_torque)
+            .map(size)
+            .fold(0.0, f64::max)
     }
 }
 

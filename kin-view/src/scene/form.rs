@@ -1,5 +1,5 @@
-//! Shapes that joints of the library know of their bodies beyond points: wheels, belts, racks, cams and what
-//! runs on them.
+//! Shapes that joints of the library know of their bodies beyond points: wheels, belts, racks, cams
+//! and what runs on them.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -15,10 +15,11 @@ use super::outline::polar;
 pub(crate) enum Form {
     /// Wheels of bodies 0 and 1 that mesh; their axles sit on body 2. The second one may be a ring.
     Gears { radii: [f64; 2], phase: f64, ring: bool },
-    /// A belt over pulleys of bodies 0 and 1 with axles on body 2; it is crossed if one radius is below zero.
+    /// A belt over pulleys of bodies 0 and 1 with axles on body 2; it is crossed if one radius is
+    /// below zero.
     Belt { radii: [f64; 2] },
-    /// A wheel of body 0 on a line of body 1, through a point along a direction of length 1, with the wheel
-    /// to its left (a negative radius: to its right).
+    /// A wheel of body 0 on a line of body 1, through a point along a direction of length 1, with
+    /// the wheel to its left (a negative radius: to its right).
     Rolling { centre: Vec2, radius: f64, from: Vec2, along: Vec2, phase: f64, teeth: bool },
     /// A cam, body 0, by its edge, with what the follower, body 1, touches it with.
     Cam { edge: Vec<Vec2>, touch: Touch },
@@ -33,8 +34,8 @@ pub(crate) enum Touch {
         centre: Vec2,
         radius: f64,
     },
-    /// A flat face through a point, with the direction away from the cam; the point of contact lies this far
-    /// to the left of the cam's centre.
+    /// A flat face through a point, with the direction away from the cam; the point of contact lies
+    /// this far to the left of the cam's centre.
     Face {
         at: Vec2,
         normal: Vec2,
@@ -46,10 +47,11 @@ pub(crate) enum Touch {
 const EDGE: usize = 720;
 
 impl Form {
-    /// The shape of a planar joint of the library; `None` of all others, and where a parameter makes no
-    /// sense.
+    /// The shape of a planar joint of the library; `None` of all others, and where a parameter
+    /// makes no sense.
     pub fn of(constraint: &dyn Constraint) -> Option<Form> {
-        let planar = |argument: &kin::coordinates::Argument| matches!(argument.target, Target::Planar(_));
+        let planar =
+            |argument: &kin::coordinates::Argument| matches!(argument.target, Target::Planar(_));
         if !constraint.arguments().first().is_some_and(planar) {
             return None;
         }
@@ -57,14 +59,20 @@ impl Form {
         let radii = || Some([numbers.number("r_i")?, numbers.number("r_j")?]);
         Some(match constraint.facts().kind {
             "gear" => Form::Gears { radii: radii()?, phase: numbers.number("phase")?, ring: false },
-            "internal_gear" => Form::Gears { radii: radii()?, phase: numbers.number("phase")?, ring: true },
+            "internal_gear" => {
+                Form::Gears { radii: radii()?, phase: numbers.number("phase")?, ring: true }
+            }
             "belt" => Form::Belt { radii: radii()? },
             "rack_and_pinion" => numbers.rolling(true)?,
             "rolling" => numbers.rolling(false)?,
-            "cam_knife_edge" => Form::Cam { edge: edge(&law(constraint, "profile")?)?, touch: Touch::Edge },
+            "cam_knife_edge" => {
+                Form::Cam { edge: edge(&law(constraint, "profile")?)?, touch: Touch::Edge }
+            }
             "cam_roller" => {
-                let touch =
-                    Touch::Roller { centre: numbers.point("centre")?, radius: numbers.number("radius")? };
+                let touch = Touch::Roller {
+                    centre: numbers.point("centre")?,
+                    radius: numbers.number("radius")?,
+                };
                 Form::Cam { edge: edge(&law(constraint, "profile")?)?, touch }
             }
             "cam_flat_face" => numbers.flat_face(&law(constraint, "support")?)?,
@@ -99,7 +107,9 @@ impl Numbers {
     }
 
     fn rolling(&self, teeth: bool) -> Option<Form> {
-        let (centre, from, along) = (self.point("u_i")?, self.point("u_j")?, self.direction("h_j")?);
+        let centre = self.point("u_i")?;
+        let from = self.point("u_j")?;
+        let along = self.direction("h_j")?;
         Some(Form::Rolling {
             centre,
             radius: self.number("radius")?,
@@ -118,7 +128,8 @@ impl Numbers {
             (polar(h, angle) + polar(1.0, angle).perp() * slope, slope)
         };
         let (edge, slopes): (Vec<Vec2>, Vec<f64>) = (0..EDGE).map(at).unzip();
-        let contact = slopes.iter().fold([f64::MAX, f64::MIN], |[low, high], x| [low.min(*x), high.max(*x)]);
+        let contact =
+            slopes.iter().fold([f64::MAX, f64::MIN], |[low, high], x| [low.min(*x), high.max(*x)]);
         let touch = Touch::Face { at: self.point("u")?, normal: self.direction("n")?, contact };
         finite(edge).map(|edge| Form::Cam { edge, touch })
     }

@@ -15,15 +15,17 @@ pub(crate) use form::{Form, Touch};
 pub use outline::Outline;
 pub(crate) use outline::{OutlineKind, circle};
 
-/// How a mechanism is drawn. Bodies, pins, slots and rods come from the mechanism itself: each constraint
-/// knows the points of its bodies that it speaks of. Shapes that are given here come on top, or instead.
+/// How a mechanism is drawn. Bodies, pins, slots and rods come from the mechanism itself: each
+/// constraint knows the points of its bodies that it speaks of. Shapes that are given here come on
+/// top, or instead.
 ///
-/// A body is drawn through the points where constraints hold it, a link from end to end: one point is a disc,
-/// two are a bar, more are a plate. Where points of two bodies stay together there is a pin; where a point
-/// runs along a path in another body, that path is drawn as a slot (or, if it is closed, as a disc of that
-/// shape); two points without a direction between them are held by a rod. Gears, belts, wheels on racks and
-/// tracks, cams and their rollers and faces have the shapes that their joints know. What turns about its own
-/// length has a disc with a spoke. Bodies that stand still look like the ground.
+/// A body is drawn through the points where constraints hold it, a link from end to end: one point
+/// is a disc, two are a bar, more are a plate. Where points of two bodies stay together there is a
+/// pin; where a point runs along a path in another body, that path is drawn as a slot (or, if it is
+/// closed, as a disc of that shape); two points without a direction between them are held by a rod.
+/// Gears, belts, wheels on racks and tracks, cams and their rollers and faces have the shapes that
+/// their joints know. What turns about its own length has a disc with a spoke. Bodies that stand
+/// still look like the ground.
 ///
 /// A told body of another mechanism, and a colour that is none, change nothing.
 #[derive(Clone)]
@@ -94,15 +96,27 @@ impl Scene {
             Some(Look { length: system.link_length(&target), ..Look::new(body, name) })
         });
         let looks = looks.collect();
-        let joints =
-            system.constraints().filter_map(|(name, constraint)| Joint::new(name, constraint)).collect();
-        let (name, eye) = (system.name().to_string(), None);
+        let joints = system
+            .constraints()
+            .filter_map(|(name, constraint)| Joint::new(name, constraint))
+            .collect();
+        let name = system.name().to_string();
+        let eye = None;
         let ground = Look::new(kin::Ground.into(), "ground");
-        Scene { name, looks, ground, joints, arrows: Vec::new(), traces: Vec::new(), lines: Vec::new(), eye }
+        Scene {
+            name,
+            looks,
+            ground,
+            joints,
+            arrows: Vec::new(),
+            traces: Vec::new(),
+            lines: Vec::new(),
+            eye,
+        }
     }
 
-    /// Draws a body (or the ground) by this outline; several add up. It takes the place of the default: of
-    /// bars and plates, wheels and cams.
+    /// Draws a body (or the ground) by this outline; several add up. It takes the place of the
+    /// default: of bars and plates, wheels and cams.
     pub fn outline(mut self, body: impl Into<Body>, outline: Outline) -> Scene {
         self.look(body.into()).into_iter().for_each(|look| look.outlines.push(outline.clone()));
         self
@@ -116,9 +130,9 @@ impl Scene {
 
     /// Draws a body in this colour, such as `#0072b2`.
     pub fn color(mut self, body: impl Into<Body>, color: &str) -> Scene {
-        let is_color = color
-            .strip_prefix('#')
-            .is_some_and(|hex| matches!(hex.len(), 3 | 6) && hex.chars().all(|c| c.is_ascii_hexdigit()));
+        let is_color = color.strip_prefix('#').is_some_and(|hex| {
+            matches!(hex.len(), 3 | 6) && hex.chars().all(|c| c.is_ascii_hexdigit())
+        });
         if let Some(look) = self.look(body.into()).filter(|_| is_color) {
             look.color = Some(color.to_string());
         }
@@ -133,15 +147,23 @@ impl Scene {
         self
     }
 
-    /// Does not draw the points, slots, rods, wheels and cams of one constraint. Its bodies stay as they are.
+    /// Does not draw the points, slots, rods, wheels and cams of one constraint. Its bodies stay as
+    /// they are.
     pub fn hide_joint(mut self, name: &str) -> Scene {
-        self.joints.iter_mut().filter(|joint| joint.name == name).for_each(|joint| joint.hidden = true);
+        self.joints
+            .iter_mut()
+            .filter(|joint| joint.name == name)
+            .for_each(|joint| joint.hidden = true);
         self
     }
 
     /// Shows the path of a local point of a body, under a name.
     pub fn trace(mut self, name: &str, body: impl Into<Body>, local: impl Into<Point>) -> Scene {
-        self.traces.push(Trace { name: name.to_string(), body: body.into(), local: local.into().0 });
+        self.traces.push(Trace {
+            name: name.to_string(),
+            body: body.into(),
+            local: local.into().0,
+        });
         self
     }
 
@@ -153,17 +175,18 @@ impl Scene {
         self.trace(&marker.name, marker.body, marker.u)
     }
 
-    /// Draws a line through points that move, for mechanisms of bare coordinates: for each point its position
-    /// at each time of the motion, or a single one if it stays.
+    /// Draws a line through points that move, for mechanisms of bare coordinates: for each point
+    /// its position at each time of the motion, or a single one if it stays.
     pub fn line<P: Into<Point> + Copy>(mut self, name: &str, points: &[&[P]]) -> Scene {
-        let points = points.iter().map(|point| point.iter().map(|p| (*p).into().0).collect()).collect();
+        let points =
+            points.iter().map(|point| point.iter().map(|p| (*p).into().0).collect()).collect();
         self.lines.push(MovingLine { name: name.to_string(), points });
         self
     }
 
-    /// Where the eye stands that looks at a spatial mechanism: angle about z from the x-axis, and above the
-    /// horizon. Without it the eye looks straight at a mechanism that moves in one plane, and at others from
-    /// aside and above.   \[rad\]
+    /// Where the eye stands that looks at a spatial mechanism: angle about z from the x-axis, and
+    /// above the horizon. Without it the eye looks straight at a mechanism that moves in one plane,
+    /// and at others from aside and above.   \[rad\]
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Scene {
         self.eye = Some((azimuth, elevation));
         self
@@ -180,7 +203,9 @@ impl Scene {
 
 impl Look {
     fn new(body: Body, name: &str) -> Look {
-        let (color, outlines, added) = (None, Vec::new(), Vec::new());
+        let color = None;
+        let outlines = Vec::new();
+        let added = Vec::new();
         Look { body, name: name.to_string(), color, hidden: false, length: None, outlines, added }
     }
 }
@@ -189,7 +214,9 @@ impl Joint {
     /// `None` if it speaks of no point and knows no shape.
     fn new(name: &str, constraint: &dyn kin::Constraint) -> Option<Joint> {
         let arguments = constraint.arguments();
-        let (bodies, points, directed) = (Vec::new(), Vec::new(), Vec::new());
+        let bodies = Vec::new();
+        let points = Vec::new();
+        let directed = Vec::new();
         let mut joint = Joint {
             name: name.to_string(),
             bodies,
@@ -206,7 +233,9 @@ impl Joint {
         }
         for attachment in constraint.attachments() {
             match (attachment.what, place.get(attachment.argument).copied().flatten()) {
-                (Attached::Point(u), Some(body)) if u.x.is_finite() && u.y.is_finite() && u.z.is_finite() => {
+                (Attached::Point(u), Some(body))
+                    if u.x.is_finite() && u.y.is_finite() && u.z.is_finite() =>
+                {
                     joint.points.push((body, u))
                 }
                 (Attached::Direction(_), Some(body)) => joint.directed.push(body),

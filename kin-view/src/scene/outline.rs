@@ -25,7 +25,10 @@ pub(crate) enum OutlineKind {
 impl Outline {
     /// A filled shape with these corners.
     pub fn polygon<P: Into<Point>>(corners: impl IntoIterator<Item = P>) -> Outline {
-        Outline { points: corners.into_iter().map(|p| p.into().0).collect(), kind: OutlineKind::Filled }
+        Outline {
+            points: corners.into_iter().map(|p| p.into().0).collect(),
+            kind: OutlineKind::Filled,
+        }
     }
 
     /// An open line through these points.
@@ -56,13 +59,13 @@ impl Outline {
         self
     }
 
-    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth, one tooth on
-    /// the x-axis.
+    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth,
+    /// one tooth on the x-axis.
     pub fn gear(radius: f64, teeth: usize) -> Outline {
         let module = 2.0 * radius / teeth.max(3) as f64;
         let flank = |tooth: usize| {
-            // Half a tooth is a quarter of the pitch wide on the pitch circle, less at the top, more at the
-            // root.
+            // Half a tooth is a quarter of the pitch wide on the pitch circle, less at the top,
+            // more at the root.
             [(-0.36, -1.1), (-0.14, 0.9), (0.14, 0.9), (0.36, -1.1)].map(|(turn, height)| {
                 polar(radius + height * module, TAU * (tooth as f64 + turn) / teeth.max(3) as f64)
             })

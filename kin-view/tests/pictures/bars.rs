@@ -10,7 +10,8 @@ fn tolerance() -> kin::Result<kin::Tolerance> {
     let [a, b, c, d] = [("a", 1.0, 0.5), ("b < b", 2.0, 0.2), ("c", 4.0, 0.05), ("d", 1.0, 0.1)]
         .map(|(name, value, off)| m.dimension(name, value).map(|one| one.tolerance(off)));
     let d = d?.distributed(kin::Distribution::Uniform);
-    let (x, c) = (m.length("x", 0.0)?, c?);
+    let x = m.length("x", 0.0)?;
+    let c = c?;
     m.add("motor", drive(x, Law::constant(a? - 3.0 * b? + c * c / 2.0 + d)))?;
     let system = m.build()?;
     system.tolerance(&system.run([0.0])?, x)
@@ -18,7 +19,8 @@ fn tolerance() -> kin::Result<kin::Tolerance> {
 
 /// The number of an attribute in a line of a picture.
 fn number(line: &str, attribute: &str) -> f64 {
-    let start = line.find(&format!(" {attribute}=\"")).expect("the attribute") + attribute.len() + 3;
+    let start =
+        line.find(&format!(" {attribute}=\"")).expect("the attribute") + attribute.len() + 3;
     line[start..].split('"').next().expect("its end").parse().expect("a number")
 }
 
@@ -28,13 +30,18 @@ fn bars_are_those_of_the_table_the_largest_first() -> kin::Result<()> {
     let svg = Bars::new(&tolerance, "s").svg();
     super::parsed(&svg);
     // Names in the order of the table, and numbers beside them.
-    let named = |name: &str| svg.find(&format!(">{name}</text>")).unwrap_or_else(|| panic!("{name}\n{svg}"));
+    let named = |name: &str| {
+        svg.find(&format!(">{name}</text>")).unwrap_or_else(|| panic!("{name}\n{svg}"))
+    };
     let places = ["b &lt; b", "a", "c", "d"].map(named);
     assert!(places.is_sorted(), "{svg}");
-    for told in ["43 %   −0.6 m", "36 %   +0.5 m", "14 %   +0.2 m", "7 %   +0.1 m", "± 1.4 m worst case"] {
+    for told in
+        ["43 %   −0.6 m", "36 %   +0.5 m", "14 %   +0.2 m", "7 %   +0.1 m", "± 1.4 m worst case"]
+    {
         assert!(svg.contains(told), "{told}\n{svg}");
     }
-    // Two bars a row, as long as the shares of the worst case and of the variance, in the color of the sign.
+    // Two bars a row, as long as the shares of the worst case and of the variance, in the color of
+    // the sign.
     let bars: Vec<&str> = svg.lines().filter(|line| line.contains("fill-opacity")).collect();
     assert_eq!(bars.len(), 8);
     let variance = [0.04, 0.25 / 9.0, 0.04 / 9.0, 0.01 / 3.0];

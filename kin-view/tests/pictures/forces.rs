@@ -26,23 +26,32 @@ fn points(svg: &str, title: &str) -> Vec<[f64; 2]> {
     });
     let d = path.unwrap_or_else(|| panic!("no `{title}`")).attribute("d").unwrap();
     let place = |text: &str| -> [f64; 2] {
-        let numbers: Vec<f64> = text.split_whitespace().map(|number| number.parse().unwrap()).collect();
+        let numbers: Vec<f64> =
+            text.split_whitespace().map(|number| number.parse().unwrap()).collect();
         [numbers[0], numbers[1]]
     };
-    d.split(['M', 'L', 'Z']).filter(|part| !part.is_empty() && !part.contains('A')).map(place).collect()
+    d.split(['M', 'L', 'Z'])
+        .filter(|part| !part.is_empty() && !part.contains('A'))
+        .map(place)
+        .collect()
 }
 
 /// Newtons for one pixel, by the scale in the picture.
 fn newtons_a_pixel(svg: &str) -> f64 {
     let document = parsed(svg);
-    let texts =
-        document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
-    let newtons =
-        texts.filter_map(|node| node.text()?.strip_suffix(" N")?.parse::<f64>().ok()).next().unwrap();
-    let bar = document.descendants().find(|node| node.attribute("stroke") == Some("#444444")).unwrap();
+    let texts = document
+        .descendants()
+        .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
+    let newtons = texts
+        .filter_map(|node| node.text()?.strip_suffix(" N")?.parse::<f64>().ok())
+        .next()
+        .unwrap();
+    let bar =
+        document.descendants().find(|node| node.attribute("stroke") == Some("#444444")).unwrap();
     let d = bar.attribute("d").unwrap();
     let x = |part: &str| part.split(' ').next().unwrap().parse::<f64>().unwrap();
-    let (from, tip) = (x(d.split(['M', 'L']).nth(1).unwrap()), x(d.split('M').nth(2).unwrap()));
+    let from = x(d.split(['M', 'L']).nth(1).unwrap());
+    let tip = x(d.split('M').nth(2).unwrap());
     newtons / (tip - from)
 }
 
@@ -57,7 +66,8 @@ fn arrows_are_as_long_as_the_scale_says() -> Result<()> {
         let scale = newtons_a_pixel(picture.svg());
         for (name, up) in [("weight on arm", -1.0), ("O on arm", 1.0)] {
             let all = points(picture.svg(), name);
-            let (foot, tip) = (all[0], all[2]);
+            let foot = all[0];
+            let tip = all[2];
             // Pictures are upside down.
             let newtons = (foot[1] - tip[1]) * scale;
             assert!((newtons / (up * weight) - 1.0).abs() < 2e-3, "{name}: {newtons} of {weight}");
@@ -91,7 +101,8 @@ fn a_torque_in_the_plane_is_an_arc() -> Result<()> {
     Ok(())
 }
 
-/// A page has an arrow for each force, with numbers that a reader of the page can trust, and charts.
+/// A page has an arrow for each force, with numbers that a reader of the page can trust, and
+/// charts.
 #[test]
 fn a_page_has_forces_by_name_with_their_unit() -> Result<()> {
     let (system, _) = arm(20.0)?;
@@ -100,8 +111,12 @@ fn a_page_has_forces_by_name_with_their_unit() -> Result<()> {
     let html = Scene::new(&system).forces(&forces).page(&motion)?.forces(&forces).html();
     let page = data(&html);
     assert_eq!(names(&page, "pushes"), ["O on arm", "motor on arm", "weight on arm"]);
-    let acting: Vec<&str> =
-        page["pushes"].as_array().unwrap().iter().map(|push| push["acting"].as_str().unwrap()).collect();
+    let acting: Vec<&str> = page["pushes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|push| push["acting"].as_str().unwrap())
+        .collect();
     assert_eq!(acting, ["joint", "drive", "load"]);
     assert_eq!(
         (page["scales"][0]["unit"].as_str(), page["scales"][1]["unit"].as_str()),
@@ -109,8 +124,12 @@ fn a_page_has_forces_by_name_with_their_unit() -> Result<()> {
     );
     // The pin holds 20 N at all times: one number, the same each time.
     assert!((page["pushes"][0]["columns"][1]["o"].as_f64().unwrap() - 20.0).abs() < 1e-6);
-    let titles: Vec<&str> =
-        page["charts"].as_array().unwrap().iter().map(|chart| chart["title"].as_str().unwrap()).collect();
+    let titles: Vec<&str> = page["charts"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|chart| chart["title"].as_str().unwrap())
+        .collect();
     assert_eq!(titles, ["efforts of drives", "forces in joints"]);
     assert!(html.contains("id=\"forces\""));
     let without = data(&Scene::new(&system).page(&motion)?.html());
@@ -126,9 +145,11 @@ fn a_page_has_forces_by_name_with_their_unit() -> Result<()> {
 fn forces_that_are_not_unique_have_no_arrows() -> Result<()> {
     let mut m = Mechanism::new("door");
     let door = m.spatial("door", SpatialPose::at(vec3(0.5, 0.0, 1.0)))?;
-    let (ground, z) = (m.ground(), vec3(0.0, 0.0, 1.0));
+    let ground = m.ground();
+    let z = vec3(0.0, 0.0, 1.0);
     for (name, height) in [("hinge 1", 0.3), ("hinge 2", 1.7)] {
-        let (u, p) = (vec3(-0.5, 0.0, height - 1.0), vec3(0.0, 0.0, height));
+        let u = vec3(-0.5, 0.0, height - 1.0);
+        let p = vec3(0.0, 0.0, height);
         m.add(name, spatial::revolute(door, ground, u, p, z, z))?;
     }
     m.add("hand", spatial::drive_turn(door, ground, z, z, Law::polynomial(&[0.0, 0.0, 0.5])))?;
@@ -170,7 +191,8 @@ fn a_peak_does_not_hide_everything_else() -> Result<()> {
         Ok((data(&scene.page(&motion)?.html()), cut))
     });
     let [usual, jolted]: [Result<_>; 2] = pages;
-    let ((usual, plain), (jolted, cut)) = (usual?, jolted?);
+    let (usual, plain) = usual?;
+    let (jolted, cut) = jolted?;
     assert!(!plain && cut, "the peak is dashed");
     let turn = |page: &serde_json::Value| page["scales"][1]["turn"].as_f64().unwrap();
     assert!(turn(&jolted) > 0.1 * turn(&usual), "{} {}", turn(&jolted), turn(&usual));

@@ -44,20 +44,32 @@ fn tripod() -> Result<System> {
     let plate = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, 1.0)))?;
     let drive = kin::joints::drivers::spatial::drive_distance;
     for k in 0..6 {
-        let (a, b) =
-            (deg(60.0 * f64::from(k)), deg(60.0 * f64::from(k) + if k % 2 == 0 { 40.0 } else { -40.0 }));
-        let (foot, head) = (vec3(a.cos(), a.sin(), 0.0), vec3(0.5 * b.cos(), 0.5 * b.sin(), 0.0));
+        let a = deg(60.0 * f64::from(k));
+        let b = deg(60.0 * f64::from(k) + if k % 2 == 0 { 40.0 } else { -40.0 });
+        let foot = vec3(a.cos(), a.sin(), 0.0);
+        let head = vec3(0.5 * b.cos(), 0.5 * b.sin(), 0.0);
         let length = (head + vec3(0.0, 0.0, 1.0) - foot).norm();
         m.add(
             &format!("leg {k}"),
-            drive(plate, ground, head, foot, Law::constant(length) + Law::sine(0.05, 2.0, f64::from(k))),
+            drive(
+                plate,
+                ground,
+                head,
+                foot,
+                Law::constant(length) + Law::sine(0.05, 2.0, f64::from(k)),
+            ),
         )?;
     }
     let ball = m.spatial("ball", SpatialPose::at(vec3(0.0, 0.0, 0.5)))?;
     m.add("hook", spherical(plate, ball, vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.5)))?;
     m.add(
         "upright",
-        kin::joints::drivers::spatial::drive_rotation(ball, ground, vec3(0.0, 0.0, 1.0), Law::ramp(1.0)),
+        kin::joints::drivers::spatial::drive_rotation(
+            ball,
+            ground,
+            vec3(0.0, 0.0, 1.0),
+            Law::ramp(1.0),
+        ),
     )?;
     m.build()
 }
@@ -98,9 +110,10 @@ fn names<'a>(data: &'a Value, list: &str) -> Vec<&'a str> {
 fn every_kind_of_picture_is_xml_with_numbers_only() -> Result<()> {
     let (planar, coupler) = four_bar("four-bar", 1.0)?;
     let spatial = tripod()?;
-    for (system, scene) in
-        [(&planar, Scene::new(&planar).trace("P", coupler, vec2(0.2, 1.4))), (&spatial, Scene::new(&spatial))]
-    {
+    for (system, scene) in [
+        (&planar, Scene::new(&planar).trace("P", coupler, vec2(0.2, 1.4))),
+        (&spatial, Scene::new(&spatial)),
+    ] {
         for count in [1, 2, 50] {
             let motion = system.run(linspace(0.0, 1.0, count))?;
             for picture in [
@@ -144,13 +157,19 @@ fn pins_supports_rods_and_slots_come_from_the_constraints() -> Result<()> {
     let system = m.build()?;
     let page = data(&Scene::new(&system).page(&system.run(linspace(0.0, 6.3, 200))?)?.html());
     assert_eq!(names(&page, "lines"), ["rod"]);
-    let guide = page["shapes"].as_array().unwrap().iter().find(|shape| shape["name"] == "slot").unwrap();
+    let guide =
+        page["shapes"].as_array().unwrap().iter().find(|shape| shape["name"] == "slot").unwrap();
     assert_eq!(guide["style"], "guide");
     for point in guide["points"].as_array().unwrap() {
-        let (x, y) = (point[0].as_f64().unwrap(), point[1].as_f64().unwrap());
-        assert!((y - 2.0 * x * x).abs() < 1e-6, "({x}, {y}) is not on the parabola that nobody told");
+        let x = point[0].as_f64().unwrap();
+        let y = point[1].as_f64().unwrap();
+        assert!(
+            (y - 2.0 * x * x).abs() < 1e-6,
+            "({x}, {y}) is not on the parabola that nobody told"
+        );
     }
-    let blocks = page["shapes"].as_array().unwrap().iter().filter(|shape| shape["name"] == "block").count();
+    let blocks =
+        page["shapes"].as_array().unwrap().iter().filter(|shape| shape["name"] == "block").count();
     assert_eq!(blocks, 2, "a disc, and the block that slides");
     Ok(())
 }
@@ -163,12 +182,18 @@ fn what_is_told_takes_the_place_of_the_default() -> Result<()> {
         .outline(coupler, Outline::polygon([vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0)]));
     let page = data(&scene.clone().color(coupler, "#123456").page(&motion)?.html());
     let shape = &page["shapes"][1];
-    assert_eq!((shape["color"].as_str(), shape["points"].as_array().unwrap().len()), (Some("#123456"), 3));
+    assert_eq!(
+        (shape["color"].as_str(), shape["points"].as_array().unwrap().len()),
+        (Some("#123456"), 3)
+    );
     assert_eq!(
         names(&data(&scene.clone().hide(coupler).page(&motion)?.html()), "shapes"),
         ["crank", "rocker"]
     );
-    assert_eq!(names(&data(&scene.clone().hide_joint("A").page(&motion)?.html()), "marks"), ["O", "B", "C"]);
+    assert_eq!(
+        names(&data(&scene.clone().hide_joint("A").page(&motion)?.html()), "marks"),
+        ["O", "B", "C"]
+    );
     // A colour that is none changes nothing.
     let spoiled = scene.color(coupler, "red\" onload=\"alert(1)").pose(&motion, 0.0)?;
     assert!(!spoiled.svg().contains("onload"));
@@ -187,7 +212,9 @@ fn names_cannot_become_markup() -> Result<()> {
     for picture in [scene.pose(&motion, 0.0)?, scene.animated(&motion, 2.0)?] {
         let svg = picture.svg().to_string();
         assert!(
-            parsed(&svg).descendants().all(|node| !node.has_tag_name(("http://www.w3.org/2000/svg", "img")))
+            parsed(&svg)
+                .descendants()
+                .all(|node| !node.has_tag_name(("http://www.w3.org/2000/svg", "img")))
         );
     }
     let html = scene.page(&motion)?.title(EVIL).chart(EVIL, [(EVIL, &motion.outputs()[0])]).html();
@@ -206,18 +233,27 @@ fn names_cannot_become_markup() -> Result<()> {
 fn the_policy_allows_the_script_of_the_page_and_nothing_else() -> Result<()> {
     let (system, _) = four_bar("four-bar", 1.0)?;
     let html = Scene::new(&system).page(&system.run(linspace(0.0, 1.0, 5))?)?.html();
-    let between =
-        |from: &str, to: &str| html.split_once(from).unwrap().1.split_once(to).unwrap().0.to_string();
+    let between = |from: &str, to: &str| {
+        html.split_once(from).unwrap().1.split_once(to).unwrap().0.to_string()
+    };
     let policy = between("http-equiv=\"Content-Security-Policy\" content=\"", "\"");
     let hash = |text: String| format!("'sha256-{}'", STANDARD.encode(Sha256::digest(text)));
     assert!(policy.starts_with("default-src 'none';"));
     assert!(
-        policy.contains(&format!("script-src {};", hash(between("</script>\n<script>", "</script>")))),
+        policy.contains(&format!(
+            "script-src {};",
+            hash(between("</script>\n<script>", "</script>"))
+        )),
         "{policy}"
     );
-    assert!(policy.contains(&format!("style-src {};", hash(between("<style>", "</style>")))), "{policy}");
     assert!(
-        !html.contains("http://www.w3.org/1999") && !html.contains("https://") && !html.contains("src=\""),
+        policy.contains(&format!("style-src {};", hash(between("<style>", "</style>")))),
+        "{policy}"
+    );
+    assert!(
+        !html.contains("http://www.w3.org/1999")
+            && !html.contains("https://")
+            && !html.contains("src=\""),
         "something is loaded"
     );
     Ok(())
@@ -233,9 +269,14 @@ fn ten_thousand_frames_are_a_small_file() -> Result<()> {
         .page(&motion)?
         .coordinate("Rocker", &rocker)
         .html();
-    assert!(html.len() < 300_000, "{} bytes for 10⁴ frames, 9 coordinates and 3 charts", html.len());
+    assert!(
+        html.len() < 300_000,
+        "{} bytes for 10⁴ frames, 9 coordinates and 3 charts",
+        html.len()
+    );
     let turn = system.run(linspace(0.0, 1.0, 10_000))?;
-    let svg = Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4)).animated(&turn, 4.0)?.svg().len();
+    let svg =
+        Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4)).animated(&turn, 4.0)?.svg().len();
     assert!(svg < 10_000, "{svg} bytes of animated SVG");
     Ok(())
 }
@@ -244,7 +285,8 @@ fn ten_thousand_frames_are_a_small_file() -> Result<()> {
 fn a_page_of_a_run_that_ended_early_spans_the_times_reached_and_says_why() -> Result<()> {
     let mut m = Mechanism::new("toggle");
     let ground = m.ground();
-    let (a, b) = (m.link("a", 1.0)?, m.link("b", 1.0)?);
+    let a = m.link("a", 1.0)?;
+    let b = m.link("b", 1.0)?;
     m.add("O", revolute(ground, a, vec2(0.0, 0.0), a.start()))?;
     m.add("A", revolute(a, b, a.end(), b.start()))?;
     let slider = m.planar("slider", pose(1.0, 0.0, 0.0))?;
@@ -281,10 +323,12 @@ fn a_page_of_a_run_that_ended_early_spans_the_times_reached_and_says_why() -> Re
 fn gaps_break_the_line_of_a_chart() -> Result<()> {
     let (system, _) = four_bar("four-bar", 1.0)?;
     let motion = system.run(linspace(0.0, 1.0, 21))?;
-    let points: Vec<Vec2> =
-        (0..40).map(|k| vec2(f64::from(k), if k == 20 { f64::NAN } else { f64::from(k * k) })).collect();
+    let points: Vec<Vec2> = (0..40)
+        .map(|k| vec2(f64::from(k), if k == 20 { f64::NAN } else { f64::from(k * k) }))
+        .collect();
     let svg = Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points)]).svg();
-    let whole = Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points[..20])]).svg();
+    let whole =
+        Figure::new([Panel::numbers("gap", "x", "y").path("parabola", &points[..20])]).svg();
     let curves = |svg: &str| {
         parsed(svg).descendants().filter(|node| node.attribute("stroke") == Some("#0072B2")).count()
     };
@@ -308,7 +352,9 @@ fn a_picture_is_the_same_in_millimetres_and_kilometres() -> Result<()> {
         let points = attributes(&document, "polygon", "points").join(" ");
         Ok(points.split([' ', ',']).filter_map(|x| x.parse().ok()).collect())
     };
-    let (metres, small, large) = (picture(1.0)?, picture(1e-3)?, picture(1e3)?);
+    let metres = picture(1.0)?;
+    let small = picture(1e-3)?;
+    let large = picture(1e3)?;
     assert!(metres.len() > 50 && metres.len() == small.len() && metres.len() == large.len());
     for ((a, b), c) in metres.iter().zip(&small).zip(&large) {
         assert!((a - b).abs() < 0.02 && (a - c).abs() < 0.02, "{a} {b} {c}");
@@ -358,10 +404,15 @@ fn a_picture_called_png_is_one() -> Result<()> {
     let folder = std::env::temp_dir().join(format!("kin-png-{}", std::process::id()));
     let scene = Scene::new(&system).trace("P", coupler, vec2(0.2, 1.4));
     scene.pose(&motion, 0.2)?.save(folder.join("pose.png"))?;
-    Figure::of_coordinate("rocker", &motion.named("rocker.theta")?).save(folder.join("rocker.PNG"))?;
+    Figure::of_coordinate("rocker", &motion.named("rocker.theta")?)
+        .save(folder.join("rocker.PNG"))?;
     for name in ["pose.png", "rocker.PNG"] {
         let bytes = std::fs::read(folder.join(name)).unwrap();
-        assert!(bytes.starts_with(b"\x89PNG\r\n") && bytes.len() > 5_000, "{name}: {} bytes", bytes.len());
+        assert!(
+            bytes.starts_with(b"\x89PNG\r\n") && bytes.len() > 5_000,
+            "{name}: {} bytes",
+            bytes.len()
+        );
     }
     std::fs::remove_dir_all(&folder).unwrap();
     Ok(())
@@ -371,7 +422,14 @@ fn a_picture_called_png_is_one() -> Result<()> {
 #[test]
 fn without_the_feature_a_png_is_refused_with_its_cure() -> Result<()> {
     let (system, _) = four_bar("four-bar", 1.0)?;
-    let error = Scene::new(&system).pose(&system.run([0.0])?, 0.0)?.save("pose.png").unwrap_err().to_string();
-    assert!(error.contains("pose.png") && error.contains("the feature `png` of kin-view"), "{error}");
+    let error = Scene::new(&system)
+        .pose(&system.run([0.0])?, 0.0)?
+        .save("pose.png")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("pose.png") && error.contains("the feature `png` of kin-view"),
+        "{error}"
+    );
     Ok(())
 }

@@ -5,8 +5,10 @@ use super::*;
 /// Two wheels that mesh; the axle of the small one is off its frame.
 fn gears() -> Result<System> {
     let mut m = Mechanism::new("gears");
-    let (ground, o) = (m.ground(), vec2(0.0, 0.0));
-    let (small, large) = (m.planar("pinion", pose(0.6, 0.0, 0.0))?, m.planar("wheel", pose(0.0, 0.0, 0.0))?);
+    let ground = m.ground();
+    let o = vec2(0.0, 0.0);
+    let small = m.planar("pinion", pose(0.6, 0.0, 0.0))?;
+    let large = m.planar("wheel", pose(0.0, 0.0, 0.0))?;
     m.add("axle 1", revolute(ground, small, vec2(0.6, 0.0), vec2(0.05, 0.0)))?;
     m.add("axle 2", revolute(ground, large, o, o))?;
     m.add("mesh", kin::joints::planar::gear(small, large, ground, 0.2, 0.4, 0.0))?;
@@ -17,7 +19,8 @@ fn gears() -> Result<System> {
 /// A shaft that turns about its length.
 fn shaft() -> Result<System> {
     let mut m = Mechanism::new("shaft");
-    let (ground, x) = (m.ground(), vec3(1.0, 0.0, 0.0));
+    let ground = m.ground();
+    let x = vec3(1.0, 0.0, 0.0);
     let shaft = m.spatial_link_between("shaft", vec3(0.0, 0.0, 0.0), vec3(2.0, 0.0, 0.0))?;
     m.add(
         "bearing",
@@ -25,7 +28,13 @@ fn shaft() -> Result<System> {
     )?;
     m.add(
         "motor",
-        kin::joints::drivers::spatial::drive_turn(shaft, ground, x, x, Law::ramp(std::f64::consts::TAU)),
+        kin::joints::drivers::spatial::drive_turn(
+            shaft,
+            ground,
+            x,
+            x,
+            Law::ramp(std::f64::consts::TAU),
+        ),
     )?;
     m.build()
 }
@@ -43,12 +52,14 @@ fn an_animated_picture_stands_in_its_first_pose_where_nothing_moves() -> Result<
     let (planar, coupler) = four_bar("four-bar", 1.0)?;
     let spatial = tripod()?;
     let mut counted = [0; 3];
-    for (system, scene) in
-        [(&planar, Scene::new(&planar).trace("P", coupler, vec2(0.2, 1.4))), (&spatial, Scene::new(&spatial))]
-    {
+    for (system, scene) in [
+        (&planar, Scene::new(&planar).trace("P", coupler, vec2(0.2, 1.4))),
+        (&spatial, Scene::new(&spatial)),
+    ] {
         let picture = scene.animated(&system.run(linspace(0.0, 1.0, 50))?, 3.0)?;
         for node in parsed(picture.svg()).descendants() {
-            if let (Some(moved), Some(turned)) = (first(&node, "translate"), first(&node, "rotate")) {
+            if let (Some(moved), Some(turned)) = (first(&node, "translate"), first(&node, "rotate"))
+            {
                 assert_eq!(
                     node.attribute("transform"),
                     Some(&*format!("translate({moved}) rotate({turned})"))

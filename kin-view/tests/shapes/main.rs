@@ -27,8 +27,10 @@ impl Drawn {
 
     /// The shapes of a body in its own frame, with their styles.
     fn shapes(&self, name: &str) -> Vec<(String, Vec<Vec3>)> {
-        let all = self.data["shapes"].as_array().unwrap().iter().filter(|shape| shape["name"] == name);
-        all.map(|shape| (shape["style"].as_str().unwrap().to_string(), points(&shape["points"]))).collect()
+        let all =
+            self.data["shapes"].as_array().unwrap().iter().filter(|shape| shape["name"] == name);
+        all.map(|shape| (shape["style"].as_str().unwrap().to_string(), points(&shape["points"])))
+            .collect()
     }
 
     /// Centres and radii of the filled circles of a body.
@@ -43,15 +45,21 @@ impl Drawn {
 
 fn points(list: &Value) -> Vec<Vec3> {
     let number = |p: &Value, k: usize| p[k].as_f64().unwrap();
-    list.as_array().unwrap().iter().map(|p| vec3(number(p, 0), number(p, 1), number(p, 2))).collect()
+    list.as_array()
+        .unwrap()
+        .iter()
+        .map(|p| vec3(number(p, 0), number(p, 1), number(p, 2)))
+        .collect()
 }
 
 /// Centre and radius, if many points lie evenly on a circle, which may be closed.
 fn circle(points: &[Vec3]) -> Option<(Vec3, f64)> {
-    let points = if points.len() > 1 && points.first() == points.last() { &points[1..] } else { points };
+    let points =
+        if points.len() > 1 && points.first() == points.last() { &points[1..] } else { points };
     let centre = points.iter().fold(vec3(0.0, 0.0, 0.0), |sum, p| sum + *p) / points.len() as f64;
     let radii: Vec<f64> = points.iter().map(|p| (*p - centre).norm()).collect();
-    let (low, high) = radii.iter().fold((f64::MAX, f64::MIN), |(low, high), r| (low.min(*r), high.max(*r)));
+    let (low, high) =
+        radii.iter().fold((f64::MAX, f64::MIN), |(low, high), r| (low.min(*r), high.max(*r)));
     (points.len() > 20 && high - low < 1e-5 * high).then_some((centre, 0.5 * (low + high)))
 }
 
@@ -70,7 +78,10 @@ fn a_link_with_a_free_end_is_drawn_to_its_end() -> Result<()> {
     let [(_, bar)] = &drawn.shapes("arm")[..] else { panic!("one bar") };
     for side in [1.0, -1.0] {
         let reach = most(bar, vec3(side, 0.0, 0.0));
-        assert!((1.0..1.1).contains(&reach), "the link ends at 1 m from its middle, and is drawn to {reach}");
+        assert!(
+            (1.0..1.1).contains(&reach),
+            "the link ends at 1 m from its middle, and is drawn to {reach}"
+        );
     }
     Ok(())
 }
@@ -79,7 +90,8 @@ fn a_link_with_a_free_end_is_drawn_to_its_end() -> Result<()> {
 fn a_spatial_link_with_a_free_end_is_drawn_to_its_end() -> Result<()> {
     let mut m = Mechanism::new("boom");
     let boom = m.spatial_link_between("boom", vec3(0.0, 0.0, 1.0), vec3(3.0, 0.0, 1.0))?;
-    let (z, ground) = (vec3(0.0, 0.0, 1.0), m.ground());
+    let z = vec3(0.0, 0.0, 1.0);
+    let ground = m.ground();
     m.add("mast", spatial::revolute(boom, ground, boom.start(), vec3(0.0, 0.0, 1.0), z, z))?;
     m.add("motor", joints::drivers::spatial::drive_turn(boom, ground, z, z, Law::ramp(1.0)))?;
     let system = m.build()?;
@@ -95,7 +107,8 @@ fn a_spatial_link_with_a_free_end_is_drawn_to_its_end() -> Result<()> {
 fn four_bar() -> Result<System> {
     let mut m = Mechanism::new("four-bar");
     let ground = m.ground();
-    let [crank, coupler, rocker] = [m.link("crank", 1.0)?, m.link("coupler", 3.5)?, m.link("rocker", 3.0)?];
+    let [crank, coupler, rocker] =
+        [m.link("crank", 1.0)?, m.link("coupler", 3.5)?, m.link("rocker", 3.0)?];
     m.add("O", revolute(ground, crank, vec2(0.0, 0.0), crank.start()))?;
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start()))?;
     m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end()))?;
@@ -124,10 +137,8 @@ fn hiding_a_joint_leaves_its_bodies_as_they_are() -> Result<()> {
     m.add("second motor", drive_angle(rod, Law::ramp(2.0)))?;
     let system = m.build()?;
     let motion = system.run(linspace(0.0, 1.0, 21))?;
-    let (whole, hidden) = (
-        Drawn::new(&Scene::new(&system), &motion)?,
-        Drawn::new(&Scene::new(&system).hide_joint("A"), &motion)?,
-    );
+    let whole = Drawn::new(&Scene::new(&system), &motion)?;
+    let hidden = Drawn::new(&Scene::new(&system).hide_joint("A"), &motion)?;
     assert_eq!(whole.shapes("plate"), hidden.shapes("plate"));
     assert_eq!(hidden.data["marks"].as_array().unwrap().len(), 1, "its pin is gone");
     Ok(())
@@ -141,8 +152,12 @@ fn a_pose_of_one_time_shows_its_bodies() -> Result<()> {
     for name in ["crank", "coupler", "rocker"] {
         assert_eq!(drawn.shapes(name).len(), 1, "{name}");
     }
-    let supports =
-        drawn.data["marks"].as_array().unwrap().iter().filter(|mark| mark["grounded"] == true).count();
+    let supports = drawn.data["marks"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|mark| mark["grounded"] == true)
+        .count();
     assert_eq!(supports, 2, "pins on the ground alone are supports");
     Ok(())
 }
@@ -150,7 +165,8 @@ fn a_pose_of_one_time_shows_its_bodies() -> Result<()> {
 #[test]
 fn a_link_that_is_held_still_is_drawn() -> Result<()> {
     let mut m = Mechanism::new("held");
-    let (arm, hand) = (m.link("arm", 2.0)?, m.link("hand", 1.0)?);
+    let arm = m.link("arm", 2.0)?;
+    let hand = m.link("hand", 1.0)?;
     m.add("O", revolute(m.ground(), arm, vec2(0.0, 0.0), arm.start()))?;
     m.add("A", revolute(arm, hand, arm.end(), hand.start()))?;
     m.add("hold", drive_angle(arm, Law::constant(0.3)))?;
@@ -164,12 +180,15 @@ fn a_link_that_is_held_still_is_drawn() -> Result<()> {
 /// Rise and fall of a cam, over a base circle, from a table.
 fn profile() -> Law {
     let table: Vec<(f64, f64)> = (0..=12)
-        .map(|k| (TAU * f64::from(k) / 12.0, 0.05 + 0.008 * (1.0 - (TAU * f64::from(k) / 12.0).cos())))
+        .map(|k| {
+            (TAU * f64::from(k) / 12.0, 0.05 + 0.008 * (1.0 - (TAU * f64::from(k) / 12.0).cos()))
+        })
         .collect();
     Law::spline(&table, Ends::Periodic)
 }
 
-/// A cam whose follower slides along y, or along a line beside the axle; it is turned from 0 by `turn`.
+/// A cam whose follower slides along y, or along a line beside the axle; it is turned from 0 by
+/// `turn`.
 fn roller_cam(radius: f64, beside: f64, turn: f64) -> Result<(System, Motion, PlanarBody)> {
     let mut m = Mechanism::new("cam with a roller");
     let ground = m.ground();
@@ -177,7 +196,10 @@ fn roller_cam(radius: f64, beside: f64, turn: f64) -> Result<(System, Motion, Pl
     let follower = m.planar("follower", pose(beside, 0.08, 0.0))?;
     let phi = m.angle("phi", PI / 2.0)?;
     m.add("axle", revolute(ground, cam, vec2(0.0, 0.0), vec2(0.0, 0.0)))?;
-    m.add("guide", prismatic(follower, ground, vec2(0.0, 0.1), vec2(beside, 0.2), vec2(1.0, 0.0), 0.0))?;
+    m.add(
+        "guide",
+        prismatic(follower, ground, vec2(0.0, 0.1), vec2(beside, 0.2), vec2(1.0, 0.0), 0.0),
+    )?;
     m.add("contact", cam_roller(cam, follower, phi, vec2(0.0, 0.01), radius, profile()))?;
     m.add("motor", drive_angle(cam, Law::ramp(turn)))?;
     let system = m.build()?;
@@ -204,8 +226,8 @@ fn a_cam_with_a_roller_is_drawn_by_its_edge_and_the_roller_touches_it() -> Resul
             let rho = profile().at(p.y.atan2(p.x));
             assert!((p.norm() - rho).abs() < 1e-5, "({}, {}) is not on the edge", p.x, p.y);
         }
-        // The edge is the inner parallel of the path of the roller's centre: nowhere nearer to it than the
-        // radius, and somewhere as near.
+        // The edge is the inner parallel of the path of the roller's centre: nowhere nearer to it
+        // than the radius, and somewhere as near.
         let centre = motion.point(follower, vec2(0.0, 0.01))?;
         let angle = motion.coordinate(system_cam(&system).theta())?;
         for (r, theta) in centre.r().iter().zip(angle.value.values()).step_by(9) {
@@ -246,7 +268,10 @@ fn a_flat_face_touches_the_edge_of_its_cam_and_is_as_long_as_the_contact_wanders
     let cam = m.planar("cam", pose(0.0, 0.0, 0.0))?;
     let follower = m.planar("follower", pose(0.0, 0.06, 0.0))?;
     m.add("axle", revolute(ground, cam, vec2(0.0, 0.0), vec2(0.0, 0.0)))?;
-    m.add("guide", prismatic(follower, ground, vec2(0.0, 0.1), vec2(0.0, 0.2), vec2(1.0, 0.0), 0.0))?;
+    m.add(
+        "guide",
+        prismatic(follower, ground, vec2(0.0, 0.1), vec2(0.0, 0.2), vec2(1.0, 0.0), 0.0),
+    )?;
     m.add("contact", cam_flat_face(cam, follower, vec2(0.0, 0.0), vec2(0.0, 2.0), profile()))?;
     m.add("motor", drive_angle(cam, Law::ramp(1.0)))?;
     let system = m.build()?;
@@ -264,7 +289,11 @@ fn a_flat_face_touches_the_edge_of_its_cam_and_is_as_long_as_the_contact_wanders
             edge.iter().map(|p| vec3(cos * p.x - sin * p.y, sin * p.x + cos * p.y, 0.0)).collect();
         let top = turned.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y)).unwrap();
         let lift = motion.q(k)[4];
-        assert!((top.y - lift).abs() < 2e-6, "the cam reaches {}, the face stands at {lift}", top.y);
+        assert!(
+            (top.y - lift).abs() < 2e-6,
+            "the cam reaches {}, the face stands at {lift}",
+            top.y
+        );
         assert!(
             face[0].x.min(face[1].x) < top.x && top.x < face[0].x.max(face[1].x),
             "the contact at {} leaves the face",
@@ -281,13 +310,13 @@ fn an_added_outline_leaves_what_is_drawn() -> Result<()> {
     let Target::Planar(coupler) = system.bodies()[1].1 else { panic!("a planar body") };
     let triangle = kin_view::Outline::polygon([vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0)]);
     let plain = Drawn::new(&Scene::new(&system), &motion)?.shapes("coupler");
-    let added =
-        Drawn::new(&Scene::new(&system).add_outline(coupler, triangle.clone()), &motion)?.shapes("coupler");
+    let added = Drawn::new(&Scene::new(&system).add_outline(coupler, triangle.clone()), &motion)?
+        .shapes("coupler");
     assert_eq!((plain.len(), added.len()), (1, 2));
     assert_eq!(added[0], plain[0], "the bar stays");
     assert_eq!(added[1].1.len(), 3);
-    let told =
-        Drawn::new(&Scene::new(&system).outline(coupler, triangle.clone()), &motion)?.shapes("coupler");
+    let told = Drawn::new(&Scene::new(&system).outline(coupler, triangle.clone()), &motion)?
+        .shapes("coupler");
     assert_eq!(told, added[1..], "`outline` takes its place");
     let ground = Drawn::new(&Scene::new(&system).add_outline(Ground, triangle), &motion)?;
     assert_eq!(ground.shapes("ground").len(), 1, "of the ground, too");
@@ -297,11 +326,18 @@ fn an_added_outline_leaves_what_is_drawn() -> Result<()> {
 #[test]
 fn a_rod_whose_length_is_driven_is_a_cylinder_with_a_barrel_that_keeps_its_length() -> Result<()> {
     let mut m = Mechanism::new("cylinder");
-    let (ground, arm) = (m.ground(), m.link("arm", 2.0)?);
+    let ground = m.ground();
+    let arm = m.link("arm", 2.0)?;
     m.add("O", revolute(ground, arm, vec2(0.0, 0.0), arm.start()))?;
     m.add(
         "cylinder",
-        joints::drivers::drive_distance(arm, ground, arm.end(), vec2(1.0, -1.0), Law::linear(2.0, 0.5)),
+        joints::drivers::drive_distance(
+            arm,
+            ground,
+            arm.end(),
+            vec2(1.0, -1.0),
+            Law::linear(2.0, 0.5),
+        ),
     )?;
     m.prefer(arm, deg(30.0));
     let system = m.build()?;
@@ -312,8 +348,8 @@ fn a_rod_whose_length_is_driven_is_a_cylinder_with_a_barrel_that_keeps_its_lengt
         ["rod", "barrel"]
     );
     assert!(lines.iter().all(|line| line["name"] == "cylinder"));
-    // The barrel is fixed at the ground; its mouth is a track of its own, whose first position is on the way
-    // to the arm's end.
+    // The barrel is fixed at the ground; its mouth is a track of its own, whose first position is
+    // on the way to the arm's end.
     assert_eq!(
         (&lines[1]["points"][0][0], &lines[1]["points"][0][1]),
         (&lines[0]["points"][0][0], &lines[0]["points"][0][1])

@@ -1,5 +1,5 @@
-//! Random mechanisms, closed by construction at a known pose: assembled from a poor guess and driven; a
-//! planted fault is named.
+//! Random mechanisms, closed by construction at a known pose: assembled from a poor guess and
+//! driven; a planted fault is named.
 
 mod planar;
 mod spatial;
@@ -31,7 +31,8 @@ impl Random {
 
     /// A law that begins at a value: straight, bent, or swinging.
     fn law(&mut self, value: f64) -> Law {
-        let (a, b) = (0.3 * self.number(), 0.3 * self.number());
+        let a = 0.3 * self.number();
+        let b = 0.3 * self.number();
         match self.below(3) {
             0 => Law::linear(value, a),
             1 => Law::polynomial(&[value, a, b]),
@@ -48,7 +49,8 @@ enum Fault {
     MissingDriver,
 }
 
-const FAULTS: [Fault; 4] = [Fault::None, Fault::Contradiction, Fault::Redundancy, Fault::MissingDriver];
+const FAULTS: [Fault; 4] =
+    [Fault::None, Fault::Contradiction, Fault::Redundancy, Fault::MissingDriver];
 
 /// How far guesses are off, in lengths and radians.
 const OFF: f64 = 0.08;
@@ -61,7 +63,11 @@ type Driver = Box<dyn Fn(&mut Mechanism, &str, f64)>;
 struct Drivers(Vec<Driver>);
 
 impl Drivers {
-    fn push<C: Constraint + Clone + 'static>(&mut self, law: Law, make: impl Fn(Law) -> C + 'static) {
+    fn push<C: Constraint + Clone + 'static>(
+        &mut self,
+        law: Law,
+        make: impl Fn(Law) -> C + 'static,
+    ) {
         self.0.push(Box::new(move |m, name, moved| {
             m.add(name, make(law.clone() + Law::constant(moved))).unwrap();
         }));
@@ -83,12 +89,17 @@ impl Drivers {
     }
 }
 
-/// The smallest singular value of C_q where a mechanism is called far from its toggles; lengths and speeds
-/// are of order 1.
+/// The smallest singular value of C_q where a mechanism is called far from its toggles; lengths and
+/// speeds are of order 1.
 const FAR: f64 = 0.08;
 
-/// Mechanisms from one seed after the other until one is far from singular at the pose by which it was made.
-fn regular(seed: u64, fault: Fault, make: impl Fn(u64, Fault) -> (Mechanism, Vec<f64>)) -> Mechanism {
+/// Mechanisms from one seed after the other until one is far from singular at the pose by which it
+/// was made.
+fn regular(
+    seed: u64,
+    fault: Fault,
+    make: impl Fn(u64, Fault) -> (Mechanism, Vec<f64>),
+) -> Mechanism {
     for k in 0.. {
         let seed = (seed << 8) + k;
         let (whole, exact) = make(seed, Fault::None);
@@ -111,13 +122,15 @@ fn right(mechanism: Mechanism, fault: Fault) -> Result<(), String> {
     });
     match (fault, run) {
         (Fault::None, Ok((found, motion))) => {
-            let finite = (0..3)
-                .all(|k| motion.q(k).iter().chain(motion.qd(k)).chain(motion.qdd(k)).all(|x| x.is_finite()));
+            let finite = (0..3).all(|k| {
+                motion.q(k).iter().chain(motion.qd(k)).chain(motion.qdd(k)).all(|x| x.is_finite())
+            });
             (finite && found.is_exactly_constrained()).then_some(()).ok_or(found.to_string())
         }
         (Fault::Redundancy, Ok((found, _))) => {
-            let told =
-                found.redundancies().any(|set| set.terms.iter().any(|term| term.constraint == "motor x"));
+            let told = found
+                .redundancies()
+                .any(|set| set.terms.iter().any(|term| term.constraint == "motor x"));
             (told && found.can_be_driven()).then_some(()).ok_or(found.to_string())
         }
         (Fault::Contradiction, Err(error)) => {
@@ -139,7 +152,8 @@ fn right(mechanism: Mechanism, fault: Fault) -> Result<(), String> {
 
 /// At least 99 of 100 do, within the time.
 fn all_right(name: &str, seeds: std::ops::Range<u64>, make: fn(u64, Fault) -> Mechanism) {
-    let (begun, cases) = (Instant::now(), 4 * (seeds.end - seeds.start));
+    let begun = Instant::now();
+    let cases = 4 * (seeds.end - seeds.start);
     let mut wrong = Vec::new();
     for fault in FAULTS {
         for seed in seeds.clone() {

@@ -1,5 +1,5 @@
-//! Planar bodies one after the other, each on those before it by some joint, its freedoms driven; dyads
-//! between.
+//! Planar bodies one after the other, each on those before it by some joint, its freedoms driven;
+//! dyads between.
 
 use super::*;
 
@@ -10,7 +10,8 @@ fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64) -> f64 {
     s.y - k * s.x * s.x
 }
 
-/// The angles of three bodies add up, written as a loop rather than a formula: runs on dual numbers. [rad]
+/// The angles of three bodies add up, written as a loop rather than a formula: runs on dual
+/// numbers. [rad]
 #[constraint]
 fn summed(bodies: [Coord; 2], factors: [f64; 2], sum: f64) -> f64 {
     let mut total = 0.0 * bodies[0];
@@ -67,7 +68,8 @@ impl Making {
     }
 
     fn body(&mut self, name: &str) -> Placed {
-        let (r, theta) = (self.point(), 3.0 * self.random.number());
+        let r = self.point();
+        let theta = 3.0 * self.random.number();
         let mut off = |x: f64| x + OFF * self.random.number();
         let body = self.m.planar(name, pose(off(r.x), off(r.y), off(theta))).unwrap();
         self.exact.extend([r.x, r.y, theta]);
@@ -84,15 +86,18 @@ impl Making {
     }
 
     fn drive_point(&mut self, i: Placed) {
-        let (at, n) = (self.point(), self.direction());
+        let at = self.point();
+        let n = self.direction();
         let law = self.random.law(n.dot(at));
         self.drivers.push(law, move |law| drive_point_along(i.body, i.local(at), n, law));
     }
 
     /// Two links and three pins that are far from a line.
     fn dyad(&mut self, unit: usize) {
-        let (i, j) = (self.earlier(), self.earlier());
-        let (a, b) = (self.body(&format!("link {unit}a")), self.body(&format!("link {unit}b")));
+        let i = self.earlier();
+        let j = self.earlier();
+        let a = self.body(&format!("link {unit}a"));
+        let b = self.body(&format!("link {unit}b"));
         let pins = [self.point(), self.point(), self.point()];
         for (k, (first, second)) in [(i, a), (a, b), (b, j)].into_iter().enumerate() {
             self.pin(&format!("pin {unit}.{k}"), first, second, pins[k]);
@@ -103,7 +108,8 @@ impl Making {
     /// Three rods between two bodies.
     fn rods(&mut self, unit: usize, i: Placed, j: Placed) {
         for k in 0..3 {
-            let (p, q) = (self.point(), self.point());
+            let p = self.point();
+            let q = self.point();
             let rod = distance(i.body, j.body, i.local(p), j.local(q), (p - q).norm());
             self.m.add(&format!("rod {unit}.{k}"), rod).unwrap();
         }
@@ -116,16 +122,24 @@ impl Making {
         let ratio = 0.5 + self.random.number().abs();
         let sum = i.theta + ratio * k.theta;
         self.m
-            .add(&format!("wheels {unit}"), summed([i.body.theta(), k.body.theta()], [1.0, ratio], sum))
+            .add(
+                &format!("wheels {unit}"),
+                summed([i.body.theta(), k.body.theta()], [1.0, ratio], sum),
+            )
             .unwrap();
     }
 
     /// A body on an earlier one; its freedoms are driven.
     fn unit(&mut self, unit: usize) {
         let j = self.earlier();
-        let (i, at, h) = (self.body(&format!("body {unit}")), self.point(), self.direction());
-        let (name, u_i, u_j) = (format!("joint {unit}"), i.local(at), j.local(at));
-        let (mut turns, mut points) = (0, 0);
+        let i = self.body(&format!("body {unit}"));
+        let at = self.point();
+        let h = self.direction();
+        let name = format!("joint {unit}");
+        let u_i = i.local(at);
+        let u_j = j.local(at);
+        let mut turns = 0;
+        let mut points = 0;
         match self.random.below(9) {
             0 => {
                 self.pin(&name, i, j, at);
@@ -133,11 +147,15 @@ impl Making {
             }
             1 => {
                 self.m
-                    .add(&name, prismatic(i.body, j.body, u_i, u_j, i.direction(h), i.theta - j.theta))
+                    .add(
+                        &name,
+                        prismatic(i.body, j.body, u_i, u_j, i.direction(h), i.theta - j.theta),
+                    )
                     .unwrap();
                 let along = j.direction(h.perp());
                 let law = self.random.law(0.0);
-                self.drivers.push(law, move |law| drive_slide(i.body, j.body, u_i, u_j, along, law));
+                self.drivers
+                    .push(law, move |law| drive_slide(i.body, j.body, u_i, u_j, along, law));
             }
             2 => {
                 self.m.add(&name, point_on_line(i.body, j.body, u_i, u_j, j.direction(h))).unwrap();
@@ -150,7 +168,9 @@ impl Making {
                 points = 2;
             }
             4 => {
-                self.m.add(&name, point_on_circle(i.body, j.body, u_i, j.local(at + h * 0.7), 0.7)).unwrap();
+                self.m
+                    .add(&name, point_on_circle(i.body, j.body, u_i, j.local(at + h * 0.7), 0.7))
+                    .unwrap();
                 (turns, points) = (1, 1);
             }
             5 => self.rods(unit, i, j),
@@ -158,7 +178,8 @@ impl Making {
                 self.m.add(&name, weld(i.body, j.body, u_i, u_j, i.theta - j.theta)).unwrap();
             }
             7 => {
-                let (k, s) = (1.5, j.direction(h));
+                let k = 1.5;
+                let s = j.direction(h);
                 let vertex = u_j - vec2(s.x, k * s.x * s.x);
                 self.m.add(&name, parabolic_slot(i.body, j.body, u_i, vertex, k)).unwrap();
                 (turns, points) = (1, 1);

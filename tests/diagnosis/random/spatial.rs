@@ -1,5 +1,5 @@
-//! Spatial bodies one after the other, each on an earlier one by some joint of the library or by rods, its
-//! freedoms driven.
+//! Spatial bodies one after the other, each on an earlier one by some joint of the library or by
+//! rods, its freedoms driven.
 
 use kin::joints::drivers::spatial as drivers;
 
@@ -51,7 +51,9 @@ impl Making {
     }
 
     fn body(&mut self, name: &str) -> Placed {
-        let (r, axis, angle) = (self.vector(), self.unit_vector(), 3.0 * self.random.number());
+        let r = self.vector();
+        let axis = self.unit_vector();
+        let angle = 3.0 * self.random.number();
         let exact = SpatialPose::turned(r, axis, angle);
         let guess = SpatialPose::turned(
             r + self.vector() * OFF,
@@ -67,9 +69,11 @@ impl Making {
     /// Drives so many coordinates of points.
     fn drive_points(&mut self, i: Placed, count: usize) {
         for _ in 0..count {
-            let (at, n) = (self.vector() * 1.5, self.unit_vector());
+            let at = self.vector() * 1.5;
+            let n = self.unit_vector();
             let law = self.random.law(n.dot(at));
-            self.drivers.push(law, move |law| drivers::drive_point_along(i.body, i.local(at), n, law));
+            self.drivers
+                .push(law, move |law| drivers::drive_point_along(i.body, i.local(at), n, law));
         }
     }
 
@@ -80,13 +84,15 @@ impl Making {
 
     fn drive_slide(&mut self, i: Placed, j: Placed, u: [Vec3; 2], h_j: Axis) {
         let law = self.random.law(0.0);
-        self.drivers.push(law, move |law| drivers::drive_slide(i.body, j.body, u[0], u[1], h_j, law));
+        self.drivers
+            .push(law, move |law| drivers::drive_slide(i.body, j.body, u[0], u[1], h_j, law));
     }
 
     /// Rods between points of two bodies.
     fn rods(&mut self, unit: usize, i: Placed, j: Placed, count: usize) {
         for k in 0..count {
-            let (p, q) = (i.r + self.vector(), j.r + self.vector() * 1.5);
+            let p = i.r + self.vector();
+            let q = j.r + self.vector() * 1.5;
             let rod = spatial::distance(i.body, j.body, i.local(p), j.local(q), (p - q).norm());
             self.m.add(&format!("rod {unit}.{k}"), rod).unwrap();
         }
@@ -96,7 +102,9 @@ impl Making {
     fn unit(&mut self, unit: usize) {
         let j = self.bodies[self.random.below(self.bodies.len())];
         let i = self.body(&format!("body {unit}"));
-        let (at, z, x) = (self.vector(), self.unit_vector(), self.unit_vector());
+        let at = self.vector();
+        let z = self.unit_vector();
+        let x = self.unit_vector();
         let place = Place { name: format!("joint {unit}"), i, j, at, z, x };
         if self.random.below(2) == 0 {
             self.lower_pair(&place)
@@ -108,8 +116,12 @@ impl Making {
 
     fn lower_pair(&mut self, place: &Place) {
         let Place { name, i, j, .. } = place;
-        let (i, j, u, h) = (*i, *j, place.points(), place.axes());
-        let (a, b) = (i.body, j.body);
+        let i = *i;
+        let j = *j;
+        let u = place.points();
+        let h = place.axes();
+        let a = i.body;
+        let b = j.body;
         match self.random.below(7) {
             0 => {
                 self.m.add(name, spatial::revolute(a, b, u[0], u[1], h[0], h[1].h)).unwrap();
@@ -145,8 +157,12 @@ impl Making {
 
     fn other(&mut self, unit: usize, place: &Place) {
         let Place { name, i, j, z, .. } = place;
-        let (i, j, u, h) = (*i, *j, place.points(), place.axes());
-        let (a, b) = (i.body, j.body);
+        let i = *i;
+        let j = *j;
+        let u = place.points();
+        let h = place.axes();
+        let a = i.body;
+        let b = j.body;
         let across = j.direction(z.cross(place.x).normalize());
         let far = |m: &mut Self| place.at + m.unit_vector();
         match self.random.below(9) {
@@ -169,7 +185,9 @@ impl Making {
             }
             4 => {
                 self.m.add(name, spatial::point_in_plane(a, b, u[0], u[1], h[1].h)).unwrap();
-                self.m.add(&format!("square {unit}"), spatial::perpendicular(a, b, h[0].h, across)).unwrap();
+                self.m
+                    .add(&format!("square {unit}"), spatial::perpendicular(a, b, h[0].h, across))
+                    .unwrap();
                 self.drive_points(i, 4);
             }
             5 => {
@@ -184,12 +202,17 @@ impl Making {
                 let ball = far(self);
                 let off = (ball - place.at) - *z * z.dot(ball - place.at);
                 self.m
-                    .add(name, spatial::spherical_cylindrical(a, b, i.local(ball), u[1], h[1], off.norm()))
+                    .add(
+                        name,
+                        spatial::spherical_cylindrical(a, b, i.local(ball), u[1], h[1], off.norm()),
+                    )
                     .unwrap();
                 self.drive_points(i, 5);
             }
             7 => {
-                self.m.add(name, hinge(a, b, u[0], u[1], h[0].h, across, across.cross(h[1].h))).unwrap();
+                self.m
+                    .add(name, hinge(a, b, u[0], u[1], h[0].h, across, across.cross(h[1].h)))
+                    .unwrap();
                 self.drive_turn(i, j, h);
             }
             _ => {

@@ -7,7 +7,8 @@ twice! { Symbolic denavit_hartenberg(coords ([(0.0, 0.3, 1.5), (0.4, 0.0, 0.0), 
 fn f(q: [Coord; 3], links: [(f64, f64, f64); 3]) -> [f64; 3] {
     let mut t = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     for (angle, (a, d, alpha)) in q.into_iter().zip(links) {
-        let ((s, c), (sa, ca)) = (angle.sin_cos(), alpha.sin_cos());
+        let (s, c) = angle.sin_cos();
+        let (sa, ca) = alpha.sin_cos();
         let step = [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0.0, sa, ca, d], [0.0, 0.0, 0.0, 1.0]];
         let mut next = [[0.0; 4]; 3];
         for i in 0..3 {
@@ -23,7 +24,9 @@ fn f(q: [Coord; 3], links: [(f64, f64, f64); 3]) -> [f64; 3] {
 } }
 
 twice! { Symbolic planar_chain(coords ([1.0, 0.8, 0.6])): fn f(q: [Coord; 3], l: [f64; 3]) -> (f64, f64) {
-    let (mut x, mut y, mut phi) = (0.0, 0.0, 0.0);
+    let mut x = 0.0;
+    let mut y = 0.0;
+    let mut phi = 0.0;
     for (q, l) in q.iter().zip(&l) {
         phi += q;
         x += l * phi.cos();
@@ -85,7 +88,8 @@ twice! { Symbolic rope_over_pulleys(coords ([(0.0, 2.0, 0.2), (3.0, 2.5, 0.3)]) 
     points.push((ends[1].0, ends[1].1, 0.0));
     let mut total = 0.0;
     for pair in points.windows(2) {
-        let ((x0, y0, r0), (x1, y1, r1)) = (pair[0], pair[1]);
+        let (x0, y0, r0) = pair[0];
+        let (x1, y1, r1) = pair[1];
         let d = (x1 - x0).hypot(y1 - y0);
         total += (d * d - (r1 - r0).powi(2)).sqrt() + (r0 + r1) * ((r1 - r0) / d).asin();
     }

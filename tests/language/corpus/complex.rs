@@ -1,4 +1,5 @@
-//! Loops by complex numbers, and other planes of numbers: dual quaternions, split forms, polynomials.
+//! Loops by complex numbers, and other planes of numbers: dual quaternions, split forms,
+//! polynomials.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -156,12 +157,14 @@ twice! { Symbolic dual_quaternion_of_a_screw(coord coord): fn f(phi: Coord, s: C
 
 twice! { Symbolic tangent_half_angle(coord coord): fn f(u: Coord, v: Coord) -> (f64, f64) {
     let half = |t: f64| ((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t));
-    let ((ca, sa), (cb, sb)) = (half(u), half(v));
+    let (ca, sa) = half(u);
+    let (cb, sb) = half(v);
     (1.5 * ca + cb - 1.0, 1.5 * sa + sb - 0.75)
 } }
 
 twice! { Symbolic resultant_of_two_quadratics(coords): fn f(q: [Coord; 3]) -> f64 {
-    let (a, b) = ([1.0, q[0], q[1]], [2.0, q[2], -1.0]);
+    let a = [1.0, q[0], q[1]];
+    let b = [2.0, q[2], -1.0];
     let sylvester = [
         [a[0], a[1], a[2], 0.0],
         [0.0, a[0], a[1], a[2]],
@@ -181,7 +184,8 @@ twice! { Symbolic resultant_of_two_quadratics(coords): fn f(q: [Coord; 3]) -> f6
 } }
 
 twice! { Symbolic cardano(coord coord): fn f(p: Coord, x: Coord) -> f64 {
-    let (p, r) = (1.0 + p * p, 0.5);
+    let p = 1.0 + p * p;
+    let r = 0.5;
     let d = (r * r / 4.0 + p * p * p / 27.0).sqrt();
     let root = (d - r / 2.0).cbrt() - (d + r / 2.0).cbrt();
     x - root

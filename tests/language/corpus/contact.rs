@@ -68,8 +68,10 @@ twice! { Symbolic cycloid_on_a_line(planar coord): fn f(wheel: Planar, s: Coord)
 } }
 
 twice! { Symbolic hypocycloid_with_three_cusps(coord coord coord): fn f(x: Coord, y: Coord, phi: Coord) -> Vec2 {
-    let (c, s) = (phi.cos(), phi.sin());
-    let (c2, s2) = (c * c - s * s, 2.0 * s * c);
+    let c = phi.cos();
+    let s = phi.sin();
+    let c2 = c * c - s * s;
+    let s2 = 2.0 * s * c;
     vec2(x, y) - vec2(2.0 * c + c2, 2.0 * s - s2) / 3.0
 } }
 
@@ -105,7 +107,8 @@ twice! { Symbolic ellipse_rolling_on_its_twin(coord coord coord): fn f(a: Coord,
     let e = 0.5;
     let p = 1.0 - e * e;
     let polar = |phi: f64| p / (1.0 + e * phi.cos());
-    let (first, second) = (polar(a), polar(PI - b));
+    let first = polar(a);
+    let second = polar(PI - b);
     let true_to_mean = |phi: f64| 2.0 * (((1.0 - e) / (1.0 + e)).sqrt() * (0.5 * phi).tan()).atan();
     [first + second - d, true_to_mean(a) + true_to_mean(b)]
 } }
@@ -119,7 +122,8 @@ twice! { Symbolic worm_flank(spatial (0.3) (4)): fn f(worm: Spatial, lead: f64, 
 
 twice! { Symbolic bevel_pitch_cones(spatial spatial (0.5)): fn f(i: Spatial, j: Spatial, half: f64) -> (f64, f64) {
     let axis = Vec3::new(0.0, 0.0, 1.0);
-    let (hi, hj) = (i.direction(axis), j.direction(axis));
+    let hi = i.direction(axis);
+    let hj = j.direction(axis);
     let angle = hi.dot(hj) - (2.0 * half).cos();
     (angle, (i.r - j.r).dot(hi.cross(hj)))
 } }
@@ -134,7 +138,8 @@ twice! { Symbolic pin_in_a_geneva_slot(planar planar (1.0) (6)): fn f(driver: Pl
 twice! { Symbolic chain_over_two_sprockets(coord coord coord (17) (42) (0.0127)):
 fn f(front: Coord, rear: Coord, distance: Coord, z1: i32, z2: i32, pitch: f64) -> [f64; 2] {
     let radius = |z: i32| pitch / (2.0 * (PI / z as f64).sin());
-    let (r1, r2) = (radius(z1), radius(z2));
+    let r1 = radius(z1);
+    let r2 = radius(z2);
     let c = 0.4 + 0.05 * distance;
     let lean = ((r2 - r1) / c).asin();
     let length = 2.0 * c * lean.cos() + (PI - 2.0 * lean) * r1 + (PI + 2.0 * lean) * r2;

@@ -107,7 +107,8 @@ twice! { Symbolic piecewise_cubic(coord coord): fn f(x: Coord, y: Coord) -> f64 
 
 twice! { Symbolic legendre_series(coord): fn f(x: Coord) -> f64 {
     let weights = [0.5, 1.0, -0.25, 0.125, 0.0625];
-    let (mut a, mut b) = (1.0, x);
+    let mut a = 1.0;
+    let mut b = x;
     let mut sum = weights[0] * a + weights[1] * b;
     for (n, w) in weights.iter().enumerate().skip(2) {
         let n = n as f64;
@@ -134,7 +135,8 @@ twice! { Symbolic epicycloid(planar coord (3)): fn f(i: Planar, phi: Coord, lobe
 } }
 
 twice! { Symbolic signed_distance_of_a_box(coord coord coord): fn f(x: Coord, y: Coord, d: Coord) -> f64 {
-    let (qx, qy) = (x.abs() - 1.0, y.abs() - 0.5);
+    let qx = x.abs() - 1.0;
+    let qy = y.abs() - 0.5;
     let outside = qx.max(0.0).hypot(qy.max(0.0));
     let inside = qx.max(qy).min(0.0);
     outside + inside - d

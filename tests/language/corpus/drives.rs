@@ -7,7 +7,8 @@ use kin::prelude::*;
 use crate::twice;
 
 twice! { Symbolic modified_trapezoid(coord time): fn f(x: Coord, t: Time) -> f64 {
-    let (beta, h) = (3.0, 0.5);
+    let beta = 3.0;
+    let h = 0.5;
     let u = t / beta;
     let y = if u <= 0.0 {
         0.0
@@ -26,7 +27,10 @@ twice! { Symbolic seven_segments(coord time ((0.8, 1.0, 2.0))): fn f(x: Coord, t
     let tj = a / j;
     let ta = v / a + tj;
     let phases = [(tj, j), (ta - 2.0 * tj, 0.0), (tj, -j), (0.6, 0.0), (tj, -j), (ta - 2.0 * tj, 0.0), (tj, j)];
-    let (mut s, mut speed, mut acc, mut left) = (0.0, 0.0, 0.0, t);
+    let mut s = 0.0;
+    let mut speed = 0.0;
+    let mut acc = 0.0;
+    let mut left = t;
     for (duration, jerk) in phases {
         let dt = left.clamp(0.0, duration);
         s += speed * dt + acc * dt * dt / 2.0 + jerk * dt * dt * dt / 6.0;
@@ -61,7 +65,8 @@ twice! { Symbolic chirp(coord time (0.5) (3.0)): fn f(x: Coord, t: Time, from: f
 } }
 
 twice! { Symbolic decaying_oscillation(coord time): fn f(x: Coord, t: Time) -> f64 {
-    let (zeta, omega) = (0.15_f64, 4.0);
+    let zeta = 0.15_f64;
+    let omega = 4.0;
     let damped = omega * (1.0 - zeta.powi(2)).sqrt();
     let envelope = (-zeta * omega * t).exp();
     x - (1.0 - envelope * ((damped * t).cos() + zeta / (1.0 - zeta * zeta).sqrt() * (damped * t).sin()))

@@ -1,4 +1,5 @@
-//! Ways through a function: early returns, guards, labels, options, results, loops that end somewhere.
+//! Ways through a function: early returns, guards, labels, options, results, loops that end
+//! somewhere.
 
 use kin::prelude::*;
 
@@ -81,8 +82,10 @@ twice! { Symbolic errors_as_enums(coord): fn f(a: Coord) -> f64 {
 
 twice! { Symbolic regula_falsi(coord): fn f(k: Coord) -> f64 {
     let g = |x: f64| x.exp() - 2.0 - 0.1 * k;
-    let (mut a, mut b) = (0.0, 2.0);
-    let (mut ga, gb) = (g(a), g(b));
+    let mut a = 0.0;
+    let mut b = 2.0;
+    let mut ga = g(a);
+    let gb = g(b);
     for _ in 0..4 {
         let x = (a * gb - b * ga) / (gb - ga);
         let gx = g(x);
@@ -110,7 +113,8 @@ twice! { Symbolic kepler(coord coord): fn f(mean: Coord, x: Coord) -> f64 {
 } }
 
 twice! { Symbolic arithmetic_geometric_mean(coord coord): fn f(a: Coord, period: Coord) -> f64 {
-    let (mut x, mut y) = (1.0, (0.5 * a).cos().abs() + 0.1);
+    let mut x = 1.0;
+    let mut y = (0.5 * a).cos().abs() + 0.1;
     let mut turns = 0;
     loop {
         (x, y) = (0.5 * (x + y), (x * y).sqrt());
@@ -126,7 +130,8 @@ twice! { Symbolic ternary_search(coord): fn f(a: Coord) -> f64 {
     let mut range = (-1.0, 1.0);
     for _ in 0..5 {
         let third = (range.1 - range.0) / 3.0;
-        let (p, q) = (range.0 + third, range.1 - third);
+        let p = range.0 + third;
+        let q = range.1 - third;
         range = if cost(p) < cost(q) { (range.0, q) } else { (p, range.1) };
     }
     a - 0.5 * (range.0 + range.1)
@@ -212,7 +217,8 @@ twice! { Symbolic while_let_over_a_stack(coord): fn f(a: Coord) -> f64 {
 } }
 
 twice! { Symbolic collatz_over_a_known_number(coord): fn f(a: Coord) -> f64 {
-    let (mut n, mut x) = (6_u32, a);
+    let mut n = 6_u32;
+    let mut x = a;
     while n != 1 {
         if n % 2 == 0 {
             n /= 2;

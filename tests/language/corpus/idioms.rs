@@ -58,7 +58,8 @@ twice! { Symbolic newtypes_and_traits(coord coord): fn f(a: Coord, b: Coord) -> 
             0.5 * self.rate * self.stretch.powi(2)
         }
     }
-    let (m, s) = (Mass(2.0, a), Spring { rate: 3.0, stretch: b });
+    let m = Mass(2.0, a);
+    let s = Spring { rate: 3.0, stretch: b };
     m.energy() + s.energy() + s.doubled() - 1.0
 } }
 

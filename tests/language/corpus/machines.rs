@@ -13,7 +13,9 @@ fn f(phi: Coord, x: Coord, t: Time, crank: f64, rod: f64, offset: f64) -> [f64; 
 
 twice! { Symbolic freudenstein(coord coord ([4.0, 1.0, 3.5, 3.0])): fn f(a: Coord, b: Coord, l: [f64; 4]) -> f64 {
     let [d, r, c, k] = l;
-    let (k1, k2, k3) = (d / r, d / k, (r * r - c * c + k * k + d * d) / (2.0 * r * k));
+    let k1 = d / r;
+    let k2 = d / k;
+    let k3 = (r * r - c * c + k * k + d * d) / (2.0 * r * k);
     k1 * b.cos() - k2 * a.cos() + k3 - (a - b).cos()
 } }
 
@@ -110,7 +112,8 @@ twice! { Symbolic camus_tooth(coord coord): fn f(a: Coord, b: Coord) -> (f64, f6
 } }
 
 twice! { Symbolic elbow_up(coord coord coord coord): fn f(x: Coord, y: Coord, shoulder: Coord, elbow: Coord) -> (f64, f64) {
-    let (l1, l2) = (1.5, 1.25);
+    let l1 = 1.5;
+    let l2 = 1.25;
     let d2 = x * x + y * y;
     let cosine = ((d2 - l1 * l1 - l2 * l2) / (2.0 * l1 * l2)).clamp(-0.999, 0.999);
     let bend = cosine.acos();

@@ -1,4 +1,5 @@
-//! Robots and loops of bodies: Denavit–Hartenberg, products of exponentials, platforms, calibration.
+//! Robots and loops of bodies: Denavit–Hartenberg, products of exponentials, platforms,
+//! calibration.
 
 use kin::prelude::*;
 
@@ -62,7 +63,8 @@ twice! { Symbolic product_of_exponentials(coords ([vec3(0.0, 0.0, 1.0), vec3(0.0
 fn f(q: [Coord; 2], axes: [Vec3; 2], points: [Vec3; 2]) -> Vec3 {
     let mut p = vec3(0.8, 0.0, 0.2);
     for i in (0..2).rev() {
-        let (w, o) = (axes[i], points[i]);
+        let w = axes[i];
+        let o = points[i];
         let v = p - o;
         let (s, c) = q[i].sin_cos();
         p = o + v * c + w.cross(v) * s + w * (w.dot(v) * (1.0 - c));
@@ -125,7 +127,8 @@ twice! { Symbolic stewart_all_legs(spatial): fn f(top: Spatial) -> [f64; 6] {
     for (k, c) in c.iter_mut().enumerate() {
         let side = if k % 2 == 0 { 1.0 } else { -1.0 };
         let third = (k / 2) as f64 * 120f64.to_radians();
-        let (low, high) = (third + side * 0.2, third + side * 0.9);
+        let low = third + side * 0.2;
+        let high = third + side * 0.9;
         let foot = vec3(2.0 * low.cos(), 2.0 * low.sin(), -1.5);
         let head = vec3(high.cos(), high.sin(), 0.0);
         *c = (top.point(head) - foot).norm() - 1.8;
@@ -185,7 +188,8 @@ twice! { Symbolic six_revolute_joints_by_loops(
     let mut turn = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let mut tip = -target;
     for (angle, [a, d, alpha]) in q.into_iter().zip(links) {
-        let ((s, c), (sa, ca)) = (angle.sin_cos(), alpha.sin_cos());
+        let (s, c) = angle.sin_cos();
+        let (sa, ca) = alpha.sin_cos();
         let step = [[c, -s * ca, s * sa], [s, c * ca, -c * sa], [0.0, sa, ca]];
         let arm = [a * c, a * s, d];
         let mut next = [[0.0; 3]; 3];

@@ -26,7 +26,8 @@ where
     type Output = Quat<T>;
 
     fn mul(self, o: Self) -> Self {
-        let ([a, b, c], [d, e, f]) = (self.v, o.v);
+        let [a, b, c] = self.v;
+        let [d, e, f] = o.v;
         Quat {
             w: self.w * o.w - a * d - b * e - c * f,
             v: [
@@ -94,15 +95,15 @@ twice! { Symbolic cayley(coord coord coord): fn f(x: Coord, y: Coord, z: Coord) 
 } }
 
 twice! { Symbolic constant_velocity_joint(spatial spatial): fn f(i: Spatial, j: Spatial) -> f64 {
-    let ([fi, gi], [fj, gj]) = (
-        [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)].map(|u| i.direction(u)),
-        [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)].map(|u| j.direction(u)),
-    );
+    let [fi, gi] = [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)].map(|u| i.direction(u));
+    let [fj, gj] = [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)].map(|u| j.direction(u));
     fi.dot(gj) - gi.dot(fj)
 } }
 
 twice! { Symbolic angle_about_an_axis(spatial spatial coord): fn f(i: Spatial, j: Spatial, phi: Coord) -> f64 {
-    let (u, v, w) = (j.direction(vec3(1.0, 0.0, 0.0)), i.direction(vec3(1.0, 0.0, 0.0)), i.direction(vec3(0.0, 1.0, 0.0)));
+    let u = j.direction(vec3(1.0, 0.0, 0.0));
+    let v = i.direction(vec3(1.0, 0.0, 0.0));
+    let w = i.direction(vec3(0.0, 1.0, 0.0));
     u.dot(w) * phi.cos() - u.dot(v) * phi.sin()
 } }
 
@@ -125,7 +126,8 @@ twice! { Symbolic slerp(coord coord): fn f(s: Coord, t: Coord) -> [f64; 4] {
     let to = [0.5_f64.cos(), 0.5_f64.sin() * 0.48, 0.5_f64.sin() * 0.64, 0.5_f64.sin() * 0.6];
     let dot: f64 = from.iter().zip(&to).map(|(a, b)| a * b).sum();
     let omega = dot.acos();
-    let (ka, kb) = (((1.0 - s) * omega).sin() / omega.sin(), (s * omega).sin() / omega.sin());
+    let ka = ((1.0 - s) * omega).sin() / omega.sin();
+    let kb = (s * omega).sin() / omega.sin();
     std::array::from_fn(|k| ka * from[k] + kb * to[k] - t * to[k])
 } }
 
@@ -165,7 +167,8 @@ twice! { Symbolic line_through_a_ring(spatial spatial (vec3(0.0, 0.0, 1.0))): fn
 
 twice! { Symbolic common_normal_of_two_axes(spatial spatial (0.4)): fn f(i: Spatial, j: Spatial, offset: f64) -> f64 {
     let z = vec3(0.0, 0.0, 1.0);
-    let (a, b) = (i.direction(z), j.direction(z));
+    let a = i.direction(z);
+    let b = j.direction(z);
     let n = a.cross(b);
     (j.r - i.r).dot(n) - offset * n.norm()
 } }

@@ -1,9 +1,11 @@
-//! Curves by their control points and tables: Bézier, Hermite, Catmull–Rom, natural splines, clothoids.
+//! Curves by their control points and tables: Bézier, Hermite, Catmull–Rom, natural splines,
+//! clothoids.
 
 use crate::twice;
 
 twice! { Symbolic clothoid_by_series(coord coord coord): fn f(s: Coord, x: Coord, y: Coord) -> Vec2 {
-    let (mut cx, mut cy) = (0.0, 0.0);
+    let mut cx = 0.0;
+    let mut cy = 0.0;
     let mut term = s;
     for n in 0..9 {
         let order = (2 * n + 1) as f64;
@@ -44,7 +46,8 @@ twice! { Symbolic bernstein(coord coord): fn f(t: Coord, y: Coord) -> f64 {
 } }
 
 twice! { Symbolic hermite_segment(coord coord ((0.0, 1.0)) ((2.0, -0.5))): fn f(u: Coord, y: Coord, start: (f64, f64), end: (f64, f64)) -> f64 {
-    let (u2, u3) = (u * u, u * u * u);
+    let u2 = u * u;
+    let u3 = u * u * u;
     let [h00, h10, h01, h11] = [2.0 * u3 - 3.0 * u2 + 1.0, u3 - 2.0 * u2 + u, 3.0 * u2 - 2.0 * u3, u3 - u2];
     y - (h00 * start.0 + h10 * start.1 + h01 * end.0 + h11 * end.1)
 } }
@@ -53,7 +56,10 @@ twice! { Symbolic catmull_rom(coord coord (vec![0.0, 1.0, 0.5, 2.0, -1.0, 0.0]))
     let u = x + 2.0;
     let k = if u < 1.0 { 0 } else if u < 2.0 { 1 } else { 2 };
     let s = u - k as f64;
-    let (p0, p1, p2, p3) = (given[k], given[k + 1], given[k + 2], given[k + 3]);
+    let p0 = given[k];
+    let p1 = given[k + 1];
+    let p2 = given[k + 2];
+    let p3 = given[k + 3];
     let value = 0.5
         * (2.0 * p1 + (p2 - p0) * s + (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) * s.powi(2)
             + (3.0 * (p1 - p2) + p3 - p0) * s.powi(3));
@@ -75,7 +81,8 @@ twice! { Symbolic natural_spline_by_thomas(coord coord ([0.0, 1.0, -0.5, 2.0, 0.
     let at = x + 2.0;
     let mut value = 0.0;
     for k in 0..N - 1 {
-        let (a, b) = (k as f64 + 1.0 - at, at - k as f64);
+        let a = k as f64 + 1.0 - at;
+        let b = at - k as f64;
         if (0.0..1.0).contains(&b) {
             value = (m[k] * a * a * a + m[k + 1] * b * b * b) / 6.0
                 + (v[k] - m[k] / 6.0) * a
@@ -119,7 +126,8 @@ twice! { Symbolic nurbs_circle(coord coord coord): fn f(u: Coord, x: Coord, y: C
     let w = std::f64::consts::FRAC_1_SQRT_2;
     let quarter = [(vec2(1.0, 0.0), 1.0), (vec2(1.0, 1.0), w), (vec2(0.0, 1.0), 1.0)];
     let b = [(1.0 - u) * (1.0 - u), 2.0 * u * (1.0 - u), u * u];
-    let (mut top, mut bottom) = (Vec2::zeros(), 0.0);
+    let mut top = Vec2::zeros();
+    let mut bottom = 0.0;
     for ((p, w), b) in quarter.iter().zip(b.iter()) {
         top += *p * (w * b);
         bottom += w * b;
@@ -170,7 +178,8 @@ twice! { Symbolic neville(coord coord): fn f(x: Coord, y: Coord) -> f64 {
     let mut p: Vec<f64> = samples.iter().map(|s| s.1).collect();
     for gap in 1..samples.len() {
         for i in 0..samples.len() - gap {
-            let (a, b) = (samples[i].0, samples[i + gap].0);
+            let a = samples[i].0;
+            let b = samples[i + gap].0;
             p[i] = ((x - b) * p[i] - (x - a) * p[i + 1]) / (a - b);
         }
     }
@@ -180,7 +189,8 @@ twice! { Symbolic neville(coord coord): fn f(x: Coord, y: Coord) -> f64 {
 twice! { Symbolic chebyshev_by_clenshaw(coord coord (vec![0.5, -1.0, 0.25, 0.125])): fn f(x: Coord, y: Coord, _unused: Vec<f64>) -> f64 {
     const C: &[f64] = &[0.5, -1.0, 0.25, 0.125, 0.0625];
     let u = x / 2.0;
-    let (mut b1, mut b2) = (0.0, 0.0);
+    let mut b1 = 0.0;
+    let mut b2 = 0.0;
     for c in C.iter().skip(1).rev() {
         (b1, b2) = (2.0 * u * b1 - b2 + c, b1);
     }
@@ -201,7 +211,8 @@ twice! { Symbolic subdivision_of_a_polygon(coord): fn f(x: Coord) -> f64 {
     for _ in 0..2 {
         let mut finer = Vec::with_capacity(2 * corners.len());
         for pair in corners.windows(2) {
-            let ((ax, ay), (bx, by)) = (pair[0], pair[1]);
+            let (ax, ay) = pair[0];
+            let (bx, by) = pair[1];
             finer.push((0.75 * ax + 0.25 * bx, 0.75 * ay + 0.25 * by));
             finer.push((0.25 * ax + 0.75 * bx, 0.25 * ay + 0.75 * by));
         }

@@ -19,9 +19,11 @@ twice! { Symbolic tangent_sphere_and_plane(spatial (vec3(0.0, 0.6, 0.8)) (0.3)):
 } }
 
 twice! { Symbolic capsule(coord coord coord): fn f(x: Coord, y: Coord, d: Coord) -> f64 {
-    let (a, b) = (vec2(-1.0, 0.0), vec2(1.0, 0.5));
+    let a = vec2(-1.0, 0.0);
+    let b = vec2(1.0, 0.5);
     let p = vec2(x, y);
-    let (pa, ba) = (p - a, b - a);
+    let pa = p - a;
+    let ba = b - a;
     let h = (pa.dot(ba) / ba.dot(ba)).clamp(0.0, 1.0);
     (pa - ba * h).norm() - 0.25 - d
 } }
@@ -52,8 +54,10 @@ twice! { Symbolic polygon_distance(coord coord coord): fn f(x: Coord, y: Coord, 
     for k in 0..corners.len() {
         let (ax, ay) = corners[k];
         let (bx, by) = corners[(k + 1) % corners.len()];
-        let (ex, ey) = (bx - ax, by - ay);
-        let (px, py) = (x - ax, y - ay);
+        let ex = bx - ax;
+        let ey = by - ay;
+        let px = x - ax;
+        let py = y - ay;
         let s = ((px * ex + py * ey) / (ex * ex + ey * ey)).max(0.0).min(1.0);
         nearest = nearest.min((px - s * ex).powi(2) + (py - s * ey).powi(2));
         inside &= ex * py - ey * px > 0.0;
@@ -63,7 +67,8 @@ twice! { Symbolic polygon_distance(coord coord coord): fn f(x: Coord, y: Coord, 
 
 twice! { Symbolic point_in_a_cone(spatial (0.4)): fn f(i: Spatial, half: f64) -> f64 {
     let p = i.r;
-    let (along, across) = (p.z, p.x.hypot(p.y));
+    let along = p.z;
+    let across = p.x.hypot(p.y);
     across * half.cos() - along * half.sin()
 } }
 
@@ -98,7 +103,8 @@ twice! { Symbolic terrain_by_bilinear_cells(coord coord coord): fn f(x: Coord, y
         let k = (u + 2.0).floor().clamp(0.0, 3.0);
         (k as usize, u + 2.0 - k)
     };
-    let ((i, s), (j, t)) = (cell(x), cell(y));
+    let (i, s) = cell(x);
+    let (j, t) = cell(y);
     let lerp = |a: f64, b: f64, w: f64| a + (b - a) * w;
     z - lerp(lerp(H[i][j], H[i][j + 1], t), lerp(H[i + 1][j], H[i + 1][j + 1], t), s)
 } }

@@ -38,7 +38,8 @@ twice! { Symbolic dwell_rise_dwell(coord time (1.0)): fn f(x: Coord, t: Time, ri
 } }
 
 twice! { Symbolic trapezoid_speed(coord time): fn f(x: Coord, t: Time) -> f64 {
-    let (ramp, hold) = (0.75, 1.5);
+    let ramp = 0.75;
+    let hold = 1.5;
     let v = 2.0;
     let s = if t <= ramp {
         0.5 * v / ramp * t * t
@@ -54,7 +55,8 @@ twice! { Symbolic trapezoid_speed(coord time): fn f(x: Coord, t: Time) -> f64 {
 twice! { Symbolic bilinear_map(coord coord coord): fn f(x: Coord, y: Coord, z: Coord) -> f64 {
     static GRID: [[f64; 3]; 3] = [[0.0, 1.0, 0.5], [1.0, 2.0, 0.0], [0.5, 1.5, 1.0]];
     let cell = |u: f64| if u < 0.0 { (0, (u + 2.0) / 2.0) } else { (1, u / 2.0) };
-    let ((i, s), (j, t)) = (cell(x), cell(y));
+    let (i, s) = cell(x);
+    let (j, t) = cell(y);
     let low = GRID[i][j] * (1.0 - t) + GRID[i][j + 1] * t;
     let high = GRID[i + 1][j] * (1.0 - t) + GRID[i + 1][j + 1] * t;
     z - (low * (1.0 - s) + high * s)
@@ -94,7 +96,8 @@ twice! { Symbolic counted_crossings(coords): fn f(q: [Coord; 4]) -> f64 {
 } }
 
 twice! { Symbolic bisection(coord): fn f(a: Coord) -> f64 {
-    let (mut low, mut high) = (-4.0, 4.0);
+    let mut low = -4.0;
+    let mut high = 4.0;
     for _ in 0..6 {
         let middle = 0.5 * (low + high);
         if middle * middle * middle + middle > a {

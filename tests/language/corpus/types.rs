@@ -26,7 +26,8 @@ twice! { Symbolic units_as_newtypes(coord coord): fn f(a: Coord, b: Coord) -> f6
             Metres(x)
         }
     }
-    let (x, y) = (Metres::from(a), Metres(b));
+    let x = Metres::from(a);
+    let y = Metres(b);
     let gap = if x < y { y - x } else { x - y };
     (gap + Metres(0.1)).0
 } }
@@ -78,7 +79,8 @@ twice! { Symbolic enum_of_joints(coord coord): fn f(a: Coord, b: Coord) -> Vec2 
     }
     use Joint::*;
     let chain = [Revolute { angle: a, arm: 0.8 }, Slider(b), Fixed];
-    let (mut at, mut heading) = (vec2(0.0, 0.0), 0.0);
+    let mut at = vec2(0.0, 0.0);
+    let mut heading = 0.0;
     for joint in &chain {
         match joint {
             Revolute { angle, arm } => {

@@ -1,4 +1,5 @@
-//! Mechanisms and numerics as they are written by people who have not read how the compiler reads them.
+//! Mechanisms and numerics as they are written by people who have not read how the compiler reads
+//! them.
 
 use kin::prelude::*;
 
@@ -10,7 +11,8 @@ twice! { Symbolic involute_contact(planar planar (0.5) coord): fn f(i: Planar, j
 } }
 
 twice! { Symbolic clothoid(coord coord coord (0.4)): fn f(s: Coord, x: Coord, y: Coord, a: f64) -> [f64; 2] {
-    let (mut px, mut py) = (0.0, 0.0);
+    let mut px = 0.0;
+    let mut py = 0.0;
     const N: usize = 8;
     let h = s / N as f64;
     for k in 0..N {
@@ -32,7 +34,8 @@ twice! { Symbolic de_boor(coord coord): fn f(x: Coord, y: Coord) -> f64 {
     let mut d: [f64; P + 1] = std::array::from_fn(|j| POINTS[j + k - P]);
     for r in 1..=P {
         for j in (r..=P).rev() {
-            let (low, high) = (KNOTS[j + k - P], KNOTS[j + 1 + k - r]);
+            let low = KNOTS[j + k - P];
+            let high = KNOTS[j + 1 + k - r];
             let alpha = (x - low) / (high - low);
             d[j] = (1.0 - alpha) * d[j - 1] + alpha * d[j];
         }
@@ -54,7 +57,8 @@ twice! { Symbolic rope(planar planar (3.0) ([(vec2(4.0, 3.0), 0.3), (vec2(6.0, -
 } }
 
 twice! { Symbolic quaternion_log(spatial coords): fn f(body: Spatial, out: [Coord; 3]) -> Vec3 {
-    let (w, v) = (body.p.e0, body.p.vector());
+    let w = body.p.e0;
+    let v = body.p.vector();
     let n = v.norm();
     let scale = if n > 1e-8 { 2.0 * n.atan2(w) / n } else { 2.0 / w };
     v * scale - Vec3::new(out[0], out[1], out[2])
@@ -102,7 +106,8 @@ twice! { Symbolic labelled(coord coord): fn f(x: Coord, y: Coord) -> f64 {
 } }
 
 twice! { Symbolic chebyshev(coord coord ([0.5, -1.0, 0.25, 0.1, -0.05, 0.02])): fn f(x: Coord, y: Coord, c: [f64; 6]) -> f64 {
-    let (mut b1, mut b2) = (0.0, 0.0);
+    let mut b1 = 0.0;
+    let mut b2 = 0.0;
     for &ck in c[1..].iter().rev() {
         (b1, b2) = (2.0 * x * b1 - b2 + ck, b1);
     }
@@ -164,7 +169,9 @@ twice! { Symbolic dyn_inside(coord coord): fn f(x: Coord, y: Coord) -> f64 {
 } }
 
 twice! { Symbolic matrix_exp(coords (vec3(0.3, 0.2, 0.1)) (vec3(0.4, -0.2, 1.0))): fn f(w: [Coord; 3], u: Vec3, v: Vec3) -> Vec3 {
-    let (x, y, z) = (w[0], w[1], w[2]);
+    let x = w[0];
+    let y = w[1];
+    let z = w[2];
     let skew = Mat3::new(0.0, -z, y, z, 0.0, -x, -y, x, 0.0);
     let mut term = Mat3::identity();
     let mut sum = Mat3::identity();

@@ -8,8 +8,8 @@ use crate::Result;
 use crate::source::{Mutant, Source};
 use crate::tests::Fate;
 
-/// Killed mutants by their names. Mutants that live are judged again in each run: a test may have come for
-/// them.
+/// Killed mutants by their names. Mutants that live are judged again in each run: a test may have
+/// come for them.
 pub struct Fates {
     path: PathBuf,
     killed: BTreeMap<String, Killed>,

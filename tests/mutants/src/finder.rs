@@ -139,7 +139,8 @@ impl Finder<'_> {
             others.next().filter(|_| others.next().is_none())
         });
         if let Some(((file, _), lit)) = found {
-            let (function, constant) = (format!("const {name}"), Some(file.clone()));
+            let function = format!("const {name}");
+            let constant = Some(file.clone());
             self.sites.push(Site {
                 range,
                 shape: Shape::Instead,

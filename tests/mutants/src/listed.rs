@@ -1,8 +1,8 @@
 //! The list of mutants that may live, each with its reason.
 //!
-//! A line that is not indented names a mutant; indented lines below one or several of them are the reason for
-//! all of these. Lines that begin with `#` are headings. `*` instead of the last part of a name means every
-//! change of that place.
+//! A line that is not indented names a mutant; indented lines below one or several of them are the
+//! reason for all of these. Lines that begin with `#` are headings. `*` instead of the last part of
+//! a name means every change of that place.
 
 use std::collections::BTreeMap;
 

@@ -1,9 +1,11 @@
-//! Mutants of Kin's rooms: changes of their code that a test should notice. `.ci/mutants` runs this.
+//! Mutants of Kin's rooms: changes of their code that a test should notice. `.ci/mutants` runs
+//! this.
 //!
-//! All mutants of a part of the code are compiled at once into a copy of the workspace, as alternatives that
-//! an environment variable chooses from (mutant schemata: Untch, Offutt, Harrold 1993). Each test is run once
-//! to see which places it comes to; then every mutant is run against the tests that come to it, until one
-//! fails. Those that live have to be in `listed.txt`, with a reason.
+//! All mutants of a part of the code are compiled at once into a copy of the workspace, as
+//! alternatives that an environment variable chooses from (mutant schemata: Untch, Offutt, Harrold
+//! 1993). Each test is run once to see which places it comes to; then every mutant is run against
+//! the tests that come to it, until one fails. Those that live have to be in `listed.txt`, with a
+//! reason.
 
 mod fates;
 mod finder;
@@ -78,7 +80,8 @@ fn main() -> Result<()> {
     if failed.is_empty() { Ok(()) } else { Err(format!("not done: {}", failed.join(", ")).into()) }
 }
 
-/// Runs the mutants of one part. Errors: mutants live that are not listed, or some are left when time is up.
+/// Runs the mutants of one part. Errors: mutants live that are not listed, or some are left when
+/// time is up.
 fn run(part: &Part, options: &Options, root: &Path) -> Result<()> {
     let begin = Instant::now();
     let mut sources = part.sources(root)?;
@@ -169,8 +172,8 @@ fn options() -> Result<Option<Options>> {
 /// A mutant, and how it ended.
 type Judged<'a> = (&'a Mutant, Fate);
 
-/// Runs mutants until that time; those that live are named at once, and the record is kept should this be
-/// ended early.
+/// Runs mutants until that time; those that live are named at once, and the record is kept should
+/// this be ended early.
 fn judged<'a>(
     tests: &Tests,
     mutants: &'a [Mutant],
@@ -249,7 +252,8 @@ fn side_by_side<'a, T: Sync, R: Send>(
     items: &'a [T],
     f: impl Fn(usize, &'a T) -> R + Sync,
 ) -> Vec<R> {
-    let (next, results) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let next = AtomicUsize::new(0);
+    let results = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
         for _ in 0..jobs.max(1) {
             scope.spawn(|| {

@@ -1,8 +1,9 @@
 //! Alternatives that may stand instead of an expression.
 //!
-//! Numbers within formulas stay as they are: most of their small changes only make a method slower or a bound
-//! wider. Left out is also what a mutant that is there dies with: where `a` and `b` instead of `a && b` are
-//! told from it, so is `a || b`; where `true` and `false` instead of a comparison are, so is its opposite.
+//! Numbers within formulas stay as they are: most of their small changes only make a method slower
+//! or a bound wider. Left out is also what a mutant that is there dies with: where `a` and `b`
+//! instead of `a && b` are told from it, so is `a || b`; where `true` and `false` instead of a
+//! comparison are, so is its opposite.
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
@@ -88,8 +89,9 @@ impl Operators<'_> {
 
     fn binary(&self, binary: &ExprBinary) -> Vec<Alternative> {
         let op = &binary.op;
-        let (name, left, right) =
-            (self.code(op.span()), self.code(binary.left.span()), self.code(binary.right.span()));
+        let name = self.code(op.span());
+        let left = self.code(binary.left.span());
+        let right = self.code(binary.right.span());
         let by = |other: &str| {
             Alternative::new(format!("({left}) {other} ({right})"), format!("`{name}` becomes `{other}`"))
         };
@@ -143,7 +145,8 @@ impl Operators<'_> {
     }
 
     fn method(&self, call: &ExprMethodCall) -> Vec<Alternative> {
-        let (name, receiver) = (call.method.to_string(), self.code(call.receiver.span()));
+        let name = call.method.to_string();
+        let receiver = self.code(call.receiver.span());
         let arguments =
             call.args.iter().map(|argument| self.code(argument.span())).collect::<Vec<_>>().join(", ");
         let mut all = Vec::new();
@@ -162,8 +165,8 @@ impl Operators<'_> {
     }
 }
 
-/// Other values than that of a named number, which is a threshold or a bound and no coefficient, or than that
-/// of a truth.
+/// Other values than that of a named number, which is a threshold or a bound and no coefficient, or
+/// than that of a truth.
 pub fn literal(lit: &Lit) -> Vec<Alternative> {
     let to = |value: String| Alternative::new(value.clone(), format!("becomes {value}"));
     match lit {

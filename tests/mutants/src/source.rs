@@ -1,4 +1,5 @@
-//! A source file, the places in it at which something can be changed, and the file with all of that in it.
+//! A source file, the places in it at which something can be changed, and the file with all of that
+//! in it.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -67,8 +68,8 @@ pub struct Mutant {
 }
 
 impl Mutant {
-    /// The name by which the list knows it, without a line, so that it stays the same while the file changes
-    /// elsewhere.
+    /// The name by which the list knows it, without a line, so that it stays the same while the
+    /// file changes elsewhere.
     pub fn key(&self) -> String {
         format!("{} | {} | {} | {}", self.path, self.function, self.code, self.label)
     }
@@ -179,7 +180,8 @@ impl Source {
     }
 
     fn render(&self, range: Range<usize>, mut sites: &[Site]) -> String {
-        let (mut text, mut at) = (String::new(), range.start);
+        let mut text = String::new();
+        let mut at = range.start;
         while let Some((site, others)) = sites.split_first() {
             let inside = others.iter().take_while(|inner| inner.range.start < site.range.end).count();
             text += &self.text[at..site.range.start];
@@ -191,9 +193,11 @@ impl Source {
 }
 
 impl Site {
-    /// The code here, and what may stand instead; the code comes first, so that types are found from it.
+    /// The code here, and what may stand instead; the code comes first, so that types are found
+    /// from it.
     fn wrap(&self, original: &str) -> String {
-        let (first, count) = (self.first, self.alternatives.len());
+        let first = self.first;
+        let count = self.alternatives.len();
         let compiling =
             || self.alternatives.iter().enumerate().filter(|(_, alternative)| alternative.compiles);
         if compiling().next().is_none() {

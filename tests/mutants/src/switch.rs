@@ -17,8 +17,8 @@ static LOG: LazyLock<Option<Mutex<File>>> =
 
 static REACHED: [AtomicBool; 1 << 16] = [const { AtomicBool::new(false) }; 1 << 16];
 
-/// 0 for the code as it was written, k for the k-th of `count` mutants of a place, the first of which has the
-/// number `first`.
+/// 0 for the code as it was written, k for the k-th of `count` mutants of a place, the first of
+/// which has the number `first`.
 #[inline]
 pub(crate) fn at(first: u32, count: u32) -> u32 {
     let active = *ACTIVE;

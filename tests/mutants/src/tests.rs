@@ -41,13 +41,13 @@ pub enum Fate {
 /// Tests that take less are run in one process.   \[s\]
 const QUICK: f64 = 0.1;
 
-/// How many cases tests with random ones take: a mutant that only the two hundredth finds is not told from
-/// one that lives by what it costs.
+/// How many cases tests with random ones take: a mutant that only the two hundredth finds is not
+/// told from one that lives by what it costs.
 const CASES: &str = "80";
 
 impl Tests {
-    /// Runs every test once, and sees where it comes. Tests that fail without a mutant, or take too long, are
-    /// left out, and named.
+    /// Runs every test once, and sees where it comes. Tests that fail without a mutant, or take too
+    /// long, are left out, and named.
     pub fn new(programs: Vec<Program>, folder: &Path, longest: f64, jobs: usize) -> Result<Tests> {
         let mut names = Vec::new();
         for (k, program) in programs.iter().enumerate() {
@@ -106,8 +106,8 @@ impl Tests {
         format!("{} {}", self.programs[test.program].name, test.name)
     }
 
-    /// Runs a mutant against the tests that reach it: first those that its neighbours died of, or itself
-    /// another time, then the fastest.
+    /// Runs a mutant against the tests that reach it: first those that its neighbours died of, or
+    /// itself another time, then the fastest.
     pub fn judge(&self, mutant: &Mutant, before: Option<&str>) -> Result<Fate> {
         let mut tests: Vec<usize> =
             (0..self.tests.len()).filter(|k| self.tests[*k].reached.contains(&mutant.site)).collect();
@@ -165,8 +165,8 @@ impl Tests {
         Ok(self.name(&self.tests[killer]))
     }
 
-    /// True if tests of one program pass with a mutant, in a time that is not far from what they take without
-    /// it.
+    /// True if tests of one program pass with a mutant, in a time that is not far from what they
+    /// take without it.
     fn passes(&self, group: &[usize], mutant: usize) -> Result<bool> {
         let names: Vec<&String> = group.iter().map(|k| &self.tests[*k].name).collect();
         let seconds: f64 = group.iter().map(|k| self.tests[*k].seconds).sum();
@@ -177,8 +177,8 @@ impl Tests {
     }
 }
 
-/// A program of tests that may take so many seconds of a processor, and not all memory: some mutants do not
-/// end. Seconds by the clock would kill mutants of what else the machine is doing.
+/// A program of tests that may take so many seconds of a processor, and not all memory: some
+/// mutants do not end. Seconds by the clock would kill mutants of what else the machine is doing.
 fn command(program: &Program, seconds: f64) -> Command {
     let mut command = Command::new("sh");
     command
@@ -201,7 +201,8 @@ fn only(program: &Program, names: &[impl AsRef<str>], seconds: f64) -> Command {
     command
 }
 
-/// True if a process ends well. One that waits takes no seconds of a processor, and is ended by the clock.
+/// True if a process ends well. One that waits takes no seconds of a processor, and is ended by the
+/// clock.
 fn ends_well(child: &mut Child, seconds: f64) -> Result<bool> {
     const CLOCK: f64 = 20.0;
     let begin = Instant::now();

@@ -104,8 +104,8 @@ impl Tree {
     }
 }
 
-/// Leaves out the mutants in which an error stands, or those around it, or those between the places that it
-/// names; gives how many.
+/// Leaves out the mutants in which an error stands, or those around it, or those between the places
+/// that it names; gives how many.
 fn blame(error: &Value, sources: &mut [Source], texts: &[String]) -> usize {
     let none = Vec::new();
     let spans = error["spans"].as_array().unwrap_or(&none);
@@ -162,7 +162,9 @@ type Marks = Vec<(usize, Range<usize>)>;
 
 /// Where mutants and places stand in an instrumented file.
 fn marks(text: &str) -> (Marks, Marks) {
-    let (mut mutants, mut sites, mut open) = (Vec::new(), Vec::new(), Vec::new());
+    let mut mutants = Vec::new();
+    let mut sites = Vec::new();
+    let mut open = Vec::new();
     for (at, _) in text.match_indices("/*") {
         let Some(kind) = text[at + 2..].chars().next() else { continue };
         match kind {
@@ -187,14 +189,16 @@ fn write(path: &Path, text: &str) -> Result<()> {
     Ok(fs::write(path, text)?)
 }
 
-/// Copies a folder but for some files, for what is built and for what is hidden; takes away files that are no
-/// longer there.
+/// Copies a folder but for some files, for what is built and for what is hidden; takes away files
+/// that are no longer there.
 fn copy(from: &Path, to: &Path, except: &[PathBuf]) -> Result<()> {
     fs::create_dir_all(to)?;
     let mut kept = vec!["mutants.rs".into()];
     for entry in fs::read_dir(from)? {
         let entry = entry?;
-        let (name, path, there) = (entry.file_name(), entry.path(), to.join(entry.file_name()));
+        let name = entry.file_name();
+        let path = entry.path();
+        let there = to.join(entry.file_name());
         kept.push(name.clone());
         if name.to_string_lossy().starts_with('.')
             || name == "target"

@@ -1,5 +1,5 @@
-//! Equations with several solutions near one another, by jumps within the tube or without any; conditions
-//! that the last bit decides.
+//! Equations with several solutions near one another, by jumps within the tube or without any;
+//! conditions that the last bit decides.
 
 use super::{Case, lengths, moved};
 use crate::wide::{Wide, w};
@@ -65,7 +65,8 @@ fn decided_by_rest(x: Coord, z: Coord, at: f64) -> f64 {
     z - x % at
 }
 
-/// x − d ⌊x > c⌋ = t has the solutions x = t where that is not above c, and x = t + d where that is.
+/// x − d ⌊x > c⌋ = t has the solutions x = t where that is not above c, and x = t + d where that
+/// is.
 fn gates() -> Vec<Case> {
     let mut all = Vec::new();
     for (c, d, from, to, honest) in [
@@ -79,7 +80,8 @@ fn gates() -> Vec<Case> {
         (1.0, 0.3, 0.69, 0.71, false),
     ] {
         let solutions = move |t: &Wide| {
-            let (low, high) = (t.clone(), t + d);
+            let low = t.clone();
+            let high = t + d;
             let mut found = Vec::new();
             if low <= c {
                 found.push((0, vec![low]));
@@ -152,9 +154,12 @@ fn rests() -> Vec<Case> {
 /// A line that goes on from a unit earlier beyond c.
 fn folds() -> Vec<Case> {
     let mut all = Vec::new();
-    for (c, from, to, honest) in [(0.5, 0.0, 0.45, false), (0.5, 0.1, 0.2, false), (2.0, 0.0, 0.9, true)] {
+    for (c, from, to, honest) in
+        [(0.5, 0.0, 0.45, false), (0.5, 0.1, 0.2, false), (2.0, 0.0, 0.9, true)]
+    {
         let solutions = move |t: &Wide| {
-            let (low, high) = (t.clone(), t - 1.0);
+            let low = t.clone();
+            let high = t - 1.0;
             let mut found = Vec::new();
             if low <= c {
                 found.push((0, vec![low, w(0.0)]));
@@ -211,7 +216,13 @@ fn near_one_another() -> Vec<Case> {
             let system = lengths([start], |m, [x]| m.add("c", cubed(x, c)).map(|_| ()));
             if let Some(motion) = moved(&system, &linspace(0.0, 1.0, 6)) {
                 let name = format!("three solutions {c} apart, from {start}");
-                all.push(Case { name, honest: true, system, motion, solutions: Box::new(solutions) });
+                all.push(Case {
+                    name,
+                    honest: true,
+                    system,
+                    motion,
+                    solutions: Box::new(solutions),
+                });
             }
         }
     }
@@ -221,7 +232,8 @@ fn near_one_another() -> Vec<Case> {
 type Adds = fn(&mut Mechanism, Coordinate, Coordinate, f64) -> kin::Result<()>;
 type Decision = fn(&Wide, &Wide) -> Wide;
 
-/// x² = c, and a z that jumps where x is the f64 next to √c: which side x is on is not for f64 to say.
+/// x² = c, and a z that jumps where x is the f64 next to √c: which side x is on is not for f64 to
+/// say.
 fn last_bits() -> Vec<Case> {
     let kinds: [(&str, Adds, Decision); 5] = [
         (
@@ -242,13 +254,22 @@ fn last_bits() -> Vec<Case> {
             |m, x, z, at| m.add("z", decided_by_both(x, z, at)).map(|_| ()),
             |x, at| w(if x >= at && 2.0 * x < 3.0 * at { 1.0 } else { 0.0 }),
         ),
-        ("sign", |m, x, z, at| m.add("z", decided_by_sign(x, z, at)).map(|_| ()), |x, at| (x - at).signum()),
-        ("rest", |m, x, z, at| m.add("z", decided_by_rest(x, z, at)).map(|_| ()), |x, at| x.rem(at)),
+        (
+            "sign",
+            |m, x, z, at| m.add("z", decided_by_sign(x, z, at)).map(|_| ()),
+            |x, at| (x - at).signum(),
+        ),
+        (
+            "rest",
+            |m, x, z, at| m.add("z", decided_by_rest(x, z, at)).map(|_| ()),
+            |x, at| x.rem(at),
+        ),
     ];
     let mut all = Vec::new();
     for c in [2.0, 3.0, 5.0, 6.0, 7.0, 10.0, 11.0, 13.0] {
         for (name, add, decision) in kinds {
-            let (root, at) = (w(c).sqrt(), f64::sqrt(c));
+            let root = w(c).sqrt();
+            let at = f64::sqrt(c);
             let z = decision(&root, &w(at));
             // computed at the f64 next to the root
             for guess in [0.0, 1.0, c, c - 1.0, at] {
@@ -274,5 +295,8 @@ fn last_bits() -> Vec<Case> {
 }
 
 pub fn cases() -> Vec<Case> {
-    [gates(), stairs(), rests(), folds(), near_one_another(), last_bits()].into_iter().flatten().collect()
+    [gates(), stairs(), rests(), folds(), near_one_another(), last_bits()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -1,5 +1,5 @@
-//! Numbers that are not those of f64: decimals, constants that f64 rounds, and the library's functions at
-//! their worst arguments.
+//! Numbers that are not those of f64: decimals, constants that f64 rounds, and the library's
+//! functions at their worst arguments.
 
 use super::{Case, lengths, moved};
 use crate::wide::{Wide, dec, w};
@@ -96,22 +96,37 @@ fn branch_of_a_root(z: Coord) -> f64 {
 }
 
 /// z is a number.
-fn case(name: String, add: impl FnOnce(&mut Mechanism, Coordinate) -> kin::Result<()>, exact: Wide) -> Case {
+fn case(
+    name: String,
+    add: impl FnOnce(&mut Mechanism, Coordinate) -> kin::Result<()>,
+    exact: Wide,
+) -> Case {
     let system = lengths([exact.show().parse().unwrap_or(0.0)], |m, [z]| add(m, z));
     let motion = moved(&system, &[0.0, 1.0]).unwrap_or_else(|| panic!("{name} has a position"));
-    Case { name, honest: true, system, motion, solutions: Box::new(move |_| vec![(0, vec![exact.clone()])]) }
+    Case {
+        name,
+        honest: true,
+        system,
+        motion,
+        solutions: Box::new(move |_| vec![(0, vec![exact.clone()])]),
+    }
 }
 
 pub fn cases() -> Vec<Case> {
     let mut all = of_one();
     all.extend(of_none());
     // steps and branches of what no f64 is: where f64 is on the other side there is no proof
-    let mut trap = |name: &str, add: fn(&mut Mechanism, Coordinate) -> kin::Result<()>, exact: f64| {
-        all.push(Case { honest: false, ..case(name.to_string(), add, w(exact)) });
-    };
+    let mut trap =
+        |name: &str, add: fn(&mut Mechanism, Coordinate) -> kin::Result<()>, exact: f64| {
+            all.push(Case { honest: false, ..case(name.to_string(), add, w(exact)) });
+        };
     trap("step of a decimal", |m, z| m.add("z", step_of_a_decimal(z)).map(|_| ()), 3.0);
     // 0.3 as f64 is below 3/10
-    trap("step of a rounded product", |m, z| m.add("z", step_of_a_rounded_product(z, 0.3)).map(|_| ()), 2.0);
+    trap(
+        "step of a rounded product",
+        |m, z| m.add("z", step_of_a_rounded_product(z, 0.3)).map(|_| ()),
+        2.0,
+    );
     trap("branch of decimals", |m, z| m.add("z", branch_of_decimals(z)).map(|_| ()), 0.0);
     trap("branch of a root", |m, z| m.add("z", branch_of_a_root(z)).map(|_| ()), 0.0);
     all

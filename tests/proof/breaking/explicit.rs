@@ -1,5 +1,5 @@
-//! z = g(x) with x driven along a line: steps, remainders, selections, angles over their cut, at a distance
-//! from their jumps, over them, and at them.
+//! z = g(x) with x driven along a line: steps, remainders, selections, angles over their cut, at a
+//! distance from their jumps, over them, and at them.
 
 use super::{Case, lengths, moved};
 use crate::wide::{Wide, w};
@@ -78,7 +78,14 @@ explicit! {
 }
 
 /// x from a to b within a second, in some steps.
-fn case(name: &str, add: Adds, f: Function, [a, b, k]: [f64; 3], steps: usize, honest: bool) -> Option<Case> {
+fn case(
+    name: &str,
+    add: Adds,
+    f: Function,
+    [a, b, k]: [f64; 3],
+    steps: usize,
+    honest: bool,
+) -> Option<Case> {
     let at = f(&w(a), &w(k)).show().parse::<f64>().unwrap_or(0.0);
     let system = lengths([a, at], |m, [x, z]| {
         m.add("x", drive(x, Law::linear(a, b - a)))?;
@@ -105,14 +112,19 @@ pub fn cases() -> Vec<Case> {
             ([1.0 - 1e-9, 1.0 - 1e-13, 1.0], 1),
             ([2.9, 3.2, 0.3], 4),
         ];
-        all.extend(ranges.into_iter().filter_map(|(range, steps)| case(name, add, f, range, steps, false)));
+        all.extend(
+            ranges.into_iter().filter_map(|(range, steps)| case(name, add, f, range, steps, false)),
+        );
         // clear of them
-        let clear = if matches!(name, "nested" | "round") { [0.1, 0.3, 1.0] } else { [0.55, 0.95, 1.0] };
+        let clear =
+            if matches!(name, "nested" | "round") { [0.1, 0.3, 1.0] } else { [0.55, 0.95, 1.0] };
         all.extend(case(name, add, f, clear, 3, true));
     }
     for (name, add, f) in continuous::all() {
         let ranges = [([0.7, 1.3, 1.0], 4), ([1.0, 1.4, 1.0], 2), ([2.9, 3.2, 3.0], 9)];
-        all.extend(ranges.into_iter().filter_map(|(range, steps)| case(name, add, f, range, steps, true)));
+        all.extend(
+            ranges.into_iter().filter_map(|(range, steps)| case(name, add, f, range, steps, true)),
+        );
     }
     all
 }

@@ -1,5 +1,5 @@
-//! Motions that no run made: poses of several branches one after the other, rates that are not theirs, times
-//! twice or backwards.
+//! Motions that no run made: poses of several branches one after the other, rates that are not
+//! theirs, times twice or backwards.
 
 use super::{Case, Solutions, lengths, posed};
 use crate::engines::Engines;
@@ -51,8 +51,10 @@ fn forged(
     honest: bool,
     forge: impl FnOnce(&mut kin::data::MotionData, &kin::data::MotionData),
 ) -> Option<Case> {
-    let [one, other] = [1.0, -1.0].map(|side| posed(&on(c, side), times).map(|motion| motion.data()));
-    let (mut one, other) = (one?, other?);
+    let [one, other] =
+        [1.0, -1.0].map(|side| posed(&on(c, side), times).map(|motion| motion.data()));
+    let mut one = one?;
+    let other = other?;
     forge(&mut one, &other);
     let motion = Motion::from_data(&one).ok()?;
     Some(Case { name, honest, system: on(c, 1.0), motion, solutions: Box::new(two(c)) })
@@ -64,16 +66,28 @@ fn joined() -> Vec<Case> {
     for c in [1.0, 1e-2, 1e-5, 1e3] {
         // into the other branch, at each time, with its rates or with those of before
         for at in 1..6 {
-            all.extend(forged(format!("{c}: other branch from {at}"), c, &times, false, |one, other| {
-                for (to, from) in
-                    [(&mut one.q, &other.q), (&mut one.qd, &other.qd), (&mut one.qdd, &other.qdd)]
-                {
-                    to.splice(at.., from[at..].iter().cloned());
-                }
-            }));
-            all.extend(forged(format!("{c}: other branch at {at} alone"), c, &times, false, |one, other| {
-                one.q[at] = other.q[at].clone()
-            }));
+            all.extend(forged(
+                format!("{c}: other branch from {at}"),
+                c,
+                &times,
+                false,
+                |one, other| {
+                    for (to, from) in [
+                        (&mut one.q, &other.q),
+                        (&mut one.qd, &other.qd),
+                        (&mut one.qdd, &other.qdd),
+                    ] {
+                        to.splice(at.., from[at..].iter().cloned());
+                    }
+                },
+            ));
+            all.extend(forged(
+                format!("{c}: other branch at {at} alone"),
+                c,
+                &times,
+                false,
+                |one, other| one.q[at] = other.q[at].clone(),
+            ));
         }
         // rates that are not its own: the tube is wide, and what is proved is true all the same
         for factor in [0.0, 2.0, -1.0, 1e3, 1e12, 1e200] {
@@ -96,9 +110,13 @@ fn joined() -> Vec<Case> {
     }
     // both branches at one time; back in time; the same time twice
     let twice = [0.0, 0.5, 0.5, 1.0];
-    all.extend(forged("one time on both branches".to_string(), 1.0, &twice, false, |one, other| {
-        one.q[2..].clone_from_slice(&other.q[2..])
-    }));
+    all.extend(forged(
+        "one time on both branches".to_string(),
+        1.0,
+        &twice,
+        false,
+        |one, other| one.q[2..].clone_from_slice(&other.q[2..]),
+    ));
     all.extend(forged("back in time".to_string(), 1.0, &[1.0, 0.7, 0.3, -0.5], true, |_, _| {}));
     all
 }
@@ -141,7 +159,13 @@ fn singular() -> Vec<Case> {
         let mut own = data.clone();
         own.name = system.name().to_string();
         let Ok(motion) = Motion::from_data(&own) else { continue };
-        all.push(Case { name: name.to_string(), honest: false, system, motion, solutions: Box::new(line) });
+        all.push(Case {
+            name: name.to_string(),
+            honest: false,
+            system,
+            motion,
+            solutions: Box::new(line),
+        });
     }
     // x² = t ends at t = 0: beyond it there is nothing
     let system = lengths([1.0], |m, [x]| m.add("c", parabola(x)).map(|_| ()));
@@ -149,8 +173,9 @@ fn singular() -> Vec<Case> {
         let mut data = motion.data();
         data.times[2] = -1e-4;
         let motion = Motion::from_data(&data).expect("reads");
-        let solutions =
-            |t: &Wide| if *t < 0.0 { vec![] } else { vec![(0, vec![t.sqrt()]), (1, vec![-t.sqrt()])] };
+        let solutions = |t: &Wide| {
+            if *t < 0.0 { vec![] } else { vec![(0, vec![t.sqrt()]), (1, vec![-t.sqrt()])] }
+        };
         all.push(Case {
             name: "over the end".to_string(),
             honest: false,

@@ -1,10 +1,10 @@
-//! Constructions made to break a proof, with what is true of each in 77 digits: none is proved wrongly, and
-//! what is honest is still proved.
+//! Constructions made to break a proof, with what is true of each in 77 digits: none is proved
+//! wrongly, and what is honest is still proved.
 //!
-//! A construction is a system, a motion of it (run, or forged from poses) and all solutions near it at any
-//! time. The proof is held against these: each computed position is as near to one as is said; at many times
-//! of a proved step one solution is in the tube, and no second one is where none is said to be; that solution
-//! is the same one all along.
+//! A construction is a system, a motion of it (run, or forged from poses) and all solutions near it
+//! at any time. The proof is held against these: each computed position is as near to one as is
+//! said; at many times of a proved step one solution is in the tube, and no second one is where
+//! none is said to be; that solution is the same one all along.
 
 mod branches;
 mod constants;
@@ -19,8 +19,8 @@ use kin::{StepProof, Tube};
 use crate::engines::Engines;
 use crate::wide::{Wide, w};
 
-/// All solutions near the motion at a time, coordinate by coordinate. Those of one number from one time to
-/// the next are one continuous motion; a solution that jumps has another number after it.
+/// All solutions near the motion at a time, coordinate by coordinate. Those of one number from one
+/// time to the next are one continuous motion; a solution that jumps has another number after it.
 pub type Solutions = Vec<(usize, Vec<Wide>)>;
 
 /// One construction.
@@ -47,11 +47,13 @@ impl Case {
         let wrong = |what: String| format!("{}: {what}\n{proof}", self.name);
         for (k, t) in self.motion.times().iter().enumerate() {
             let Some(error) = proof.error(k) else { continue };
-            let near =
-                |(_, solution): &(usize, Vec<Wide>)| within(solution, &wide(self.motion.q(k)), error, 0.0);
+            let near = |(_, solution): &(usize, Vec<Wide>)| {
+                within(solution, &wide(self.motion.q(k)), error, 0.0)
+            };
             let all = (self.solutions)(&w(*t));
             if !all.iter().any(near) {
-                let all: Vec<String> = all.iter().flat_map(|(_, q)| q.iter().map(Wide::show)).collect();
+                let all: Vec<String> =
+                    all.iter().flat_map(|(_, q)| q.iter().map(Wide::show)).collect();
                 return Err(wrong(format!(
                     "position {k}, {:?} within {error:?}, is none of {all:?}",
                     self.motion.q(k)
@@ -79,11 +81,17 @@ impl Case {
             let t = w(step.from) + w(u) * (w(step.to) - w(step.from));
             let all = (self.solutions)(&t);
             let inside = |bounds: &[f64], sense: f64| {
-                all.iter().filter(|(_, q)| within(q, &p, bounds, sense * rounding)).collect::<Vec<_>>()
+                all.iter()
+                    .filter(|(_, q)| within(q, &p, bounds, sense * rounding))
+                    .collect::<Vec<_>>()
             };
-            let (near, around) = (inside(&tube.radius, 1.0), inside(&tube.alone, -1.0));
+            let near = inside(&tube.radius, 1.0);
+            let around = inside(&tube.alone, -1.0);
             if near.is_empty() {
-                return Err(format!("step {}: no solution within {:?} at u = {u}", step.step, tube.radius));
+                return Err(format!(
+                    "step {}: no solution within {:?} at u = {u}",
+                    step.step, tube.radius
+                ));
             }
             if around.len() > 1 {
                 return Err(format!(
@@ -105,8 +113,8 @@ impl Case {
 }
 
 impl Case {
-    /// Tests that the solutions of each number go on without a jump: where they change most they are looked
-    /// at closer and closer.
+    /// Tests that the solutions of each number go on without a jump: where they change most they
+    /// are looked at closer and closer.
     fn continuous(&self, step: &StepProof) -> Result<(), String> {
         let at = |u: &Wide| (self.solutions)(&(w(step.from) + u * (w(step.to) - w(step.from))));
         let change = |from: &Solutions, to: &Solutions| {
@@ -118,13 +126,15 @@ impl Case {
         };
         let grid: Vec<Solutions> = (0..=TIMES).map(|k| at(&w(k as f64 / TIMES as f64))).collect();
         let most = (0..TIMES)
-            .reduce(
-                |a, b| if change(&grid[a], &grid[a + 1]) > change(&grid[b], &grid[b + 1]) { a } else { b },
-            )
+            .reduce(|a, b| {
+                if change(&grid[a], &grid[a + 1]) > change(&grid[b], &grid[b + 1]) { a } else { b }
+            })
             .unwrap_or(0);
-        let (mut low, mut high) = (w(most as f64 / TIMES as f64), w((most + 1) as f64 / TIMES as f64));
+        let mut low = w(most as f64 / TIMES as f64);
+        let mut high = w((most + 1) as f64 / TIMES as f64);
         let first = change(&at(&low), &at(&high));
-        let (mut below, mut above) = (at(&low), at(&high));
+        let mut below = at(&low);
+        let mut above = at(&high);
         for _ in 0..40 {
             let middle = 0.5 * (&low + &high);
             let here = at(&middle);
@@ -159,7 +169,8 @@ fn within(solution: &[Wide], q: &[Wide], bounds: &[f64], rounding: f64) -> bool 
 
 /// The position interpolated by q, q̇ and q̈ at both ends, and what f64 may have lost of it.
 fn interpolated(motion: &Motion, k: usize, u: f64) -> (Vec<Wide>, f64) {
-    let (h, u) = (w(motion.times()[k + 1]) - w(motion.times()[k]), w(u));
+    let h = w(motion.times()[k + 1]) - w(motion.times()[k]);
+    let u = w(u);
     let power = |n: usize| (0..n).fold(w(1.0), |power, _| power * &u);
     let of = |c: [f64; 4]| (0..4).fold(w(0.0), |sum, j| sum + c[j] * power(j + 2));
     // over u², u³, u⁴, u⁵
@@ -172,8 +183,14 @@ fn interpolated(motion: &Motion, k: usize, u: f64) -> (Vec<Wide>, f64) {
         &h * of([0.0, -4.0, 7.0, -3.0]),
         &h * &h * of([0.0, 0.5, -1.0, 0.5]),
     ];
-    let rows =
-        [motion.q(k), motion.qd(k), motion.qdd(k), motion.q(k + 1), motion.qd(k + 1), motion.qdd(k + 1)];
+    let rows = [
+        motion.q(k),
+        motion.qd(k),
+        motion.qdd(k),
+        motion.q(k + 1),
+        motion.qd(k + 1),
+        motion.qdd(k + 1),
+    ];
     let step = motion.times()[k + 1] - motion.times()[k];
     let sizes = [1.0, step, step * step, 1.0, step, step * step];
     let largest = rows
@@ -210,7 +227,9 @@ pub fn posed(system: &System, times: &[f64]) -> Option<Motion> {
     let mut whole = all.first()?.clone();
     for one in &all[1..] {
         whole.times.extend(&one.times);
-        for (to, from) in [(&mut whole.q, &one.q), (&mut whole.qd, &one.qd), (&mut whole.qdd, &one.qdd)] {
+        for (to, from) in
+            [(&mut whole.q, &one.q), (&mut whole.qd, &one.qd), (&mut whole.qdd, &one.qdd)]
+        {
             to.extend(from.iter().cloned());
         }
         whole.iterations.extend(&one.iterations);
@@ -221,7 +240,10 @@ pub fn posed(system: &System, times: &[f64]) -> Option<Motion> {
 
 /// Tells all that was proved wrongly at once, and how many of the honest ones were proved.
 fn judged(cases: Vec<Case>) -> [usize; 3] {
-    let (mut honest, mut proved, mut wrong, mut unproved) = (0, 0, Vec::new(), Vec::new());
+    let mut honest = 0;
+    let mut proved = 0;
+    let mut wrong = Vec::new();
+    let mut unproved = Vec::new();
     for case in &cases {
         match case.judge() {
             Err(what) => wrong.push(what),
@@ -234,8 +256,17 @@ fn judged(cases: Vec<Case>) -> [usize; 3] {
             }
         }
     }
-    assert!(wrong.is_empty(), "{} of {} are proved wrongly:\n{}", wrong.len(), cases.len(), wrong.join("\n"));
-    println!("{} constructions, {proved} of {honest} honest ones proved; not: {unproved:?}", cases.len());
+    assert!(
+        wrong.is_empty(),
+        "{} of {} are proved wrongly:\n{}",
+        wrong.len(),
+        cases.len(),
+        wrong.join("\n")
+    );
+    println!(
+        "{} constructions, {proved} of {honest} honest ones proved; not: {unproved:?}",
+        cases.len()
+    );
     [cases.len(), honest, proved]
 }
 

@@ -117,7 +117,8 @@ fn waves() -> Vec<Case> {
 fn long_times() -> Vec<Case> {
     let mut all = Vec::new();
     for start in [0.0, 1e3, 1e6, 1e9, 1e12] {
-        for (from, to, honest) in [(0.2, 0.7, true), (0.7, 1.3, false), (0.5, 1.0, false), (1.0, 1.4, false)]
+        for (from, to, honest) in
+            [(0.2, 0.7, true), (0.7, 1.3, false), (0.5, 1.0, false), (1.0, 1.4, false)]
         {
             let times = [start + from, start + to];
             let system = lengths([0.0], |m, [x]| m.add("c", whole(x)).map(|_| ()));
@@ -129,15 +130,23 @@ fn long_times() -> Vec<Case> {
                 |t| vec![vec![t.floor()]],
             ));
             let system = lengths([0.0], |m, [x]| m.add("c", rest(x, 1.0)).map(|_| ()));
-            all.extend(case(format!("what is left at {start:e} from {from}"), honest, system, &times, |t| {
-                vec![vec![t.fract()]]
-            }));
+            all.extend(case(
+                format!("what is left at {start:e} from {from}"),
+                honest,
+                system,
+                &times,
+                |t| vec![vec![t.fract()]],
+            ));
         }
         let k = start + 1.0;
         let system = lengths([0.0], |m, [x]| m.add("c", since(x, k)).map(|_| ()));
-        all.extend(case(format!("since {k:e}"), false, system, &[start + 0.5, start + 1.5], move |t| {
-            vec![vec![if *t < k { w(0.0) } else { t - k }]]
-        }));
+        all.extend(case(
+            format!("since {k:e}"),
+            false,
+            system,
+            &[start + 0.5, start + 1.5],
+            move |t| vec![vec![if *t < k { w(0.0) } else { t - k }]],
+        ));
     }
     all
 }

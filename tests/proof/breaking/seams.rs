@@ -110,7 +110,10 @@ fn sequences() -> Vec<(&'static str, Law, F, [f64; 2])> {
             "there and back",
             Law::sequence(
                 0.0,
-                [(1.0, Law::cycloidal(1.0, 1.0)), (1.0, Law::constant(1.0) - Law::cycloidal(1.0, 1.0))],
+                [
+                    (1.0, Law::cycloidal(1.0, 1.0)),
+                    (1.0, Law::constant(1.0) - Law::cycloidal(1.0, 1.0)),
+                ],
             )
             .periodic(2.0),
             std::rc::Rc::new(|x: &Wide| {
@@ -136,14 +139,25 @@ fn splines() -> Vec<(&'static str, Law, F, [f64; 2])> {
             // m = −0.3 at the middle
             std::rc::Rc::new(|x: &Wide| {
                 let x = if *x > 1.0 { 2.0 - x } else { x.clone() };
-                if x < 0.0 { 1.5 * w(0.1) * x } else { 1.5 * w(0.1) * &x - 0.5 * w(0.1) * &x * &x * &x }
+                if x < 0.0 {
+                    1.5 * w(0.1) * x
+                } else {
+                    1.5 * w(0.1) * &x - 0.5 * w(0.1) * &x * &x * &x
+                }
             }),
             [-0.5, 2.5],
         ),
     ]
 }
 
-fn followed(name: String, law: Law, f: F, [from, to]: [f64; 2], steps: usize, honest: bool) -> Option<Case> {
+fn followed(
+    name: String,
+    law: Law,
+    f: F,
+    [from, to]: [f64; 2],
+    steps: usize,
+    honest: bool,
+) -> Option<Case> {
     let system = lengths([from, 0.0], |m, [x, z]| {
         m.add("x", drive(x, Law::linear(from, to - from)))?;
         m.add("z", follows(x, z, law)).map(|_| ())
@@ -170,7 +184,10 @@ fn slopes() -> Vec<Case> {
         (
             "slope of a trapezoid",
             Law::trapezoidal(2.0, 1.0, 1.0),
-            pieces(&[0.0, 1.0, 2.0, 3.0], &[|_| w(0.0), Wide::clone, |_| w(1.0), |x| 3.0 - x, |_| w(0.0)]),
+            pieces(
+                &[0.0, 1.0, 2.0, 3.0],
+                &[|_| w(0.0), Wide::clone, |_| w(1.0), |x| 3.0 - x, |_| w(0.0)],
+            ),
             true,
         ),
     ] {
@@ -214,7 +231,12 @@ fn laws_of_angles() -> [(&'static str, Law, fn(&Wide) -> Wide, bool); 9] {
         ("line", Law::linear(0.5, 0.25), |x| 0.5 + 0.25 * x, false),
         ("half sine", Law::sine(0.5, 0.5, 0.25), |x| 0.5 * (0.5 * x + 0.25).sin(), false),
         ("square", Law::polynomial(&[0.0, 0.0, 0.125]), |x| 0.125 * x * x, false),
-        ("nearly", Law::sine(0.5, 2.0 + 1e-9, 0.25), |x| 0.5 * (w(2.0 + 1e-9) * x + 0.25).sin(), false),
+        (
+            "nearly",
+            Law::sine(0.5, 2.0 + 1e-9, 0.25),
+            |x| 0.5 * (w(2.0 + 1e-9) * x + 0.25).sin(),
+            false,
+        ),
         (
             "rise",
             Law::cycloidal(1.0, 4.0),
@@ -235,7 +257,11 @@ fn laws_of_angles() -> [(&'static str, Law, fn(&Wide) -> Wide, bool); 9] {
 /// x from −0.2 to 0.3: the angle of (−1, x) over its cut.
 fn angles() -> Vec<Case> {
     let by: [(&str, Adds, fn(&Wide) -> Wide); 4] = [
-        ("angle", |m, x, z, law| m.add("z", by_angle(x, z, law)).map(|_| ()), |x| x.atan2(&w(-1.0))),
+        (
+            "angle",
+            |m, x, z, law| m.add("z", by_angle(x, z, law)).map(|_| ()),
+            |x| x.atan2(&w(-1.0)),
+        ),
         (
             "angle back",
             |m, x, z, law| m.add("z", by_angle_back(x, z, law)).map(|_| ()),
@@ -278,19 +304,30 @@ fn angles() -> Vec<Case> {
     all
 }
 
-/// A constant after a sine of so many turns that its end is not known: it jumps by what is not seen.
+/// A constant after a sine of so many turns that its end is not known: it jumps by what is not
+/// seen.
 fn hidden_jumps() -> Vec<Case> {
     let mut all = Vec::new();
     for omega in [1e3, 1e6, 1e8, 1e9, 1e10, 1e12, 1e15] {
         for gap in [0.0, 1e-12, 1e-8, 0.3] {
             let end = f64::sin(omega) + gap;
-            let law = Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(end))]);
+            let law =
+                Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(end))]);
             if law.refusal().is_some() {
                 continue;
             }
-            let f: F = std::rc::Rc::new(move |x: &Wide| if *x < 1.0 { (w(omega) * x).sin() } else { w(end) });
+            let f: F = std::rc::Rc::new(
+                move |x: &Wide| if *x < 1.0 { (w(omega) * x).sin() } else { w(end) },
+            );
             let range = [1.0 - 0.25 / omega, 1.0 + 0.25 / omega];
-            all.extend(followed(format!("sine of {omega:e} and a gap of {gap:e}"), law, f, range, 1, false));
+            all.extend(followed(
+                format!("sine of {omega:e} and a gap of {gap:e}"),
+                law,
+                f,
+                range,
+                1,
+                false,
+            ));
         }
     }
     all

@@ -1,4 +1,5 @@
-//! Interval bounds, of which proofs are made, against values at points: what is not inside is wrong.
+//! Interval bounds, of which proofs are made, against values at points: what is not inside is
+//! wrong.
 
 use super::{Disagreement, Spread, Terms};
 use crate::ask::proof::Part;
@@ -11,8 +12,8 @@ const WIDTHS: [f64; 4] = [0.0, 1e-7, 1e-3, 0.1];
 /// How many coefficients of Taylor's formula are asked for.
 const FULL: usize = 7;
 
-/// The entries of C, C_q, C_q q̇ + C_t and Q_d that are not within their bounds over boxes around a state,
-/// and whether bounds were known over a small one.
+/// The entries of C, C_q, C_q q̇ + C_t and Q_d that are not within their bounds over boxes around a
+/// state, and whether bounds were known over a small one.
 pub(super) fn outside(
     constraint: &dyn Constraint,
     q: &[f64],
@@ -20,18 +21,25 @@ pub(super) fn outside(
     t: f64,
     terms: &Terms,
 ) -> (Vec<Disagreement>, bool) {
-    let (mut all, mut known) = (Vec::new(), false);
+    let mut all = Vec::new();
+    let mut known = false;
     let Some(part) = Part::alone(constraint) else { return (all, known) };
     let mut spread = Spread(t.to_bits());
     let rows = constraint.facts().rows;
     let narrow = spread.next() < 0.0;
     for width in WIDTHS.into_iter().skip(usize::from(!narrow)).step_by(2) {
-        let mut around =
-            |x: f64| Interval::new(x - width * (2.0 + spread.next()), x + width * (2.0 + spread.next()));
-        let (boxes, times) = (q.iter().map(|q| around(*q)).collect::<Vec<_>>(), around(t));
-        let along: Vec<Series> =
-            boxes.iter().zip(qd).map(|(q, qd)| Series::variable(*q, Interval::from(*qd), FULL)).collect();
-        let (mut c, mut c_q) = (Vec::new(), Vec::new());
+        let mut around = |x: f64| {
+            Interval::new(x - width * (2.0 + spread.next()), x + width * (2.0 + spread.next()))
+        };
+        let boxes = q.iter().map(|q| around(*q)).collect::<Vec<_>>();
+        let times = around(t);
+        let along: Vec<Series> = boxes
+            .iter()
+            .zip(qd)
+            .map(|(q, qd)| Series::variable(*q, Interval::from(*qd), FULL))
+            .collect();
+        let mut c = Vec::new();
+        let mut c_q = Vec::new();
         let found = part.residual(&along, Series::variable(times, ONE, FULL), &mut c);
         if found.and_then(|()| part.jacobian(&boxes, times, &mut c_q)).is_err() {
             continue;
@@ -42,7 +50,13 @@ pub(super) fn outside(
             let slack = 1e-12 * (1.0 + size + bounds.mag().min(1e6 * (1.0 + value.abs())));
             let difference = (bounds.lo() - value).max(value - bounds.hi());
             if value.is_finite() && difference > slack {
-                all.push(Disagreement { name, own: bounds.mid(), dual: value, central: None, difference });
+                all.push(Disagreement {
+                    name,
+                    own: bounds.mid(),
+                    dual: value,
+                    central: None,
+                    difference,
+                });
             }
         };
         let velocity = &terms.c_q * nalgebra::DVector::from_column_slice(qd) + &terms.c_t;
@@ -50,7 +64,12 @@ pub(super) fn outside(
             let size = terms.c_qqd_qd.amax().max(terms.c_tt.amax()).max(velocity.amax());
             check(format!("bounds of C, {}", rows[k]), c.at(0), terms.c[k], terms.c.amax());
             check(format!("bounds of C_q qd + C_t, {}", rows[k]), c.at(1), velocity[k], size);
-            check(format!("bounds of Q_d, {}", rows[k]), c.at(2) * Interval::from(-2.0), terms.q_d[k], size);
+            check(
+                format!("bounds of Q_d, {}", rows[k]),
+                c.at(2) * Interval::from(-2.0),
+                terms.q_d[k],
+                size,
+            );
         }
         for (row, column, values) in c_q {
             check(
@@ -64,8 +83,8 @@ pub(super) fn outside(
     (all, known)
 }
 
-/// Where a law and its derivatives are not within their bounds, in words: over random intervals, from points
-/// to the whole range, at their ends and inside, and over breaks.
+/// Where a law and its derivatives are not within their bounds, in words: over random intervals,
+/// from points to the whole range, at their ends and inside, and over breaks.
 pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<String> {
     let mut spread = Spread(from.to_bits() ^ to.to_bits());
     let mut share = || 0.25 * (spread.next() + 2.0);
@@ -80,7 +99,10 @@ pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<Str
         };
         // a break is passed where it is inside by more than rounding
         let beside = 1e-9 * (end - begin) + 1e-12 * (begin.abs() + end.abs());
-        for found in law.breaks(begin + beside, end - beside).iter().filter(|_| begin + beside < end - beside)
+        for found in law
+            .breaks(begin + beside, end - beside)
+            .iter()
+            .filter(|_| begin + beside < end - beside)
         {
             if bounds.len() > found.order + 1 {
                 let what = format!(

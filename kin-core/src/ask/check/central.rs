@@ -6,15 +6,16 @@ use super::{DIFFERENCES_TOLERANCE, column};
 use crate::model::dual_route::Equation;
 use crate::model::terms::dual_terms;
 
-/// Central differences of the plain function: C_q and C_t from C, Q_d from C_q q̇ + C_t along the motion.
+/// Central differences of the plain function: C_q and C_t from C, Q_d from C_q q̇ + C_t along the
+/// motion.
 pub(super) struct Central {
     /// C by the plain function.
     pub c: DMatrix<f64>,
     pub c_q: DMatrix<f64>,
     pub c_t: DMatrix<f64>,
     pub q_d: DMatrix<f64>,
-    /// True if two step sizes agree; false beside a kink or a singularity, where central differences say
-    /// nothing.
+    /// True if two step sizes agree; false beside a kink or a singularity, where central
+    /// differences say nothing.
     pub reliable: bool,
 }
 
@@ -30,8 +31,9 @@ impl Central {
         let agree = |a: &DMatrix<f64>, b: &DMatrix<f64>| {
             (a - b).amax() <= 0.3 * DIFFERENCES_TOLERANCE * (1.0 + a.amax())
         };
-        let reliable =
-            agree(&fine.c_q, &coarse.c_q) && agree(&fine.c_t, &coarse.c_t) && agree(&fine.q_d, &coarse.q_d);
+        let reliable = agree(&fine.c_q, &coarse.c_q)
+            && agree(&fine.c_t, &coarse.c_t)
+            && agree(&fine.q_d, &coarse.q_d);
         Central { reliable, ..fine }
     }
 
@@ -49,8 +51,9 @@ impl Central {
             };
             (value(h) - value(-h)) / (2.0 * h)
         };
-        let columns: Vec<DVector<f64>> =
-            (0..N).map(|k| slope(&std::array::from_fn(|i| f64::from(u8::from(i == k))), 0.0)).collect();
+        let columns: Vec<DVector<f64>> = (0..N)
+            .map(|k| slope(&std::array::from_fn(|i| f64::from(u8::from(i == k))), 0.0))
+            .collect();
         let c_q = if N == 0 { DMatrix::zeros(M, 0) } else { DMatrix::from_columns(&columns) };
         // −d/ds (C_q q̇ + C_t) along (q̇, 1), from the first derivatives by dual numbers.
         let rate = |s: f64| {

@@ -17,8 +17,17 @@ impl Mismatch {
     ) -> Self {
         entries.sort_by(|a, b| b.worst().total_cmp(&a.worst()));
         let q = columns(constraint).into_iter().zip(q.iter().copied()).collect();
-        let (kind, route) = (constraint.facts().kind.to_owned(), constraint.facts().route());
-        Mismatch { kind, route, place: "the state asked for".to_owned(), entries, q, qd: qd.to_vec(), t }
+        let kind = constraint.facts().kind.to_owned();
+        let route = constraint.facts().route();
+        Mismatch {
+            kind,
+            route,
+            place: "the state asked for".to_owned(),
+            entries,
+            q,
+            qd: qd.to_vec(),
+            t,
+        }
     }
 }
 
@@ -31,11 +40,14 @@ pub(super) fn differing(
     central: Option<&DMatrix<f64>>,
     scale: f64,
 ) -> Vec<Disagreement> {
-    let (rows, columns) = (constraint.facts().rows, columns(constraint));
+    let rows = constraint.facts().rows;
+    let columns = columns(constraint);
     let mut all = Vec::new();
     for row in 0..own.nrows() {
         for column in 0..own.ncols() {
-            let (a, b, c) = (own[(row, column)], dual[(row, column)], central.map(|c| c[(row, column)]));
+            let a = own[(row, column)];
+            let b = dual[(row, column)];
+            let c = central.map(|c| c[(row, column)]);
             let difference = (a - b).abs() / scale;
             let apart = c.map_or(0.0, |c| (a - c).abs() / scale);
             if difference <= ROUTES_TOLERANCE && apart <= DIFFERENCES_TOLERANCE {

@@ -1,5 +1,5 @@
-//! Checking a law: each derivative against central differences of the one before, and the breaks it lists
-//! against those it has.
+//! Checking a law: each derivative against central differences of the one before, and the breaks it
+//! lists against those it has.
 
 use std::fmt;
 
@@ -30,8 +30,9 @@ impl fmt::Debug for LawMismatch {
 
 impl std::error::Error for LawMismatch {}
 
-/// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`, that its
-/// breaks are as it lists them, and that all of these lie within their interval bounds, where it knows those.
+/// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`,
+/// that its breaks are as it lists them, and that all of these lie within their interval bounds,
+/// where it knows those.
 ///
 /// For a test: panics with a table. [`compare_law`] returns the same as a value.
 pub fn law(law: &Law, from: f64, to: f64) {
@@ -40,18 +41,22 @@ pub fn law(law: &Law, from: f64, to: f64) {
     }
 }
 
-/// Compares the derivatives of a law with central differences at 200 places between `from` and `to` and on
-/// both sides of its breaks; gives the largest relative difference.
+/// Compares the derivatives of a law with central differences at 200 places between `from` and `to`
+/// and on both sides of its breaks; gives the largest relative difference.
 pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     let breaks = law.breaks(from, to);
     let h = 1e-6 * (to - from);
-    let (mut lines, mut worst) = (Vec::new(), 0.0_f64);
+    let mut lines = Vec::new();
+    let mut worst = 0.0_f64;
     let sizes = sizes(law, from, to);
     let all = (0..200).map(|k| from + (to - from) * (f64::from(k) + 0.5) / 200.0);
-    let places: Vec<f64> = all.filter(|x| breaks.iter().all(|b| (b.x - x).abs() > 2.0 * h)).collect();
+    let places: Vec<f64> =
+        all.filter(|x| breaks.iter().all(|b| (b.x - x).abs() > 2.0 * h)).collect();
     let noise = Noise::of(law, &places, h);
     for (k, &x) in places.iter().enumerate() {
-        let (at, before, after) = (law.jet(x), law.jet(x - h), law.jet(x + h));
+        let at = law.jet(x);
+        let before = law.jet(x - h);
+        let after = law.jet(x + h);
         for order in 0..3 {
             let slope = (after[order] - before[order]) / (2.0 * h);
             let rounding = noise.at(k, order) / h + noise.at(k, order + 1);
@@ -71,11 +76,15 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     lines.extend(breaks.iter().filter_map(|b| at_break(law, b.x, b.order, h, &sizes)));
     lines.extend(super::bounds::of_law(law, from, to, &sizes));
     lines.truncate(16);
-    if lines.is_empty() { Ok(worst) } else { Err(LawMismatch { kind: law.kind().to_owned(), lines }) }
+    if lines.is_empty() {
+        Ok(worst)
+    } else {
+        Err(LawMismatch { kind: law.kind().to_owned(), lines })
+    }
 }
 
-/// How far rounding moves a law and its derivatives at each of some places. Where terms cancel, rounding is
-/// all that a law has.
+/// How far rounding moves a law and its derivatives at each of some places. Where terms cancel,
+/// rounding is all that a law has.
 struct Noise {
     places: Vec<[f64; 4]>,
     /// Three places of four have no more.
@@ -94,7 +103,9 @@ impl Noise {
             .iter()
             .map(|x| {
                 let around = [x - h, *x, x + h].map(|x| Noise::around(law, x));
-                std::array::from_fn(|order| around.iter().fold(0.0, |m, own| f64::max(m, own[order])))
+                std::array::from_fn(|order| {
+                    around.iter().fold(0.0, |m, own| f64::max(m, own[order]))
+                })
             })
             .collect();
         let usual = std::array::from_fn(|order| {
@@ -105,15 +116,18 @@ impl Noise {
         Noise { places, usual }
     }
 
-    /// How far the law is from its tangent where the argument is moved by some units in the last place.
+    /// How far the law is from its tangent where the argument is moved by some units in the last
+    /// place.
     fn around(law: &Law, x: f64) -> [f64; 4] {
-        let (at, mut most) = (law.jet(x), [0.0_f64; 4]);
+        let at = law.jet(x);
+        let mut most = [0.0_f64; 4];
         for units in Noise::MOVED {
             let near = x + units * f64::EPSILON * x.abs();
             let there = law.jet(near);
             for order in 0..4 {
                 let slope = at.get(order + 1).copied().unwrap_or(0.0);
-                most[order] = most[order].max((there[order] - at[order] - slope * (near - x)).abs());
+                most[order] =
+                    most[order].max((there[order] - at[order] - slope * (near - x)).abs());
             }
         }
         most
@@ -131,10 +145,12 @@ fn sizes(law: &Law, from: f64, to: f64) -> [f64; 4] {
     largest.map(|size| if size > 0.0 { size } else { 1.0 })
 }
 
-/// The fault of one break, if it has one: a derivative below its order jumps, or the one of its order does
-/// not.
+/// The fault of one break, if it has one: a derivative below its order jumps, or the one of its
+/// order does not.
 fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option<String> {
-    let (before, after, at) = (law.jet(x - h), law.jet(x + h), law.jet(x));
+    let before = law.jet(x - h);
+    let after = law.jet(x + h);
+    let at = law.jet(x);
     let jump = |k: usize, a: &[f64; 4], b: &[f64; 4]| {
         let drift = if k < 3 { 2.0 * h * before[k + 1].abs().max(after[k + 1].abs()) } else { 0.0 };
         (a[k] - b[k]).abs() > 1e-4 * sizes[k] + 2.0 * drift

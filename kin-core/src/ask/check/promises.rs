@@ -6,8 +6,8 @@ use super::{Disagreement, ROUTES_TOLERANCE, column, distance};
 use crate::model::dual_route::Equation;
 use crate::model::terms::{Terms, dual_terms};
 
-/// The terms that are not what [`Facts::dependence`](crate::constraint::Facts::dependence), `constants` or
-/// `sides_of_time` promises, and how far off they are.
+/// The terms that are not what [`Facts::dependence`](crate::constraint::Facts::dependence),
+/// `constants` or `sides_of_time` promises, and how far off they are.
 pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],
@@ -16,7 +16,8 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     now: &Terms,
 ) -> Vec<Disagreement> {
     let facts = equation.facts();
-    let (depends, later) = (facts.dependence, dual_terms::<E, N, M>(equation, q, qd, t + 1.0));
+    let depends = facts.dependence;
+    let later = dual_terms::<E, N, M>(equation, q, qd, t + 1.0);
     let mut all = Vec::new();
     let mut promise = |name: &str, may: bool, promised: &DMatrix<f64>, found: &DMatrix<f64>| {
         let difference = distance(promised, found) / (1.0 + found.amax());
@@ -53,10 +54,8 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     }
     for (entry, constant) in facts.pattern.iter().zip(facts.constants) {
         let Some(constant) = *constant else { continue };
-        let (promised, found) = (
-            DMatrix::from_element(1, 1, constant),
-            DMatrix::from_element(1, 1, now.c_q[(entry.row, entry.column)]),
-        );
+        let promised = DMatrix::from_element(1, 1, constant);
+        let found = DMatrix::from_element(1, 1, now.c_q[(entry.row, entry.column)]);
         promise("an entry of C_q, promised to be constant", false, &promised, &found);
     }
     all

@@ -30,8 +30,8 @@ pub(super) struct Placed {
     pub cures: Vec<Change>,
 }
 
-/// A pose of the mechanism; where there is none, one at which as few constraints as possible are open, and
-/// these as little as possible.
+/// A pose of the mechanism; where there is none, one at which as few constraints as possible are
+/// open, and these as little as possible.
 pub(super) fn place(
     model: Model<'_>,
     start: Start<'_>,
@@ -70,8 +70,8 @@ fn nowhere(t: f64) -> Error {
 }
 
 impl Search<'_> {
-    /// The place found, or one beside it from which the sum of squares falls further: where bodies are in
-    /// line, or drawn one on the other, the sum can be level without being least.
+    /// The place found, or one beside it from which the sum of squares falls further: where bodies
+    /// are in line, or drawn one on the other, the sum can be level without being least.
     fn off_saddles(&self, found: Found) -> Found {
         const TRIES: u64 = 4;
         const BESIDE: f64 = 0.05;
@@ -80,11 +80,21 @@ impl Search<'_> {
         for seed in 0..TRIES {
             let mut random = Random::new(101 + seed);
             let sizes = &best.measures.sizes;
-            let beside: Vec<f64> =
-                best.place.q.iter().zip(sizes).map(|(q, size)| q + BESIDE * size * random.number()).collect();
-            let Some(next) =
-                search::descend(self.model, &beside, self.t, &|_| true, false, self.options.search.steps)
-            else {
+            let beside: Vec<f64> = best
+                .place
+                .q
+                .iter()
+                .zip(sizes)
+                .map(|(q, size)| q + BESIDE * size * random.number())
+                .collect();
+            let Some(next) = search::descend(
+                self.model,
+                &beside,
+                self.t,
+                &|_| true,
+                false,
+                self.options.search.steps,
+            ) else {
                 continue;
             };
             if next.met || next.place.merit < LOWER * best.place.merit {
@@ -97,14 +107,18 @@ impl Search<'_> {
         best
     }
 
-    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its digits
-    /// already, and the next ones decide whether the position is called singular.
+    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its
+    /// digits already, and the next ones decide whether the position is called singular.
     fn polished(&self, found: &Found) -> Vec<f64> {
         const STEPS: usize = 40;
-        let (model, Measures { sizes, norms, .. }) = (&self.model, &found.measures);
+        let model = &self.model;
+        let Measures { sizes, norms, .. } = &found.measures;
         let mut least_squares = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
-        let size = |point: &Point| point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>();
-        let (mut q, mut point) = (found.place.q.clone(), found.place.point.clone());
+        let size = |point: &Point| {
+            point.c.iter().zip(norms).map(|(c, norm)| (c / norm).powi(2)).sum::<f64>()
+        };
+        let mut q = found.place.q.clone();
+        let mut point = found.place.point.clone();
         for _ in 0..STEPS {
             let scale = |entry: &Option<(usize, usize)>| {
                 entry.map_or(0.0, |(row, column)| sizes[column] / norms[row])
@@ -120,7 +134,8 @@ impl Search<'_> {
                 break;
             }
             let y = least_squares.solve(point.c.iter().zip(norms).map(|(c, norm)| -c / norm));
-            let next: Vec<f64> = q.iter().zip(y).zip(sizes).map(|((q, y), size)| q + y * size).collect();
+            let next: Vec<f64> =
+                q.iter().zip(y).zip(sizes).map(|((q, y), size)| q + y * size).collect();
             match model.linearize(&next, self.t) {
                 Ok(lower) if size(&lower) < 0.9 * size(&point) => (q, point) = (next, lower),
                 _ => break,
@@ -129,8 +144,8 @@ impl Search<'_> {
         q
     }
 
-    /// Finds the culprit, in the order in which a designer asks: a slip of the pen, a length out of scale, a
-    /// driver, a length, a joint.
+    /// Finds the culprit, in the order in which a designer asks: a slip of the pen, a length out of
+    /// scale, a driver, a length, a joint.
     fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
         if let Some(closure) = self.allowance(&found) {
             return Placed { cures: vec![Change::Allow { closure }], ..self.let_go(found, &[]) };
@@ -149,13 +164,21 @@ impl Search<'_> {
         }
         let fits = lengths::that_fit(self, &found, &part, &[], true);
         if !fits.is_empty() {
-            let joints: Vec<usize> =
-                part.iter().copied().filter(|block| !self.model.equations.blocks[*block].drives).collect();
-            return Placed { cures: vec![Change::Resize { any: fits }], ..self.let_go(found, &joints) };
+            let joints: Vec<usize> = part
+                .iter()
+                .copied()
+                .filter(|block| !self.model.equations.blocks[*block].drives)
+                .collect();
+            return Placed {
+                cures: vec![Change::Resize { any: fits }],
+                ..self.let_go(found, &joints)
+            };
         }
         let placed = self.let_go(found.clone(), &[]);
-        let drivers_alone = placed.gaps.iter().all(|gap| gap.rows.iter().all(|row| self.model.drives(*row)));
-        // A run that has come so far has the lengths it needs; a driver leads it to where it cannot go.
+        let drivers_alone =
+            placed.gaps.iter().all(|gap| gap.rows.iter().all(|row| self.model.drives(*row)));
+        // A run that has come so far has the lengths it needs; a driver leads it to where it cannot
+        // go.
         if drivers_alone && drawn.is_none() {
             return placed;
         }
@@ -169,22 +192,24 @@ impl Search<'_> {
         Placed { cures, ..placed }
     }
 
-    /// The closure error that would have to be allowed of redundant equations that contradict one another by
-    /// no more than parts of ordinary accuracy do: three times their error at this pose, because it is larger
-    /// at others, to one digit.
+    /// The closure error that would have to be allowed of redundant equations that contradict one
+    /// another by no more than parts of ordinary accuracy do: three times their error at this pose,
+    /// because it is larger at others, to one digit.
     fn allowance(&self, found: &Found) -> Option<f64> {
         const ORDINARY: f64 = 1e-5;
-        let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
+        let shares =
+            found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
         let off = 3.0 * shares.fold(0.0_f64, f64::max);
         let digit = 10.0_f64.powf(off.log10().floor());
         (self.model.m() > self.model.n() && off < ORDINARY && digit > 0.0)
             .then(|| format!("{:.0e}", (off / digit).ceil() * digit).parse().ok())?
     }
 
-    /// Lets constraints go, one after the other, until the rest can be met; then brings them as near as the
-    /// rest allows. Those named go first.
+    /// Lets constraints go, one after the other, until the rest can be met; then brings them as
+    /// near as the rest allows. Those named go first.
     fn let_go(&self, found: Found, first: &[usize]) -> Placed {
-        let (starts, mut found) = (found.starts, found);
+        let starts = found.starts;
+        let mut found = found;
         let mut open: Vec<usize> = Vec::new();
         while !found.met && open.len() < self.options.let_go && !self.is_up() {
             let Some((block, next)) = self.most_telling(&found, &open, first) else { break };
@@ -192,22 +217,30 @@ impl Search<'_> {
             found = next;
         }
         if !found.met {
-            // Nothing that may be let go helps enough: what is off at the nearest place found is told all the
-            // same.
+            // Nothing that may be let go helps enough: what is off at the nearest place found is
+            // told all the same.
             let rest: Vec<usize> =
                 culprits(&self.model, &found, &open).take(self.options.let_go.max(1)).collect();
             open.extend(rest);
         }
-        let gaps = open.iter().map(|block| gap(&self.model, &found, self.t, *block, starts)).collect();
+        let gaps =
+            open.iter().map(|block| gap(&self.model, &found, self.t, *block, starts)).collect();
         Placed { q: found.place.q, measures: found.measures, gaps, cures: Vec::new() }
     }
 
-    /// The constraint to let go: one of those named, else a driver, if the joints can be met without the
-    /// drivers; else the first joint without which the others can be met, or are nearest to it.
-    fn most_telling(&self, found: &Found, open: &[usize], first: &[usize]) -> Option<(usize, Found)> {
+    /// The constraint to let go: one of those named, else a driver, if the joints can be met
+    /// without the drivers; else the first joint without which the others can be met, or are
+    /// nearest to it.
+    fn most_telling(
+        &self,
+        found: &Found,
+        open: &[usize],
+        first: &[usize],
+    ) -> Option<(usize, Found)> {
         let part: Vec<usize> = culprits(&self.model, found, open).collect();
         let drives = |block: &usize| self.model.equations.blocks[*block].drives;
-        let named: Vec<usize> = first.iter().copied().filter(|block| part.contains(block)).collect();
+        let named: Vec<usize> =
+            first.iter().copied().filter(|block| part.contains(block)).collect();
         if !named.is_empty() {
             return self.best_of(found, open, &named);
         }
@@ -222,19 +255,20 @@ impl Search<'_> {
         self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
     }
 
-    /// The drivers where there are several: one that holds a body in line with others takes no part in what
-    /// is missing along that line, although it is what keeps the body from giving way.
+    /// The drivers where there are several: one that holds a body in line with others takes no part
+    /// in what is missing along that line, although it is what keeps the body from giving way.
     fn in_line(&self, open: &[usize]) -> Vec<usize> {
         let model = &self.model;
         let block_of = |row: usize| model.equations.block_index(row);
         let rows = order::of_rows(model).into_iter().filter(|row| model.drives(*row));
-        let mut all: Vec<usize> = rows.filter_map(block_of).filter(|block| !open.contains(block)).collect();
+        let mut all: Vec<usize> =
+            rows.filter_map(block_of).filter(|block| !open.contains(block)).collect();
         all.dedup();
         if (2..=TRIED).contains(&all.len()) { all } else { Vec::new() }
     }
 
-    /// The driver that asks for what cannot be: without it the rest can be met, and it had something to
-    /// drive.
+    /// The driver that asks for what cannot be: without it the rest can be met, and it had
+    /// something to drive.
     fn driver(
         &self,
         found: &Found,
@@ -251,18 +285,23 @@ impl Search<'_> {
                 break;
             }
             let without: Vec<usize> = let_go(block).collect();
-            let trial =
-                Trial { model: self.model, t: self.t, without: &without, steps: self.options.search.steps };
+            let trial = Trial {
+                model: self.model,
+                t: self.t,
+                without: &without,
+                steps: self.options.search.steps,
+            };
             let own: Vec<usize> = equations.blocks[block].rows().collect();
             let Some(next) = self.without(found, open, block) else { continue };
-            // Where bodies stand in line, nothing says to which side they are to give way without it.
+            // Where bodies stand in line, nothing says to which side they are to give way without
+            // it.
             let next = match next.met {
                 true => next,
                 false => trial.closed_beside(&next.place.q).unwrap_or(next),
             };
             if !next.met {
-                // One of several drivers too many: the joints must close without any, and leave this one
-                // something to drive.
+                // One of several drivers too many: the joints must close without any, and leave
+                // this one something to drive.
                 let none: Vec<usize> = without
                     .iter()
                     .copied()
@@ -270,7 +309,11 @@ impl Search<'_> {
                     .collect();
                 let joints = Trial { without: &none, ..trial };
                 let helps = next.place.merit < (1.0 - HELPS) * found.place.merit;
-                if helps && joints.closed(&next.place.q).is_some_and(|closed| joints.moves(&closed, &own)) {
+                if helps
+                    && joints
+                        .closed(&next.place.q)
+                        .is_some_and(|closed| joints.moves(&closed, &own))
+                {
                     let better = best
                         .as_ref()
                         .is_none_or(|(_, best)| !best.met && next.place.merit < best.place.merit);
@@ -291,8 +334,8 @@ impl Search<'_> {
         best
     }
 
-    /// The first of these without which the others can be met; else the one without which they are nearest to
-    /// it.
+    /// The first of these without which the others can be met; else the one without which they are
+    /// nearest to it.
     fn best_of(&self, found: &Found, open: &[usize], blocks: &[usize]) -> Option<(usize, Found)> {
         let mut best: Option<(usize, Found)> = None;
         for &block in blocks {
@@ -304,10 +347,9 @@ impl Search<'_> {
                 return Some((block, next));
             }
             // Of two that are met the first stays: what is left of them is rounding.
-            if best
-                .as_ref()
-                .is_none_or(|(_, best)| !best.met && (next.met || next.place.merit < best.place.merit))
-            {
+            if best.as_ref().is_none_or(|(_, best)| {
+                !best.met && (next.met || next.place.merit < best.place.merit)
+            }) {
                 best = Some((block, next));
             }
         }
@@ -316,9 +358,14 @@ impl Search<'_> {
 
     /// The pose where one more constraint is let go, and as near to being met as the others allow.
     fn without(&self, found: &Found, open: &[usize], block: usize) -> Option<Found> {
-        let (model, t, steps) = (self.model, self.t, self.options.search.steps);
-        let rows: Vec<usize> =
-            open.iter().chain([&block]).flat_map(|block| model.equations.blocks[*block].rows()).collect();
+        let model = self.model;
+        let t = self.t;
+        let steps = self.options.search.steps;
+        let rows: Vec<usize> = open
+            .iter()
+            .chain([&block])
+            .flat_map(|block| model.equations.blocks[*block].rows())
+            .collect();
         let near = nearest(&model, &found.measures, &found.place.q, t, &|_| true, &rows, steps);
         search::descend(model, &near, t, &|row| !rows.contains(&row), false, steps)
     }
@@ -327,35 +374,52 @@ impl Search<'_> {
 /// Constraints that are tried at most.
 const TRIED: usize = 24;
 
-/// A constraint that is let go is reported only if the sum of squares loses at least this share.   \[-\]
+/// A constraint that is let go is reported only if the sum of squares loses at least this
+/// share.   \[-\]
 const HELPS: f64 = 0.1;
 
-/// True if a constraint that is let go is off by no more than its share in the unmet residuals lets one
-/// expect: one that is off by more is so in another assembly, which says nothing about this one.
+/// True if a constraint that is let go is off by no more than its share in the unmet residuals lets
+/// one expect: one that is off by more is so in another assembly, which says nothing about this
+/// one.
 fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
     /// The largest ratio to the expected error that still counts as expected.   \[-\]
     const EXPECTED: f64 = 4.0;
     // Both sizes take the same norms: those of the other place are measured around it.
     let size = |at: &Found| {
         let rows = model.equations.blocks[block].rows();
-        rows.map(|row| (at.place.point.c[row] / found.measures.norms[row]).powi(2)).sum::<f64>().sqrt()
+        rows.map(|row| (at.place.point.c[row] / found.measures.norms[row]).powi(2))
+            .sum::<f64>()
+            .sqrt()
     };
     let merit = found.place.merit;
-    let shares = found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
+    let shares =
+        found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs());
     let largest = shares.clone().fold(0.0_f64, f64::max);
     let taking_part = shares.filter(|share| *share > SHARE * largest).count() as f64;
-    size(next) * size(found) <= EXPECTED * merit && size(next) <= EXPECTED * (taking_part * merit).sqrt()
+    size(next) * size(found) <= EXPECTED * merit
+        && size(next) <= EXPECTED * (taking_part * merit).sqrt()
 }
 
-/// The constraints that take part in what cannot be met, the first that is called superfluous first.
+/// The constraints that take part in what cannot be met, the first that is called superfluous
+/// first.
 fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
-    let shares: Vec<f64> =
-        found.place.point.c.iter().zip(&found.measures.norms).map(|(c, norm)| (c / norm).abs()).collect();
-    let block_of = |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);
+    let shares: Vec<f64> = found
+        .place
+        .point
+        .c
+        .iter()
+        .zip(&found.measures.norms)
+        .map(|(c, norm)| (c / norm).abs())
+        .collect();
+    let block_of =
+        |row: usize| model.equations.blocks.partition_point(|block| block.rows().end <= row);
     let closed = |row: usize| !open.contains(&block_of(row));
-    let largest = (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
+    let largest =
+        (0..model.m()).filter(|row| closed(*row)).fold(0.0_f64, |m, row| m.max(shares[row]));
     let mut blocks: Vec<usize> = Vec::new();
-    for row in order::of_rows(model).into_iter().filter(|row| closed(*row) && shares[*row] > SHARE * largest)
+    for row in order::of_rows(model)
+        .into_iter()
+        .filter(|row| closed(*row) && shares[*row] > SHARE * largest)
     {
         if !blocks.contains(&block_of(row)) && blocks.len() < TRIED {
             blocks.push(block_of(row));

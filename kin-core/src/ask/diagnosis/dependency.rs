@@ -7,7 +7,8 @@ use super::freedom;
 use crate::linear::{LeastSquares, Sparse};
 use crate::solve::newton::redundant::{ALLOWED, CONSISTENT};
 
-/// A coefficient below this, in units of the norms of its rows, is nothing where a gap is open.   \[-\]
+/// A coefficient below this, in units of the norms of its rows, is nothing where a gap is
+/// open.   \[-\]
 const OPEN: f64 = 1e-4;
 
 /// All dependencies at the pose.
@@ -18,7 +19,9 @@ pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<D
     let rates = Rates::new(examined);
     let blocked = freedom::infinitesimal(examined, persistence);
     let found = examined.here.dependent.iter().enumerate();
-    found.map(|(k, (row, vector))| dependency(examined, &rates, &blocked, k, *row, vector)).collect()
+    found
+        .map(|(k, (row, vector))| dependency(examined, &rates, &blocked, k, *row, vector))
+        .collect()
 }
 
 fn dependency(
@@ -31,7 +34,8 @@ fn dependency(
 ) -> Dependency {
     let norms = &examined.measures().norms;
     let unit = norms[own];
-    let mut combination: Sparse = vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
+    let mut combination: Sparse =
+        vector.iter().map(|(row, y)| (*row, y * unit / norms[*row])).collect();
     if !examined.gaps.is_empty() {
         // At a smallest gap the pose is known to fewer digits, and so are all coefficients.
         combination.retain(|(row, z)| *row == own || (z * norms[*row] / unit).abs() > OPEN);
@@ -39,8 +43,12 @@ fn dependency(
     combination.sort_by_key(|(row, _)| (*row != own, *row));
     let class = class(examined, rates, blocked, k, &combination, unit);
     let term = |&(row, coefficient): &(usize, f64)| {
-        let constraint =
-            examined.model().equations.block_of(row).map(|(block, _)| block.name.clone()).unwrap_or_default();
+        let constraint = examined
+            .model()
+            .equations
+            .block_of(row)
+            .map(|(block, _)| block.name.clone())
+            .unwrap_or_default();
         Term { constraint, equation: examined.model().equations.equation(row), row, coefficient }
     };
     // The norms of Euler parameters hold whatever the mechanism does: nobody wrote them.
@@ -57,19 +65,24 @@ fn class(
     unit: f64,
 ) -> Class {
     if combination.iter().any(|(row, _)| examined.open(*row)) {
-        // A gap has a direction, and no axis needs to be along it: all equations of an open constraint are
-        // told alike.
+        // A gap has a direction, and no axis needs to be along it: all equations of an open
+        // constraint are told alike.
         return Class::Contradictory {
             level: Level::Position,
             residual: left_over(&rates.c, combination, 0.0),
         };
     }
     let bends = |v: &Vec<f64>| {
-        let along = examined.model().second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
+        let along =
+            examined.model().second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
         left_over(
             &along,
             combination,
-            unit * v.iter().zip(&examined.measures().sizes).map(|(v, s)| (v / s).powi(2)).sum::<f64>(),
+            unit * v
+                .iter()
+                .zip(&examined.measures().sizes)
+                .map(|(v, s)| (v / s).powi(2))
+                .sum::<f64>(),
         ) != 0.0
     };
     if !examined.persists(k, Side::Rows) || blocked.iter().any(bends) {
@@ -98,7 +111,8 @@ fn left_over(rhs: &[f64], combination: &Sparse, size: f64) -> f64 {
 /// The same, zero where that is at most this share of its terms.
 fn beyond(rhs: &[f64], combination: &Sparse, size: f64, share: f64) -> f64 {
     let terms = || combination.iter().filter_map(|(row, z)| Some(z * rhs.get(*row)?));
-    let (sum, sizes) = terms().fold((0.0, size), |(sum, sizes), term| (sum + term, sizes + term.abs()));
+    let (sum, sizes) =
+        terms().fold((0.0, size), |(sum, sizes), term| (sum + term, sizes + term.abs()));
     if sum.abs() > share * sizes { sum } else { 0.0 }
 }
 
@@ -111,25 +125,36 @@ struct Rates {
 
 impl Rates {
     fn new(examined: &Examined<'_>) -> Self {
-        let (model, q, t) = (examined.model(), examined.q, examined.t);
+        let model = examined.model();
+        let q = examined.q;
+        let t = examined.t;
         let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();
         let velocity = model.c_t(q, t).unwrap_or_default();
         let determined = examined.here.free.is_empty();
         let qd = if determined { velocities(examined, &velocity) } else { None };
-        let acceleration = qd.and_then(|qd| model.second_order(q, t, &qd, 1.0).ok()).unwrap_or_default();
+        let acceleration =
+            qd.and_then(|qd| model.second_order(q, t, &qd, 1.0).ok()).unwrap_or_default();
         Rates { c, velocity, acceleration }
     }
 }
 
 /// q̇ from C_q q̇ = −C_t, in the sense of least squares.
 fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
-    let (model, measures, q, t) = (examined.model(), examined.measures(), examined.q, examined.t);
+    let model = examined.model();
+    let measures = examined.measures();
+    let q = examined.q;
+    let t = examined.t;
     let point = model.linearize(q, t).ok()?;
     let mut least_squares = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
     let scale = |entry: &Option<(usize, usize)>| {
         entry.map_or(0.0, |(row, column)| measures.sizes[column] / measures.norms[row])
     };
-    let values = model.equations.entries.iter().zip(&point.values).map(|(entry, value)| scale(entry) * value);
+    let values = model
+        .equations
+        .entries
+        .iter()
+        .zip(&point.values)
+        .map(|(entry, value)| scale(entry) * value);
     if !least_squares.factor(values, 0.0) {
         return None;
     }

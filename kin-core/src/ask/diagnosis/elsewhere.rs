@@ -1,5 +1,5 @@
-//! Where to begin instead of at a singular position: a time, or another value for a driver, tried before it
-//! is told.
+//! Where to begin instead of at a singular position: a time, or another value for a driver, tried
+//! before it is told.
 
 use crate::model::verdict::{Asks, Elsewhere};
 
@@ -11,12 +11,14 @@ use crate::system::scaled::Model;
 /// Pivots there are this far from zero.   \[-\]
 const CLEAR: f64 = 1e-4;
 
-/// A time near the one examined, as soon after it as one is found, else before it; where drivers stand still,
-/// another value for one.
+/// A time near the one examined, as soon after it as one is found, else before it; where drivers
+/// stand still, another value for one.
 pub(super) fn elsewhere(examined: &Examined<'_>) -> Option<Elsewhere> {
     /// In units of the time in which the fastest driver moves something by one.   \[-\]
     const STEPS: [f64; 8] = [0.01, 0.03, 0.1, 0.3, -0.01, -0.03, -0.1, -0.3];
-    let (model, t, time) = (examined.model(), examined.t, examined.measures().time);
+    let model = examined.model();
+    let t = examined.t;
+    let time = examined.measures().time;
     let times = STEPS.iter().map(|step| rounded(t, step * time));
     let regular = |t: &f64| {
         let found = search::descend(*model, examined.q, *t, &|_| true, false, examined.walk.steps)
@@ -42,17 +44,23 @@ fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
 
 /// The value that a driver of one coordinate would ask for at the nearby position.
 fn other_value(examined: &Examined<'_>) -> Option<Elsewhere> {
-    let (model, nearby) = (examined.model(), examined.nearby?);
+    let model = examined.model();
+    let nearby = examined.nearby?;
     if !is_clear(model, &nearby.q, nearby.t) {
         return None;
     }
     let point = model.linearize(&nearby.q, examined.t).ok()?;
-    model.equations.blocks.iter().filter(|block| block.drives && block.rows().len() == 1).find_map(|block| {
-        let row = block.rows().start;
-        let mut own = model.entries(&point.values).filter(|(known, _, value)| *known == row && *value != 0.0);
-        let (Some((_, column, _)), None) = (own.next(), own.next()) else { return None };
-        let (asked, stands) = (examined.q[column], nearby.q[column]);
-        let asks = Asks::new(model.layout.names[column].clone(), asked, stands);
-        (asked != stands).then(|| Elsewhere::Drive { constraint: block.name.clone(), asks })
-    })
+    model.equations.blocks.iter().filter(|block| block.drives && block.rows().len() == 1).find_map(
+        |block| {
+            let row = block.rows().start;
+            let mut own = model
+                .entries(&point.values)
+                .filter(|(known, _, value)| *known == row && *value != 0.0);
+            let (Some((_, column, _)), None) = (own.next(), own.next()) else { return None };
+            let asked = examined.q[column];
+            let stands = nearby.q[column];
+            let asks = Asks::new(model.layout.names[column].clone(), asked, stands);
+            (asked != stands).then(|| Elsewhere::Drive { constraint: block.name.clone(), asks })
+        },
+    )
 }

@@ -21,19 +21,22 @@ pub(crate) fn diagnose(
 ) -> Result<Diagnosis> {
     options.check()?;
     let place = contradiction::place(model, start, t, options)?;
-    let (q, measures) = (&place.q, &place.measures);
+    let q = &place.q;
+    let measures = &place.measures;
     let point = model.linearize(q, t).map_err(|bad| model.not_finite(bad, q, t))?;
-    // The open rows are those of the reported gaps: at a smallest gap other coefficients are known to fewer
-    // digits.
+    // The open rows are those of the reported gaps: at a smallest gap other coefficients are known
+    // to fewer digits.
     let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
-    let walk = Walk { model: &model, measures, open: &open, without: &[], steps: options.search.steps };
+    let walk =
+        Walk { model: &model, measures, open: &open, without: &[], steps: options.search.steps };
     let orders = Orders::new(&model).after(&open, &[]);
     let here = ranked(&model, &point.values, measures, &orders, walk.least());
     let full = here.rank == model.n().min(model.m());
     let nearby = if full { None } else { walk.nearby(q, t, options.poses, &orders) };
     let most = nearby.as_ref().filter(|nearby| nearby.ranked.rank > here.rank);
     let here = match most {
-        // Dependencies that hold at nearby poses too are reported first, those of this pose alone after them.
+        // Dependencies that hold at nearby poses too are reported first, those of this pose alone
+        // after them.
         Some(Nearby { ranked: most, .. }) => {
             let rows: Vec<usize> = most.dependent.iter().map(|(row, _)| *row).collect();
             let columns: Vec<usize> = most.free.iter().map(|(column, _)| *column).collect();
@@ -93,22 +96,25 @@ impl Examined<'_> {
     /// The gaps, and whether they are there to stay.
     fn lasting(&self, dependencies: &[Dependency]) -> Vec<Gap> {
         let lasting = |gap: &Gap| {
-            let mut all = dependencies.iter().enumerate().filter(|(k, _)| self.persists(*k, Side::Rows));
+            let mut all =
+                dependencies.iter().enumerate().filter(|(k, _)| self.persists(*k, Side::Rows));
             all.any(|(_, found)| found.terms.iter().any(|term| gap.rows.contains(&term.row)))
         };
         self.gaps.iter().map(|gap| Gap { lasting: lasting(gap), ..gap.clone() }).collect()
     }
 
-    /// n less the rank of the joints, at a nearby pose where there is one; what gives to first order only is
-    /// no freedom.
+    /// n less the rank of the joints, at a nearby pose where there is one; what gives to first
+    /// order only is no freedom.
     fn mobility(&self, freedoms: &[Freedom]) -> usize {
         let model = self.model();
         let (q, t) = self.nearby.map_or((self.q, self.t), |nearby| (&nearby.q, nearby.t));
         let Ok(point) = model.linearize(q, t) else { return 0 };
         let joints = model.scaled(&point.values, self.measures(), &|row| !model.drives(row));
         let rank = Echelon::new(joints, model.n(), self.walk.least()).rank();
-        let stiff =
-            freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal).count();
+        let stiff = freedoms
+            .iter()
+            .filter(|freedom| freedom.persistence == Persistence::Infinitesimal)
+            .count();
         (model.n() - rank).saturating_sub(stiff)
     }
 }

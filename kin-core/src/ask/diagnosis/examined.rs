@@ -16,7 +16,8 @@ pub(super) struct Examined<'a> {
     pub gaps: &'a [Gap],
     /// Changes that would close the gaps, tried.
     pub cures: &'a [Change],
-    /// The constraints that act on each body or bare coordinate, norms of Euler parameters left out.
+    /// The constraints that act on each body or bare coordinate, norms of Euler parameters left
+    /// out.
     pub acting: Vec<Vec<usize>>,
 }
 

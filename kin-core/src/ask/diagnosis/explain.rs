@@ -7,7 +7,8 @@ use crate::solve::newton::Options;
 use crate::system::System;
 use crate::system::scaled::{Model, Work};
 
-/// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for any number.
+/// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for
+/// any number.
 const EXAMINED: usize = 1500;
 
 /// The functions that explain a failed run by its diagnosis.
@@ -39,10 +40,12 @@ fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Option<Diagno
     let (Start::Guess(q) | Start::Pose(q)) = start;
     let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();
     let rows = c.iter().map(|c| c.abs()).enumerate();
-    let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+    let (worst, residual) =
+        rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
     let block = model.equations.block_of(worst);
-    let (constraint, row) =
-        block.map(|(block, local)| (block.name.clone(), block.row(local).to_string())).unwrap_or_default();
+    let (constraint, row) = block
+        .map(|(block, local)| (block.name.clone(), block.row(local).to_string()))
+        .unwrap_or_default();
     Error::NoConvergence {
         t,
         units: model.layout.words.clone(),

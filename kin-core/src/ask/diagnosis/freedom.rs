@@ -22,7 +22,8 @@ const MOST_NUMBERS: usize = 1 << 22;
 
 /// All freedoms at the pose, with what is known of their persistence.
 pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Freedom> {
-    let (n, free) = (examined.model().n(), &examined.here.free);
+    let n = examined.model().n();
+    let free = &examined.here.free;
     let keeps = n.saturating_mul(free.len()) <= MOST_NUMBERS;
     let found = free.iter().zip(persistence).enumerate();
     found
@@ -45,12 +46,15 @@ pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<F
         .collect()
 }
 
-/// True if a motion is a turn of one body, or of several as one, about a line through all points by which
-/// others hold them.
+/// True if a motion is a turn of one body, or of several as one, about a line through all points by
+/// which others hold them.
 fn is_idle(examined: &Examined<'_>, items: &[usize], motions: &[BodyMotion]) -> bool {
-    let [BodyMotion { how: How::Screws { point, axis, pitch, .. }, .. }] = motions else { return false };
+    let [BodyMotion { how: How::Screws { point, axis, pitch, .. }, .. }] = motions else {
+        return false;
+    };
     let model = examined.model();
-    let (point, axis) = (Vec3::new(point[0], point[1], point[2]), Vec3::new(axis[0], axis[1], axis[2]));
+    let point = Vec3::new(point[0], point[1], point[2]);
+    let axis = Vec3::new(axis[0], axis[1], axis[2]);
     let length = examined.measures().sizes[0];
     let mut acting: Vec<usize> =
         items.iter().flat_map(|item| examined.acting[*item].iter().copied()).collect();
@@ -61,22 +65,22 @@ fn is_idle(examined: &Examined<'_>, items: &[usize], motions: &[BodyMotion]) -> 
         let arguments = block.constraint.arguments();
         let places: Vec<Option<Place>> =
             arguments.iter().map(|argument| model.layout.place(&argument.target)).collect();
-        let of_it =
-            |k: usize| matches!(places.get(k), Some(Some(Place::Own { item, .. })) if items.contains(item));
+        let of_it = |k: usize| matches!(places.get(k), Some(Some(Place::Own { item, .. })) if items.contains(item));
         let moving = (0..places.len()).filter(|k| of_it(*k)).count();
         if moving == 0 || moving == places.len() {
             continue;
         }
         let attachments = block.constraint.attachments();
-        let on_line = |attachment: &Attachment| match (attachment.what, places.get(attachment.argument)) {
-            (Attached::Point(u), Some(Some(Place::Own { first, .. }))) => {
-                let q = examined.q.get(*first..).and_then(|q| q.first_chunk::<7>());
-                q.is_some_and(|q| {
-                    (SpatialState::new(*q).point(u) - point).cross(axis).norm() <= 1e-6 * length
-                })
-            }
-            _ => false,
-        };
+        let on_line =
+            |attachment: &Attachment| match (attachment.what, places.get(attachment.argument)) {
+                (Attached::Point(u), Some(Some(Place::Own { first, .. }))) => {
+                    let q = examined.q.get(*first..).and_then(|q| q.first_chunk::<7>());
+                    q.is_some_and(|q| {
+                        (SpatialState::new(*q).point(u) - point).cross(axis).norm() <= 1e-6 * length
+                    })
+                }
+                _ => false,
+            };
         let own: Vec<&Attachment> =
             attachments.iter().filter(|attachment| of_it(attachment.argument)).collect();
         if own.is_empty() || !own.into_iter().all(on_line) {
@@ -97,11 +101,12 @@ pub(super) fn infinitesimal(examined: &Examined<'_>, persistence: &[Persistence]
 /// The persistence of each freedom.
 ///
 /// A freedom that nearby poses of higher rank leave too is one of first order at least. The
-/// second-order test shows which of these are no more than that; where it decides nothing, a step along the
-/// freedom and back onto C = 0 does.
+/// second-order test shows which of these are no more than that; where it decides nothing, a step
+/// along the freedom and back onto C = 0 does.
 pub(super) fn persistences(examined: &Examined<'_>) -> Vec<Persistence> {
     let free = &examined.here.free;
-    let lasting: Vec<usize> = (0..free.len()).filter(|k| examined.persists(*k, Side::Columns)).collect();
+    let lasting: Vec<usize> =
+        (0..free.len()).filter(|k| examined.persists(*k, Side::Columns)).collect();
     let n = examined.model().n();
     let looked_at = lasting.iter().take(LOOKED_AT);
     let directions: Vec<Vec<f64>> = looked_at.map(|k| dense(&direction(examined, *k), n)).collect();
@@ -119,9 +124,14 @@ pub(super) fn persistences(examined: &Examined<'_>) -> Vec<Persistence> {
             examined.walk.moves(examined.q, examined.t, &v)
         };
         let nothing_holds = free[k].1.iter().all(|(column, _)| {
-            examined.model().layout.owner_index(*column).is_some_and(|item| examined.acting[item].is_empty())
+            examined
+                .model()
+                .layout
+                .owner_index(*column)
+                .is_some_and(|item| examined.acting[item].is_empty())
         });
-        let looked_at = lasting.iter().position(|other| *other == k).and_then(|at| directions.get(at));
+        let looked_at =
+            lasting.iter().position(|other| *other == k).and_then(|at| directions.get(at));
         match looked_at.filter(|_| !nothing_holds) {
             Some(v) if !moves(v) => Persistence::Infinitesimal,
             _ => Persistence::Always,
@@ -138,15 +148,18 @@ fn direction(examined: &Examined<'_>, k: usize) -> Sparse {
     vector.iter().map(|(column, x)| (*column, x / largest * sizes[*column])).collect()
 }
 
-/// The bodies and coordinates that move, and the motion of each; bodies that move as one stand together.
+/// The bodies and coordinates that move, and the motion of each; bodies that move as one stand
+/// together.
 fn motions(examined: &Examined<'_>, v: &Sparse) -> (Vec<usize>, Vec<BodyMotion>) {
-    let (layout, sizes) = (examined.model().layout, &examined.measures().sizes);
+    let layout = examined.model().layout;
+    let sizes = &examined.measures().sizes;
     let length = layout.items.iter().find_map(|item| match item.kind {
         Kind::Planar | Kind::Spatial | Kind::Length => Some(sizes[item.first]),
         Kind::Angle => None,
     });
     let length = length.unwrap_or(1.0);
-    let mut touched: Vec<usize> = v.iter().filter_map(|(column, _)| layout.owner_index(*column)).collect();
+    let mut touched: Vec<usize> =
+        v.iter().filter_map(|(column, _)| layout.owner_index(*column)).collect();
     touched.dedup();
     let mut all: Vec<BodyMotion> = Vec::new();
     let mut items = Vec::new();
@@ -183,7 +196,8 @@ fn how(item: &Item, q: &[f64], v: &[f64], length: f64) -> How {
             }
         }
         (Kind::Spatial, [x, y, z, e0, e1, e2, e3], [vx, vy, vz, d0, d1, d2, d3]) => {
-            let (e, d) = (Vec3::new(*e1, *e2, *e3), Vec3::new(*d1, *d2, *d3));
+            let e = Vec3::new(*e1, *e2, *e3);
+            let d = Vec3::new(*d1, *d2, *d3);
             // ω = 2 (e0 ė − ė0 e + e × ė), the global angular velocity.
             let w = (d * *e0 - e * *d0 + e.cross(d)) * 2.0;
             screw(Vec3::new(*x, *y, *z), Vec3::new(*vx, *vy, *vz), w, length)
@@ -193,17 +207,24 @@ fn how(item: &Item, q: &[f64], v: &[f64], length: f64) -> How {
 }
 
 fn screw(r: Vec3, v: Vec3, w: Vec3, length: f64) -> How {
-    let (speed, turn) = (v.norm(), w.norm());
+    let speed = v.norm();
+    let turn = w.norm();
     if turn * length <= STILL * speed || turn == 0.0 {
         return match speed > 0.0 {
             true => How::SlidesInSpace { along: numbers(v * speed.recip()), rate: speed },
             false => How::Changes { rate: 0.0 },
         };
     }
-    let (axis, square) = (w * turn.recip(), turn * turn);
+    let axis = w * turn.recip();
+    let square = turn * turn;
     let pitch = w.dot(v) / square;
     let pitch = if pitch.abs() > STILL * length { pitch } else { 0.0 };
-    How::Screws { point: numbers(r + w.cross(v) * square.recip()), axis: numbers(axis), rate: turn, pitch }
+    How::Screws {
+        point: numbers(r + w.cross(v) * square.recip()),
+        axis: numbers(axis),
+        rate: turn,
+        pitch,
+    }
 }
 
 fn numbers(v: Vec3) -> [f64; 3] {
@@ -212,7 +233,9 @@ fn numbers(v: Vec3) -> [f64; 3] {
 
 /// True if two motions are one and the same.
 fn same(a: &How, b: &How, length: f64) -> bool {
-    let near = |a: &[f64], b: &[f64], size: f64| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-5 * size);
+    let near = |a: &[f64], b: &[f64], size: f64| {
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-5 * size)
+    };
     match (a, b) {
         (How::TurnsAbout { point: p, rate: w }, How::TurnsAbout { point: q, rate: v }) => {
             near(p, q, length) && near(&[*w], &[*v], 1.0)
@@ -227,7 +250,8 @@ fn same(a: &How, b: &How, length: f64) -> bool {
             How::Screws { axis: p, rate: w, pitch: h, point: a },
             How::Screws { axis: q, rate: v, pitch: g, point: b },
         ) => {
-            let (a, b) = (Vec3::new(a[0], a[1], a[2]), Vec3::new(b[0], b[1], b[2]));
+            let a = Vec3::new(a[0], a[1], a[2]);
+            let b = Vec3::new(b[0], b[1], b[2]);
             let axis = Vec3::new(p[0], p[1], p[2]);
             near(p, q, 1.0)
                 && near(&[*w], &[*v], 1.0)

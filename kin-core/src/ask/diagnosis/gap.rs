@@ -10,7 +10,8 @@ use crate::system::scaled::Model;
 
 pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts: usize) -> Gap {
     let block = &model.equations.blocks[block];
-    let (rows, point) = (block.rows(), &found.place.point);
+    let rows = block.rows();
+    let point = &found.place.point;
     Gap {
         constraint: block.name.clone(),
         equations: rows.clone().map(|row| model.equations.equation(row)).collect(),
@@ -25,8 +26,8 @@ pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts
     }
 }
 
-/// Jumps of equations beside the pose: each constraint that can jump is looked at as one of its coordinates
-/// moves a little to either side.
+/// Jumps of equations beside the pose: each constraint that can jump is looked at as one of its
+/// coordinates moves a little to either side.
 fn steps(model: &Model<'_>, found: &Found, t: f64) -> Vec<Step> {
     /// Constraints that are looked at, at most.
     const LOOKED_AT: usize = 8;
@@ -38,10 +39,13 @@ fn steps(model: &Model<'_>, found: &Found, t: f64) -> Vec<Step> {
 fn step(model: &Model<'_>, found: &Found, t: f64, block: &Block) -> Option<Step> {
     /// How far coordinates move to either side, in units of their sizes.   \[-\]
     const BESIDE: [f64; 8] = [1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
-    /// A jump is more than so many times what slopes account for, and than this share of the norm.   \[-\]
+    /// A jump is more than so many times what slopes account for, and than this share of the
+    /// norm.   \[-\]
     const STEEP: f64 = 30.0;
     const LEAST: f64 = 1e-6;
-    let (q, sizes, norms) = (&found.place.q, &found.measures.sizes, &found.measures.norms);
+    let q = &found.place.q;
+    let sizes = &found.measures.sizes;
+    let norms = &found.measures.norms;
     let mut columns: Vec<usize> = model
         .entries(&found.place.point.values)
         .filter(|(row, ..)| block.rows().contains(row))
@@ -59,12 +63,22 @@ fn step(model: &Model<'_>, found: &Found, t: f64, block: &Block) -> Option<Step>
     {
         let by = beside * sizes[column];
         let (Some(below), Some(above)) = (at(column, -by), at(column, by)) else { continue };
-        let jumps =
-            |row: &usize| (above[*row] - below[*row]).abs() > norms[*row] * (STEEP * 2.0 * beside).max(LEAST);
+        let jumps = |row: &usize| {
+            (above[*row] - below[*row]).abs() > norms[*row] * (STEEP * 2.0 * beside).max(LEAST)
+        };
         if let Some(row) = block.rows().find(jumps) {
-            let (equation, coordinate) = (model.equations.equation(row), model.layout.names[column].clone());
-            let (constraint, at) = (block.name.clone(), q[column]);
-            return Some(Step { constraint, equation, coordinate, at, from: below[row], to: above[row] });
+            let equation = model.equations.equation(row);
+            let coordinate = model.layout.names[column].clone();
+            let constraint = block.name.clone();
+            let at = q[column];
+            return Some(Step {
+                constraint,
+                equation,
+                coordinate,
+                at,
+                from: below[row],
+                to: above[row],
+            });
         }
     }
     None
@@ -74,7 +88,10 @@ fn step(model: &Model<'_>, found: &Found, t: f64, block: &Block) -> Option<Step>
 fn against(model: &Model<'_>, found: &Found, t: f64, but: &str) -> Vec<Against> {
     let drivers = model.equations.blocks.iter().filter(|block| block.drives && block.name != but);
     drivers
-        .map(|block| Against { constraint: block.name.clone(), asks: asks(model, found, t, block.rows()) })
+        .map(|block| Against {
+            constraint: block.name.clone(),
+            asks: asks(model, found, t, block.rows()),
+        })
         .collect()
 }
 
@@ -87,7 +104,8 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
         .entries(&found.place.point.values)
         .filter(|(row, _, value)| *row == rows.start && *value != 0.0);
     let (Some((_, column, value)), None) = (own.next(), own.next()) else { return None };
-    let (stands, c) = (found.place.q[column], found.place.point.c[rows.start]);
+    let stands = found.place.q[column];
+    let c = found.place.point.c[rows.start];
     let mut q = found.place.q.clone();
     q[column] -= c / value;
     let rounding = 1e-9 * c.abs() + 1e-12 * (value * found.measures.sizes[column]).abs();

@@ -1,5 +1,5 @@
-//! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always the same
-//! random numbers.
+//! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always
+//! the same random numbers.
 
 use super::nearest::nearest;
 use super::rank::{Orders, Ranked, ranked};
@@ -8,8 +8,8 @@ use crate::numbers::random::Random;
 use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};
 
-/// Steps are of this size, the next one where the one before leads nowhere; in units of the model's length
-/// and of one radian.   \[-\]
+/// Steps are of this size, the next one where the one before leads nowhere; in units of the model's
+/// length and of one radian.   \[-\]
 const REACH: [f64; 3] = [0.1, 0.03, 0.3];
 
 /// A pose that has come back to within this share of its step has not moved.   \[-\]
@@ -47,21 +47,30 @@ enum Rows {
 }
 
 impl Walk<'_> {
-    /// The nearby pose of the highest rank of so many; `None` where the mechanism cannot move, neither in the
-    /// course of time nor with its drivers let go.
+    /// The nearby pose of the highest rank of so many; `None` where the mechanism cannot move,
+    /// neither in the course of time nor with its drivers let go.
     ///
-    /// First everything moves on with time, drivers included; where that leads nowhere (drivers that stand
-    /// still or contradict one another), or where something is open (which time may close or open further),
-    /// joints alone are kept.
-    pub(super) fn nearby(&self, q: &[f64], t: f64, poses: usize, orders: &Orders) -> Option<Nearby> {
-        let in_time =
-            if self.open.is_empty() { self.highest(q, t, Rows::AllInTime, poses, orders) } else { None };
+    /// First everything moves on with time, drivers included; where that leads nowhere (drivers
+    /// that stand still or contradict one another), or where something is open (which time may
+    /// close or open further), joints alone are kept.
+    pub(super) fn nearby(
+        &self,
+        q: &[f64],
+        t: f64,
+        poses: usize,
+        orders: &Orders,
+    ) -> Option<Nearby> {
+        let in_time = if self.open.is_empty() {
+            self.highest(q, t, Rows::AllInTime, poses, orders)
+        } else {
+            None
+        };
         let full = self.model.n().min(self.model.m());
         if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
             return in_time;
         }
-        // A walk that keeps all equations may not leave a singular position: a motor in a dead centre stands
-        // still.
+        // A walk that keeps all equations may not leave a singular position: a motor in a dead
+        // centre stands still.
         let joints = self.highest(q, t, Rows::Joints, poses, orders);
         match (in_time, joints) {
             (Some(a), Some(b)) => Some(if b.ranked.rank > a.ranked.rank { b } else { a }),
@@ -69,7 +78,14 @@ impl Walk<'_> {
         }
     }
 
-    fn highest(&self, q: &[f64], t: f64, rows_kept: Rows, poses: usize, orders: &Orders) -> Option<Nearby> {
+    fn highest(
+        &self,
+        q: &[f64],
+        t: f64,
+        rows_kept: Rows,
+        poses: usize,
+        orders: &Orders,
+    ) -> Option<Nearby> {
         let mut best: Option<Nearby> = None;
         for seed in 0..poses as u64 {
             let mut random = Random::new(1 + seed);
@@ -91,7 +107,8 @@ impl Walk<'_> {
         best
     }
 
-    /// Pivots below this count as zero: a smallest gap is found to half the digits of a pose.   \[-\]
+    /// Pivots below this count as zero: a smallest gap is found to half the digits of a
+    /// pose.   \[-\]
     pub(super) fn least(&self) -> f64 {
         const OPEN: f64 = 1e-5;
         if self.open.is_empty() { RANK } else { OPEN }
@@ -101,18 +118,20 @@ impl Walk<'_> {
         (rows_kept != Rows::Joints || !self.model.drives(row)) && !self.without.contains(&row)
     }
 
-    /// A random direction in which nothing changes to first order, the largest share 1; `None` where only
-    /// time could go on.
+    /// A random direction in which nothing changes to first order, the largest share 1; `None`
+    /// where only time could go on.
     fn tangent(&self, q: &[f64], t: f64, rows_kept: Rows, random: &mut Random) -> Option<Vec<f64>> {
         let Walk { model, measures, .. } = *self;
-        let (n, time_is_free) = (model.n(), rows_kept == Rows::AllInTime);
+        let n = model.n();
+        let time_is_free = rows_kept == Rows::AllInTime;
         let point = model.linearize(q, t).ok()?;
-        let mut rows: Vec<Sparse> = model.scaled(&point.values, measures, &|row| self.keeps(rows_kept, row));
+        let mut rows: Vec<Sparse> =
+            model.scaled(&point.values, measures, &|row| self.keeps(rows_kept, row));
         if time_is_free {
             let c_t = model.c_t(q, t).ok()?;
-            rows.iter_mut()
-                .enumerate()
-                .for_each(|(row, entries)| entries.push((n, c_t[row] * measures.time / measures.norms[row])));
+            rows.iter_mut().enumerate().for_each(|(row, entries)| {
+                entries.push((n, c_t[row] * measures.time / measures.norms[row]))
+            });
         }
         let mut v = vec![0.0; n + 1];
         for vector in Echelon::new(rows, n + usize::from(time_is_free), self.least()).null_space() {
@@ -121,10 +140,12 @@ impl Walk<'_> {
             vector.iter().for_each(|(k, x)| v[*k] += share * x);
         }
         let largest = v[..n].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        (largest > 1e-6 * v[n].abs() && largest > 0.0).then(|| v.iter().map(|x| x / largest).collect())
+        (largest > 1e-6 * v[n].abs() && largest > 0.0)
+            .then(|| v.iter().map(|x| x / largest).collect())
     }
 
-    /// True if the mechanism can move along v (shares of the coordinates' sizes) while time stands still.
+    /// True if the mechanism can move along v (shares of the coordinates' sizes) while time stands
+    /// still.
     pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
         REACH.iter().any(|reach| self.step((q, t), v, *reach, Rows::All).is_some())
     }
@@ -136,22 +157,43 @@ impl Walk<'_> {
     }
 
     /// A step along v and back onto C = 0; `None` where that leads back, or nowhere.
-    fn step(&self, (q, t): (&[f64], f64), v: &[f64], reach: f64, rows_kept: Rows) -> Option<(Vec<f64>, f64)> {
+    fn step(
+        &self,
+        (q, t): (&[f64], f64),
+        v: &[f64],
+        reach: f64,
+        rows_kept: Rows,
+    ) -> Option<(Vec<f64>, f64)> {
         let Walk { model, measures, .. } = *self;
-        let (n, time_is_free) = (model.n(), rows_kept == Rows::AllInTime);
-        let mut moved: Vec<f64> =
-            q.iter().zip(v).zip(&measures.sizes).map(|((q, v), size)| q + reach * v * size).collect();
-        let open: Vec<usize> = self.open.iter().copied().filter(|row| self.keeps(rows_kept, *row)).collect();
+        let n = model.n();
+        let time_is_free = rows_kept == Rows::AllInTime;
+        let mut moved: Vec<f64> = q
+            .iter()
+            .zip(v)
+            .zip(&measures.sizes)
+            .map(|((q, v), size)| q + reach * v * size)
+            .collect();
+        let open: Vec<usize> =
+            self.open.iter().copied().filter(|row| self.keeps(rows_kept, *row)).collect();
         if !open.is_empty() {
-            moved = nearest(model, measures, &moved, t, &|row| self.keeps(rows_kept, row), &open, self.steps);
+            moved = nearest(
+                model,
+                measures,
+                &moved,
+                t,
+                &|row| self.keeps(rows_kept, row),
+                &open,
+                self.steps,
+            );
         }
         let active = |row: usize| self.keeps(rows_kept, row) && !self.open.contains(&row);
         let mut minimiser = LevenbergMarquardt::new(*model, measures, Vec::new(), time_is_free);
         (0..model.m()).filter(|row| !active(*row)).for_each(|row| minimiser.weights[row] = 0.0);
-        let from =
-            minimiser.place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
+        let from = minimiser
+            .place(&moved, t + if time_is_free { reach * v[n] * measures.time } else { 0.0 })?;
         let place = minimiser.minimise(from, self.steps);
-        let shares = place.q.iter().zip(q).zip(&measures.sizes).map(|((a, b), size)| ((a - b) / size).abs());
+        let shares =
+            place.q.iter().zip(q).zip(&measures.sizes).map(|((a, b), size)| ((a - b) / size).abs());
         let far = shares.fold(0.0_f64, f64::max) >= MOVED * reach;
         (far && model.met(&place.point, &place.q, measures, &active)).then_some((place.q, place.t))
     }

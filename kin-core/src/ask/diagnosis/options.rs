@@ -13,7 +13,8 @@ pub struct DiagnosisOptions {
     pub search: SearchOptions,
     /// Constraints that are let go at most, where not all can be met; default 6.
     pub let_go: usize,
-    /// Nearby poses at most at which the rank is taken, where it is less than it could be; default 3.
+    /// Nearby poses at most at which the rank is taken, where it is less than it could be;
+    /// default 3.
     pub poses: usize,
 }
 

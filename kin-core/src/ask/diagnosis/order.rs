@@ -1,5 +1,5 @@
-//! An order of equations and coordinates that depends on names alone, so that what is told does not change
-//! with the order of declaration.
+//! An order of equations and coordinates that depends on names alone, so that what is told does not
+//! change with the order of declaration.
 
 use std::cmp::Ordering;
 
@@ -7,8 +7,8 @@ use crate::model::layout::Place;
 use crate::model::units::Unit;
 use crate::system::scaled::Model;
 
-/// Rows in the order in which they are the first to be called superfluous: drivers, then joints, the last
-/// name first; the norms of Euler parameters never before anything else.
+/// Rows in the order in which they are the first to be called superfluous: drivers, then joints,
+/// the last name first; the norms of Euler parameters never before anything else.
 pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     let key = |row: usize| {
         let (name, local, class) = match model.equations.block_of(row) {
@@ -24,15 +24,16 @@ pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     };
     let mut rows: Vec<usize> = (0..model.m()).collect();
     rows.sort_by(|a, b| {
-        let (a, b) = (key(*a), key(*b));
+        let a = key(*a);
+        let b = key(*b);
         a.0.cmp(&b.0).then_with(|| natural(b.1, a.1)).then(b.2.cmp(&a.2))
     });
     rows
 }
 
-/// Columns in the order in which they are the first to be called free: angles, then lengths, then Euler
-/// parameters; of these the bodies that a joint holds to the ground first, where a motor is likely to stand;
-/// by name.
+/// Columns in the order in which they are the first to be called free: angles, then lengths, then
+/// Euler parameters; of these the bodies that a joint holds to the ground first, where a motor is
+/// likely to stand; by name.
 pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     let class = |column: usize| match model.layout.units[column] {
         Unit::Radian => 0,
@@ -43,7 +44,9 @@ pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     let mut columns: Vec<usize> = (0..model.n()).collect();
     columns.sort_by(|a, b| {
         let key = |column: usize| (class(column), !grounded[column]);
-        key(*a).cmp(&key(*b)).then_with(|| natural(&model.layout.names[*a], &model.layout.names[*b]))
+        key(*a)
+            .cmp(&key(*b))
+            .then_with(|| natural(&model.layout.names[*a], &model.layout.names[*b]))
     });
     columns
 }
@@ -60,8 +63,9 @@ fn grounded(model: &Model<'_>) -> Vec<bool> {
                 Place::Own { item, .. } => model.layout.items.get(*item),
                 Place::Ground(_) => None,
             });
-            items
-                .for_each(|item| grounded[item.first..item.first + item.kind.coordinates().len()].fill(true));
+            items.for_each(|item| {
+                grounded[item.first..item.first + item.kind.coordinates().len()].fill(true)
+            });
         }
     }
     grounded
@@ -69,12 +73,15 @@ fn grounded(model: &Model<'_>) -> Vec<bool> {
 
 /// Names with numbers in them by the size of the numbers: `pin 2` before `pin 10`.
 pub(super) fn natural(a: &str, b: &str) -> Ordering {
-    let (mut a, mut b) = (a, b);
+    let mut a = a;
+    let mut b = b;
     loop {
-        let (x, y) = (digits(a), digits(b));
+        let x = digits(a);
+        let y = digits(b);
         let order = match (x.is_empty(), y.is_empty()) {
             (false, false) => {
-                let (x, y) = (x.trim_start_matches('0'), y.trim_start_matches('0'));
+                let x = x.trim_start_matches('0');
+                let y = y.trim_start_matches('0');
                 x.len().cmp(&y.len()).then_with(|| x.cmp(y))
             }
             _ => a.chars().next().cmp(&b.chars().next()),

@@ -8,9 +8,10 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 
 impl System {
-    /// Of all assemblies at time t the one in which a measure is nearest a value: `system.assembly_near(0.0,
-    /// "elbow.angle", deg(-60.0))?`, or by any function of a motion, as the distance of two points. Whole
-    /// turns of angles do not count. It is put together by `system.set_initial(&found.q)?`.
+    /// Of all assemblies at time t the one in which a measure is nearest a value:
+    /// `system.assembly_near(0.0, "elbow.angle", deg(-60.0))?`, or by any function of a motion, as
+    /// the distance of two points. Whole turns of angles do not count. It is put together by
+    /// `system.set_initial(&found.q)?`.
     ///
     /// Errors: those of [`System::assemblies`] and [`System::measure`]; no assembly at all.
     pub fn assembly_near(&self, t: f64, what: impl Measure, value: f64) -> Result<Assembly> {
@@ -42,7 +43,12 @@ impl System {
                 Outcome { iterations: 0, residual: found.report.residual },
                 0,
             ),
-            Err(_) => motion.append(t, [q, &still, &still, &[]], Outcome { iterations: 0, residual: 0.0 }, 0),
+            Err(_) => motion.append(
+                t,
+                [q, &still, &still, &[]],
+                Outcome { iterations: 0, residual: 0.0 },
+                0,
+            ),
         }
         motion
     }

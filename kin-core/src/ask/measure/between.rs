@@ -7,14 +7,15 @@ use crate::solve::newton::Outcome;
 use crate::system::{Solution, System};
 
 impl System {
-    /// The pose at one time within a motion of this system, solved anew from between its neighbours: a motion
-    /// with that time alone, which answers every question that a motion answers.   \[s\]
+    /// The pose at one time within a motion of this system, solved anew from between its
+    /// neighbours: a motion with that time alone, which answers every question that a motion
+    /// answers.   \[s\]
     ///
-    /// At a change point of the motion the pose, with its rates, is that of the branch on which the motion
-    /// goes on.
+    /// At a change point of the motion the pose, with its rates, is that of the branch on which the
+    /// motion goes on.
     ///
-    /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another system,
-    /// those of [`System::solve_at`].
+    /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another
+    /// system, those of [`System::solve_at`].
     pub fn at(&self, motion: &Motion, t: f64) -> Result<Motion> {
         self.own_as_it_is(motion)?;
         let before = step_of(motion.times(), t).ok_or_else(|| outside(motion, t))?;
@@ -23,7 +24,8 @@ impl System {
         Ok(pose)
     }
 
-    /// The pose at t next to q, with its rates: a motion of that time alone. Preferred values do not count.
+    /// The pose at t next to q, with its rates: a motion of that time alone. Preferred values do
+    /// not count.
     pub(crate) fn next_to(&self, t: f64, q: &[f64]) -> Result<Motion> {
         self.pose_near(t, q, false)
     }
@@ -35,7 +37,8 @@ impl System {
         Ok(pose)
     }
 
-    /// Appends the pose at t, which lies between time k of a motion and the next, to another motion.
+    /// Appends the pose at t, which lies between time k of a motion and the next, to another
+    /// motion.
     pub(super) fn add_between(
         &self,
         motion: &Motion,
@@ -59,7 +62,8 @@ impl System {
     fn append_solved(&self, t: f64, q: &[f64], jerk: bool, to: &mut Motion) -> Result<()> {
         let Solution { q, qd, qdd, report, .. } = self.solve_at(t, q)?;
         let qddd = if jerk { self.jerk(&q, &qd, &qdd, t)? } else { Vec::new() };
-        let worst = self.names_of_equations().iter().position(|name| *name == report.worst).unwrap_or(0);
+        let worst =
+            self.names_of_equations().iter().position(|name| *name == report.worst).unwrap_or(0);
         to.append(
             t,
             [&q, &qd, &qdd, &qddd],
@@ -75,7 +79,9 @@ pub(super) fn step_of(times: &[f64], t: f64) -> Option<usize> {
     if let [only] = times {
         return (*only == t).then_some(0);
     }
-    times.windows(2).position(|pair| (pair[0] <= t && t <= pair[1]) || (pair[1] <= t && t <= pair[0]))
+    times
+        .windows(2)
+        .position(|pair| (pair[0] <= t && t <= pair[1]) || (pair[1] <= t && t <= pair[0]))
 }
 
 fn outside(motion: &Motion, t: f64) -> Error {
@@ -83,9 +89,13 @@ fn outside(motion: &Motion, t: f64) -> Error {
     let reason = match motion.times() {
         [] => format!("t = {t} {s} is outside of a motion without times"),
         [first, .., last] => {
-            format!("t = {t} {s} is outside of the motion, which goes from {first} {s} to {last} {s}")
+            format!(
+                "t = {t} {s} is outside of the motion, which goes from {first} {s} to {last} {s}"
+            )
         }
-        [only] => format!("t = {t} {s} is outside of the motion, which has the time {only} {s} alone"),
+        [only] => {
+            format!("t = {t} {s} is outside of the motion, which has the time {only} {s} alone")
+        }
     };
     Error::InvalidTimes { reason }
 }
@@ -100,8 +110,8 @@ fn interpolated(motion: &Motion, k: usize, t: f64) -> Vec<f64> {
 }
 
 impl Motion {
-    /// For each coordinate the polynomial of fifth degree, c0 + c1 u + … over 0 ≤ u ≤ 1, that meets q, q̇ and
-    /// q̈ at both ends of step k.
+    /// For each coordinate the polynomial of fifth degree, c0 + c1 u + … over 0 ≤ u ≤ 1, that meets
+    /// q, q̇ and q̈ at both ends of step k.
     pub(crate) fn quintics(&self, k: usize) -> Vec<[f64; 6]> {
         let h = self.times.get(k + 1).zip(self.times.get(k)).map_or(0.0, |(to, from)| to - from);
         let ends = [k, k + 1].map(|k| (self.q(k), self.qd(k), self.qdd(k)));
@@ -111,11 +121,20 @@ impl Motion {
     }
 }
 
-/// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its ends
-/// (quintic Hermite interpolation).
+/// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its
+/// ends (quintic Hermite interpolation).
 pub(crate) fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2]) -> [f64; 6] {
-    let (x, v, a) = (x1 - (x0 + v0 + 0.5 * a0), v1 - (v0 + a0), a1 - a0);
-    [x0, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, -15.0 * x + 7.0 * v - a, 6.0 * x - 3.0 * v + 0.5 * a]
+    let x = x1 - (x0 + v0 + 0.5 * a0);
+    let v = v1 - (v0 + a0);
+    let a = a1 - a0;
+    [
+        x0,
+        v0,
+        0.5 * a0,
+        10.0 * x - 4.0 * v + 0.5 * a,
+        -15.0 * x + 7.0 * v - a,
+        6.0 * x - 3.0 * v + 0.5 * a,
+    ]
 }
 
 #[cfg(test)]
@@ -131,7 +150,8 @@ mod tests {
             [x(s), v, 2.0 * c[2] + s * (6.0 * c[3] + s * (12.0 * c[4] + s * 20.0 * c[5]))]
         };
         for s in [0.0, 0.2, 0.5, 0.9, 1.0] {
-            let found = quintic([slopes(0.0), slopes(1.0)]).iter().rev().fold(0.0, |sum, c| sum * s + c);
+            let found =
+                quintic([slopes(0.0), slopes(1.0)]).iter().rev().fold(0.0, |sum, c| sum * s + c);
             assert!((found - x(s)).abs() < 1e-14);
         }
     }

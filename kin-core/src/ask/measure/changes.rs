@@ -1,5 +1,5 @@
-//! The pose of a motion at and beside its change points, where C_q is singular and no pose can be solved: by
-//! the branch on which the motion comes there, and the one on which it goes on.
+//! The pose of a motion at and beside its change points, where C_q is singular and no pose can be
+//! solved: by the branch on which the motion comes there, and the one on which it goes on.
 
 use super::fine::rows;
 use crate::model::error::Result;
@@ -9,16 +9,17 @@ use crate::solve::newton::run::Run;
 use crate::solve::newton::{Options, Outcome};
 use crate::system::System;
 
-/// Nothing moves by more than this between a change point and the poses that its branches give. A branch is
-/// of second order, so that such a pose is off by 1e-15; the error of a solved pose grows as it comes near,
-/// and is 1e-11 there.   \[-\]
+/// Nothing moves by more than this between a change point and the poses that its branches give. A
+/// branch is of second order, so that such a pose is off by 1e-15; the error of a solved pose grows
+/// as it comes near, and is 1e-11 there.   \[-\]
 const BESIDE: f64 = 1e-5;
 
-/// A time as near as this share of that counts as the change point itself, which is known to 1e-10.   \[-\]
+/// A time as near as this share of that counts as the change point itself, which is known to
+/// 1e-10.   \[-\]
 const AT: f64 = 1e-3;
 
-/// By so much something moves between a change point and the pose that tells on which branch the motion comes
-/// there.   \[-\]
+/// By so much something moves between a change point and the pose that tells on which branch the
+/// motion comes there.   \[-\]
 const BEFORE: f64 = 1e-2;
 
 /// The same of the nearest pose of which the jerk is computed.   \[-\]
@@ -52,11 +53,17 @@ impl Changes {
         Changes(all)
     }
 
-    /// The times at which and beside which a step of the motion has to be cut, in the order of the motion.
+    /// The times at which and beside which a step of the motion has to be cut, in the order of the
+    /// motion.
     pub(super) fn cuts(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
         let within = move |t: &f64| (t - from) * (t - to) < 0.0;
-        let beside = |change: &Change| [-1.0, 0.0, 1.0].map(|k| change.t + k * change.sense * change.near);
-        self.0.iter().filter(move |change| within(&change.t)).flat_map(beside).filter(move |t| within(t))
+        let beside =
+            |change: &Change| [-1.0, 0.0, 1.0].map(|k| change.t + k * change.sense * change.near);
+        self.0
+            .iter()
+            .filter(move |change| within(&change.t))
+            .flat_map(beside)
+            .filter(move |t| within(t))
     }
 
     /// Appends the pose at a time beside a change point; false if there is none near.
@@ -66,7 +73,8 @@ impl Changes {
         let Some(change) = nearest else { return Ok(false) };
         let qddd = if jerk { change.jerk(system, t)? } else { Vec::new() };
         let [q, qd, qdd] = change.pose(t);
-        let (mut residual, mut worst) = (0.0, 0);
+        let mut residual = 0.0;
+        let mut worst = 0;
         for (k, c) in system.residual(&q, t)?.iter().enumerate() {
             if c.abs() > residual {
                 (residual, worst) = (c.abs(), k);
@@ -79,7 +87,12 @@ impl Changes {
 
 impl Change {
     /// `None` where no branch is known. `last` is the change point before it.
-    fn of(system: &System, motion: &Motion, at: &SingularPosition, last: Option<&Change>) -> Option<Self> {
+    fn of(
+        system: &System,
+        motion: &Motion,
+        at: &SingularPosition,
+        last: Option<&Change>,
+    ) -> Option<Self> {
         let after = at.branches.first()?;
         let sizes = system.model().measure(&at.q, at.t).sizes;
         let rate = |x: &f64, size: &f64| x.abs() / size;
@@ -89,7 +102,9 @@ impl Change {
         });
         let sense = if motion.times().last() < motion.times().first() { -1.0 } else { 1.0 };
         let near = if fastest > 0.0 && fastest.is_finite() { BESIDE / fastest } else { 0.0 };
-        let (t, q, before) = (at.t, at.q.clone(), after.clone());
+        let t = at.t;
+        let q = at.q.clone();
+        let before = after.clone();
         let mut change = Change { t, q, before, after: after.clone(), near, sense };
         if let Some(pose) = change.pose_before(system, motion, BEFORE / BESIDE * near, last) {
             let off = |branch: &Branch| {
@@ -103,8 +118,8 @@ impl Change {
         Some(change)
     }
 
-    /// A pose of the motion before the change point, by so much time or less; `None` where it cannot be
-    /// reached from the time of the motion, or the change point, before it.
+    /// A pose of the motion before the change point, by so much time or less; `None` where it
+    /// cannot be reached from the time of the motion, or the change point, before it.
     fn pose_before(
         &self,
         system: &System,
@@ -146,9 +161,11 @@ impl Change {
         moved(&self.q, self.branch(t), t - self.t)
     }
 
-    /// q⃛ at a time, from what it is at four poses on its side of the change point (cubic extrapolation).
+    /// q⃛ at a time, from what it is at four poses on its side of the change point (cubic
+    /// extrapolation).
     fn jerk(&self, system: &System, t: f64) -> Result<Vec<f64>> {
-        let (branch, step) = (self.branch(t), JERK / BESIDE * self.near);
+        let branch = self.branch(t);
+        let step = JERK / BESIDE * self.near;
         let side = if self.is_before(t) { -self.sense } else { self.sense };
         let mut jerk = vec![0.0; self.q.len()];
         for (steps, weight) in [(1.0, 4.0), (2.0, -6.0), (3.0, 4.0), (4.0, -1.0)] {

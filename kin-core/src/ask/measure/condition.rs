@@ -7,9 +7,9 @@ use crate::solve::motion::{Motion, Series};
 use crate::system::System;
 
 impl System {
-    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns measured
-    /// as the solver does, so that it does not depend on units; estimated from below, seldom by more than 2.
-    /// Infinite where C_q is singular.   \[-\]
+    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns
+    /// measured as the solver does, so that it does not depend on units; estimated from below,
+    /// seldom by more than 2. Infinite where C_q is singular.   \[-\]
     ///
     /// Errors: a motion of another system.
     pub fn condition(&self, motion: &Motion) -> Result<Series> {
@@ -20,8 +20,8 @@ impl System {
     }
 
     /// The smallest singular value of C_q at each time of a motion of this system, measured as in
-    /// [`System::condition`]: how near the mechanism is to a singular position; estimated from above, seldom
-    /// by more than 2. Zero where C_q is singular.   \[-\]
+    /// [`System::condition`]: how near the mechanism is to a singular position; estimated from
+    /// above, seldom by more than 2. Zero where C_q is singular.   \[-\]
     ///
     /// Errors: a motion of another system.
     pub fn smallest_singular_value(&self, motion: &Motion) -> Result<Series> {

@@ -6,8 +6,9 @@ use crate::model::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// A motion whose first and last value and rate differ by less than this share of the largest comes back to
-/// its start; values that differ by less are one dead centre, and a smaller rate at an end is none.   \[-\]
+/// A motion whose first and last value and rate differ by less than this share of the largest comes
+/// back to its start; values that differ by less are one dead centre, and a smaller rate at an end
+/// is none.   \[-\]
 const CLOSED: f64 = 1e-9;
 
 /// A place where a measure turns round, or the end of a run where it is largest or smallest.
@@ -37,8 +38,8 @@ pub struct Extremes {
     time_unit: String,
 }
 
-/// Two times of an extreme are one within this share of the motion's span: an extreme that was written down
-/// has lost some digits.   \[-\]
+/// Two times of an extreme are one within this share of the motion's span: an extreme that was
+/// written down has lost some digits.   \[-\]
 const SAME_TIME: f64 = 1e-9;
 
 impl Extreme {
@@ -55,26 +56,30 @@ impl Extreme {
 }
 
 impl System {
-    /// Where a measure of a motion turns round, its rate being zero, with times and values as exact as poses
-    /// can be solved. Of an output these are its dead centres: `system.extremes(&motion, rocker.theta())?`.
+    /// Where a measure of a motion turns round, its rate being zero, with times and values as exact
+    /// as poses can be solved. Of an output these are its dead centres:
+    /// `system.extremes(&motion, rocker.theta())?`.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be coarse: where
-    /// its times do not show all that happens between them (a law that goes out and comes back, a crank that
-    /// turns several times), Kin solves poses in between, until quintic polynomials through neighbouring
-    /// poses follow the motion. Wiggles of less than a millionth of what the measure moves may be missed.
-    /// Where the measure rests before it turns round, the extreme is at the beginning of the rest.
+    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be
+    /// coarse: where its times do not show all that happens between them (a law that goes out and
+    /// comes back, a crank that turns several times), Kin solves poses in between, until quintic
+    /// polynomials through neighbouring poses follow the motion. Wiggles of less than a millionth
+    /// of what the measure moves may be missed. Where the measure rests before it turns round, the
+    /// extreme is at the beginning of the rest.
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than can be
-    /// followed.
+    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than
+    /// can be followed.
     pub fn extremes(&self, motion: &Motion, what: impl Measure) -> Result<Extremes> {
         self.own_as_it_is(motion)?;
         let fine = self.fine(motion, Some(&what))?;
         let search = Search::new(self, &fine, &what, Zero::Rate)?;
         let extreme = |Root { t, x, rises }: Root| Extreme { t, value: x, is_max: !rises };
         let all = search.all()?.into_iter().map(extreme).collect();
-        let (x, rate) = (search.grid.value.values(), search.grid.rate.values());
+        let x = search.grid.value.values();
+        let rate = search.grid.rate.values();
         let end = |all: &[f64]| [all.first(), all.last()].map(|x| x.copied().unwrap_or(f64::NAN));
-        let (times, values) = (end(motion.times()), end(x));
+        let times = end(motion.times());
+        let values = end(x);
         let comes_back = |all: &[f64]| {
             let size = all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
             matches!(all, [first, .., last] if (first - last).abs() <= CLOSED * size)
@@ -109,12 +114,14 @@ impl Extremes {
         &self.all
     }
 
-    /// The largest value of the motion, be it where the measure turns round or at an end of the run.
+    /// The largest value of the motion, be it where the measure turns round or at an end of the
+    /// run.
     pub fn max(&self) -> Extreme {
         self.best(true, |value, other| value > other)
     }
 
-    /// The smallest value of the motion, be it where the measure turns round or at an end of the run.
+    /// The smallest value of the motion, be it where the measure turns round or at an end of the
+    /// run.
     pub fn min(&self) -> Extreme {
         self.best(false, |value, other| value < other)
     }
@@ -124,14 +131,15 @@ impl Extremes {
         self.max().value - self.min().value
     }
 
-    /// The time of the slower stroke over the time of the quicker one, over one whole cycle: at least 1;
-    /// `None` where the run shows no whole cycle.   \[-\]
+    /// The time of the slower stroke over the time of the quicker one, over one whole cycle: at
+    /// least 1; `None` where the run shows no whole cycle.   \[-\]
     ///
-    /// One stroke leads from the largest to the smallest value, the other one back, each to where the value
-    /// is reached first; a rest belongs to the stroke that follows it. A whole cycle is there where the run
-    /// reaches the largest, the smallest and the largest value again (or the smallest, the largest, the
-    /// smallest), an end at which the measure rests counting too, or where the run comes back to its start in
-    /// value and rate. Of several cycles the first whole one counts.
+    /// One stroke leads from the largest to the smallest value, the other one back, each to where
+    /// the value is reached first; a rest belongs to the stroke that follows it. A whole cycle is
+    /// there where the run reaches the largest, the smallest and the largest value again (or the
+    /// smallest, the largest, the smallest), an end at which the measure rests counting too, or
+    /// where the run comes back to its start in value and rate. Of several cycles the first whole
+    /// one counts.
     pub fn time_ratio(&self) -> Option<f64> {
         let [(from, _), (to, _)] = self.ends;
         let centres = self.dead_centres();
@@ -148,9 +156,11 @@ impl Extremes {
         Some(one.max(other) / one.min(other)).filter(|ratio| ratio.is_finite())
     }
 
-    /// The largest and the smallest value by turns, each where it is reached first after the other one.
+    /// The largest and the smallest value by turns, each where it is reached first after the other
+    /// one.
     fn dead_centres(&self) -> Vec<Extreme> {
-        let (max, min) = (self.max().value, self.min().value);
+        let max = self.max().value;
+        let min = self.min().value;
         let same = CLOSED * (max - min) + 1e-12 * max.abs().max(min.abs());
         let end = |k: usize| self.rests[k].then_some(self.ends[k]);
         let all = self.all.iter().map(|extreme| (extreme.t, extreme.value));
@@ -166,27 +176,33 @@ impl Extremes {
         found
     }
 
-    /// The one of these that has the time of an extreme, the largest and the smallest value at an end of the
-    /// run included, and true if the measure turns round there. Errors: there is none of its kind at that
-    /// time.
+    /// The one of these that has the time of an extreme, the largest and the smallest value at an
+    /// end of the run included, and true if the measure turns round there. Errors: there is none of
+    /// its kind at that time.
     pub(crate) fn find(&self, extreme: &Extreme) -> Result<(Extreme, bool)> {
         let Extreme { t, is_max, .. } = *extreme;
         let best = if is_max { self.max() } else { self.min() };
         let far = |one: &Extreme| (one.t - t).abs();
-        let turns = self.all.iter().copied().filter(|one| one.is_max == is_max).map(|one| (one, true));
+        let turns =
+            self.all.iter().copied().filter(|one| one.is_max == is_max).map(|one| (one, true));
         let nearest = turns.chain([(best, false)]).min_by(|a, b| far(&a.0).total_cmp(&far(&b.0)));
         let (nearest, turns) = nearest.unwrap_or((best, false));
         let [(first, _), (last, _)] = self.ends;
         if far(&nearest) <= SAME_TIME * (last - first).abs().max(t.abs()) {
             return Ok((nearest, turns));
         }
-        let (word, s) = (if is_max { "maximum" } else { "minimum" }, &self.time_unit);
+        let word = if is_max { "maximum" } else { "minimum" };
+        let s = &self.time_unit;
         let reason = format!(
             "it has no {word} at t = {t} {s}; the nearest one is at t = {} {s}. Take an extreme that \
              `system.extremes` gives",
             nearest.t
         );
-        Err(Error::InvalidConstraint { constraint: self.name.clone(), kind: "extreme".to_string(), reason })
+        Err(Error::InvalidConstraint {
+            constraint: self.name.clone(),
+            kind: "extreme".to_string(),
+            reason,
+        })
     }
 
     /// The one that no other is better than.
@@ -205,8 +221,10 @@ mod tests {
 
     /// Extremes at times with values, the ends, and whether it comes back.
     fn extremes(all: &[(f64, f64)], ends: [(f64, f64); 2], closed: bool) -> Extremes {
-        let all =
-            all.iter().map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 }).collect();
+        let all = all
+            .iter()
+            .map(|(t, value)| Extreme { t: *t, value: *value, is_max: *value > 0.0 })
+            .collect();
         let rests = [false; 2];
         let [name, unit, time_unit] = ["slide", "m", "s"].map(str::to_string);
         Extremes { name, unit, all, ends, rests, closed, time_unit }
@@ -220,8 +238,11 @@ mod tests {
     /// Of equal values the first one counts, be it an extreme or an end.
     #[test]
     fn the_largest_and_the_smallest_value() {
-        let found =
-            extremes(&[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)], [(0.0, 0.5), (5.0, 0.0)], false);
+        let found = extremes(
+            &[(1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, -3.0)],
+            [(0.0, 0.5), (5.0, 0.0)],
+            false,
+        );
         assert_eq!(
             (
                 value_and_time(found.max()),
@@ -233,7 +254,10 @@ mod tests {
             ((2.0, 1.0), (-3.0, 2.0), 5.0, "slide", "m")
         );
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, 2.0), (5.0, -3.0)], false);
-        assert_eq!((value_and_time(ends.max()), value_and_time(ends.min())), ((2.0, 0.0), (-3.0, 2.0)));
+        assert_eq!(
+            (value_and_time(ends.max()), value_and_time(ends.min())),
+            ((2.0, 0.0), (-3.0, 2.0))
+        );
         let ends = extremes(&[(1.0, 2.0), (2.0, -3.0)], [(0.0, -4.0), (5.0, 3.0)], false);
         assert_eq!(
             (value_and_time(ends.max()), value_and_time(ends.min()), ends.stroke()),
@@ -263,15 +287,22 @@ mod tests {
                 )
             };
             assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.0)]).time_ratio(), Some(4.0));
-            assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0), (9.0, 2.0), (15.0, -2.0)]).time_ratio(), Some(3.0));
-            // Lesser extremes are on the way; a value that is reached again counts where it was first.
+            assert_eq!(
+                open(&[(1.0, 2.0), (7.0, -2.0), (9.0, 2.0), (15.0, -2.0)]).time_ratio(),
+                Some(3.0)
+            );
+            // Lesser extremes are on the way; a value that is reached again counts where it was
+            // first.
             let lesser = [(1.0, 2.0), (2.0, -1.0), (3.0, 1.0), (5.0, -2.0), (6.0, 2.0)];
             assert_eq!(open(&lesser).time_ratio(), Some(4.0));
             let twice = [(1.0, 2.0), (2.0, 1.0), (3.0, 2.0), (5.0, -2.0), (6.0, 2.0)];
             assert_eq!(open(&twice).time_ratio(), Some(4.0));
             // Less than a cycle, values that drift, no time between two.
             assert_eq!(open(&[(1.0, 2.0), (7.0, -2.0)]).time_ratio(), None);
-            assert_eq!(open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.1), (7.0, -3.0)]).time_ratio(), None);
+            assert_eq!(
+                open(&[(1.0, 2.0), (2.0, -2.0), (6.0, 2.1), (7.0, -3.0)]).time_ratio(),
+                None
+            );
             assert_eq!(open(&[(1.0, 2.0), (1.0, -2.0), (9.0, 2.0)]).time_ratio(), None);
             // Begun at a dead centre.
             let mut begun = closed(1.0, 7.0, 0.5);
@@ -297,8 +328,8 @@ mod tests {
             assert_eq!(found.all().len(), count);
             found.closed
         };
-        // t (t − 1) (t − 3) is 0 at both ends and has rates 3 and 6; the sine on a slope comes back with its
-        // rate alone
+        // t (t − 1) (t − 3) is 0 at both ends and has rates 3 and 6; the sine on a slope comes back
+        // with its rate alone
         assert!(!closed(crate::Law::polynomial(&[0.0, 3.0, -4.0, 1.0]), 3.0, 2));
         let turn = std::f64::consts::TAU;
         let sine = crate::Law::sine(1.0, 1.0, 0.3);

@@ -1,13 +1,13 @@
-//! A motion with as many times as its path needs: between two of them all coordinates, and the measure,
-//! follow the quintics through values, velocities and accelerations at both ends.
+//! A motion with as many times as its path needs: between two of them all coordinates, and the
+//! measure, follow the quintics through values, velocities and accelerations at both ends.
 //!
-//! A grid of times may be coarse. What happens between two of its times shows in three ways. *Time*: laws and
-//! other functions of time are known by their bounds and breaks ([`clock`]). *Profiles*: laws of coordinates
-//! are compared with quintics over the stretch that their argument moves through. *Path*: the pose in the
-//! middle of a step is compared with the quintics, in value and rate, and no body turns by more than
-//! [`REACH`]. A step that fails is halved. Where the times of the grid themselves show all of it, which a
-//! fine grid does, no pose is solved. A step is cut at a change point, where a motion may turn into another
-//! branch.
+//! A grid of times may be coarse. What happens between two of its times shows in three ways.
+//! *Time*: laws and other functions of time are known by their bounds and breaks ([`clock`]).
+//! *Profiles*: laws of coordinates are compared with quintics over the stretch that their argument
+//! moves through. *Path*: the pose in the middle of a step is compared with the quintics, in value
+//! and rate, and no body turns by more than [`REACH`]. A step that fails is halved. Where the times
+//! of the grid themselves show all of it, which a fine grid does, no pose is solved. A step is cut
+//! at a change point, where a motion may turn into another branch.
 
 mod clock;
 pub(super) mod quintic;
@@ -25,8 +25,8 @@ use crate::system::System;
 use clock::Clock;
 use quintic::Quintic;
 
-/// Quintics may miss by this share of how far a coordinate, or the measure, moves in the whole motion, and
-/// rates over a step by so many times that.   \[-\]
+/// Quintics may miss by this share of how far a coordinate, or the measure, moves in the whole
+/// motion, and rates over a step by so many times that.   \[-\]
 const MISS: f64 = 1e-6;
 const RATES: f64 = 30.0;
 
@@ -36,7 +36,8 @@ const PROFILE: f64 = 1e-5;
 /// A number that moves by less than this share of its largest value stands still.   \[-\]
 const STILL: f64 = 1e-9;
 
-/// Values are known to this share of their characteristic size: what misses by less has not moved.   \[-\]
+/// Values are known to this share of their characteristic size: what misses by less has not
+/// moved.   \[-\]
 const ROUNDING: f64 = 1e-11;
 
 /// No step is cut into parts shorter than this share of it.   \[-\]
@@ -118,8 +119,9 @@ impl<'a> Refining<'a> {
             added: 0,
         };
         let count = system.n_coordinates() + usize::from(what.is_some());
-        refining.sizes =
-            (0..count).map(|j| size((0..motion.len()).map(|k| refining.on_grid(k, j)[0]))).collect();
+        refining.sizes = (0..count)
+            .map(|j| size((0..motion.len()).map(|k| refining.on_grid(k, j)[0])))
+            .collect();
         Ok(refining)
     }
 
@@ -131,7 +133,8 @@ impl<'a> Refining<'a> {
     /// Appends all times after time k of the motion, up to the next one.
     fn step(&mut self, k: usize, fine: &mut Motion) -> Result<()> {
         let next = rows(self.system, self.motion, k + 1..k + 2);
-        let (begin, end) = (self.motion.times()[k], self.motion.times()[k + 1]);
+        let begin = self.motion.times()[k];
+        let end = self.motion.times()[k + 1];
         let mut cuts: Vec<f64> = self.changes.cuts([begin, end]).collect();
         if cuts.is_empty() && self.clock.is_plain(k) && self.is_seen(k) {
             add(&next, fine);
@@ -158,14 +161,16 @@ impl<'a> Refining<'a> {
         }
         let fits = |first: usize| {
             let at = |place: usize, j: usize| self.on_grid(first + place, j);
-            first + 2 < times.len() && self.fits([times[first], times[first + 1], times[first + 2]], &at)
+            first + 2 < times.len()
+                && self.fits([times[first], times[first + 1], times[first + 2]], &at)
         };
         fits(k) || k.checked_sub(1).is_some_and(fits)
     }
 
     /// Appends what is needed between two poses, and the later one.
     fn fill(&mut self, from: &Motion, to: &Motion, shortest: f64, fine: &mut Motion) -> Result<()> {
-        let (a, b) = (from.times()[0], to.times()[0]);
+        let a = from.times()[0];
+        let b = to.times()[0];
         let resolution = 64.0 * f64::EPSILON * a.abs().max(b.abs());
         if (b - a).abs() <= shortest.max(resolution) {
             add(to, fine);
@@ -179,7 +184,9 @@ impl<'a> Refining<'a> {
         let places = [0.5, 0.461, 0.573].map(|share| a + share * (b - a));
         let middle = match self.between(from, to, places[0]) {
             Ok(middle) => middle,
-            Err(_) => self.between(from, to, places[1]).or_else(|_| self.between(from, to, places[2]))?,
+            Err(_) => {
+                self.between(from, to, places[1]).or_else(|_| self.between(from, to, places[2]))?
+            }
         };
         let three = joined(self.system, [from, &middle, to]);
         let grid = self.what.map(|what| what.of(self.system, &three)).transpose()?;
@@ -202,32 +209,40 @@ impl<'a> Refining<'a> {
     fn fits(&self, [a, middle, b]: [f64; 3], at: &dyn Fn(usize, usize) -> [f64; 3]) -> bool {
         self.sizes.iter().zip(&self.rounding).enumerate().all(|(j, (size, rounding))| {
             let curve = Quintic::between([a, b], [at(0, j), at(2, j)]);
-            let (u, [x, rate, _]) = ((middle - a) / (b - a), at(1, j));
-            let (value, slope) = (curve.at(u), curve.slope(u));
+            let u = (middle - a) / (b - a);
+            let [x, rate, _] = at(1, j);
+            let value = curve.at(u);
+            let slope = curve.slope(u);
             let allowed = (MISS * size).max(*rounding);
             // A number that is none cannot be followed better.
             let off = |miss: f64, allowed: f64| miss > allowed;
-            !off((value - x).abs(), allowed) && !off((slope - (b - a) * rate).abs(), RATES * allowed)
+            !off((value - x).abs(), allowed)
+                && !off((slope - (b - a) * rate).abs(), RATES * allowed)
         })
     }
 
-    /// True if nothing turns far between two times of a motion, and laws of coordinates are followed there.
+    /// True if nothing turns far between two times of a motion, and laws of coordinates are
+    /// followed there.
     fn is_short(&self, motion: &Motion, [k, next]: [usize; 2]) -> bool {
         let h = motion.times()[next] - motion.times()[k];
         let units = &self.system.layout().units;
-        let turns = units.iter().enumerate().filter(|(_, unit)| **unit != Unit::Metre).all(|(j, _)| {
-            let by_rates = (h * motion.qd(k)[j]).abs().max((h * motion.qd(next)[j]).abs());
-            (motion.q(next)[j] - motion.q(k)[j]).abs() <= REACH && by_rates <= 2.0 * REACH
-        });
+        let turns =
+            units.iter().enumerate().filter(|(_, unit)| **unit != Unit::Metre).all(|(j, _)| {
+                let by_rates = (h * motion.qd(k)[j]).abs().max((h * motion.qd(next)[j]).abs());
+                (motion.q(next)[j] - motion.q(k)[j]).abs() <= REACH && by_rates <= 2.0 * REACH
+            });
         turns && (self.profiles.is_empty() || self.follows_profiles(motion, [k, next]))
     }
 
     fn follows_profiles(&self, motion: &Motion, ends: [usize; 2]) -> bool {
         let [from, to] = ends.map(|k| arguments(self.system, motion, k, &self.profiles));
         self.profiles.iter().zip(from.into_iter().zip(to)).all(|(profile, ((law, a), (_, b)))| {
-            let (jets, h) = ([law.jet(a), law.jet(b)], b - a);
+            let jets = [law.jet(a), law.jet(b)];
+            let h = b - a;
             let curve = Quintic::between([a, b], jets.map(|[f, f1, f2, _]| [f, f1, f2]));
-            h == 0.0 || places(7).all(|u| (curve.at(u) - law.at(a + u * h)).abs() <= PROFILE * profile.size)
+            h == 0.0
+                || places(7)
+                    .all(|u| (curve.at(u) - law.at(a + u * h)).abs() <= PROFILE * profile.size)
         })
     }
 
@@ -263,7 +278,8 @@ fn rounding(system: &System, motion: &Motion) -> Vec<f64> {
 /// The laws whose arguments move with coordinates.
 fn profiles(system: &System, motion: &Motion) -> Vec<Profile> {
     let Some(last) = motion.len().checked_sub(1) else { return Vec::new() };
-    let (t, q) = (motion.times()[0], motion.q(0));
+    let t = motion.times()[0];
+    let q = motion.q(0);
     let equations = system.equations();
     let moved: Vec<f64> = q.iter().zip(places(q.len())).map(|(q, u)| q + 0.1 + 0.1 * u).collect();
     let instants = [q, &moved].map(|q| equations.instant_at(t, q));
@@ -298,7 +314,8 @@ fn arguments(system: &System, motion: &Motion, k: usize, profiles: &[Profile]) -
     let instant = equations.instant_at(motion.times()[k], motion.q(k));
     let mut all = Vec::new();
     for profile in profiles {
-        let (block, mut number) = (&equations.blocks[profile.block], 0);
+        let block = &equations.blocks[profile.block];
+        let mut number = 0;
         block.constraint.laws(&equations.at(block, &instant), &mut |_, law, x| {
             if number == profile.number {
                 all.push((law.clone(), x));
@@ -316,7 +333,8 @@ fn places(count: usize) -> impl Iterator<Item = f64> {
 
 /// How far a number moves; never zero, so that rounding does not count.
 fn size(all: impl Iterator<Item = f64>) -> f64 {
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut low = f64::INFINITY;
+    let mut high = f64::NEG_INFINITY;
     all.filter(|x| x.is_finite()).for_each(|x| (low, high) = (low.min(x), high.max(x)));
     (high - low).max(STILL * low.abs().max(high.abs())).max(f64::MIN_POSITIVE)
 }
@@ -337,7 +355,8 @@ fn orders(motion: &Motion, asked: Option<&Quantity>, k: usize, j: usize) -> [f64
 pub(super) fn rows(system: &System, motion: &Motion, range: std::ops::Range<usize>) -> Motion {
     let mut found = Motion::new(system, range.len());
     for k in range {
-        let outcome = Outcome { iterations: motion.iterations()[k], residual: motion.residuals()[k] };
+        let outcome =
+            Outcome { iterations: motion.iterations()[k], residual: motion.residuals()[k] };
         found.append(motion.times()[k], motion.orders(k, 0..system.n_coordinates()), outcome, 0);
     }
     found

@@ -22,7 +22,8 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -
     let mut orders: [Vec<f64>; 4] = Default::default();
     let mut last: Option<(f64, [f64; 4])> = None;
     for (k, &t) in motion.times().iter().enumerate() {
-        let mut x = equations.measure(block, place.number, t, motion.orders(k, 0..system.n_coordinates()));
+        let mut x =
+            equations.measure(block, place.number, t, motion.orders(k, 0..system.n_coordinates()));
         if let (true, Some((before, from))) = (place.measured.turns, last) {
             x[0] += TAU * ((continued(from, x, t - before) - x[0]) / TAU).round();
         }
@@ -38,7 +39,12 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -
         let known = if motion.has_jerk() { 4 } else { 3 };
         orders.iter_mut().zip(x).take(known).for_each(|(order, x)| order.push(x));
     }
-    Ok(Quantity::new(name, &motion.unit_words().in_own_words(place.measured.unit), motion.clock(), orders))
+    Ok(Quantity::new(
+        name,
+        &motion.unit_words().in_own_words(place.measured.unit),
+        motion.clock(),
+        orders,
+    ))
 }
 
 /// x a step h later, from the rates at both ends.

@@ -1,5 +1,5 @@
-//! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`, `max` and
-//! `min` take their other side.
+//! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`,
+//! `max` and `min` take their other side.
 
 use kin_graph::{Formula, Function, Function2, Node, Op, Results, evaluate};
 
@@ -13,8 +13,8 @@ use crate::solve::newton::{Engine, Options};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Each step of a motion is looked at in so many places; a condition that holds for less than that and not at
-/// its ends is not seen.
+/// Each step of a motion is looked at in so many places; a condition that holds for less than that
+/// and not at its ends is not seen.
 const PLACES: usize = 4;
 
 /// Positions may be off by this share of the largest coordinate of their unit.   \[-\]
@@ -65,10 +65,12 @@ enum Side {
 }
 
 impl Watched<'_> {
-    /// The kinks that the motion passes. A switch counts as on another side where it is clear of its kink by
-    /// more than rounding of the position, so that a motion at rest on a kink passes none.
+    /// The kinks that the motion passes. A switch counts as on another side where it is clear of
+    /// its kink by more than rounding of the position, so that a motion at rest on a kink passes
+    /// none.
     fn events(&self, motion: &Motion) -> Vec<Event> {
-        let (local, radii) = (self.local(motion), radii(motion));
+        let local = self.local(motion);
+        let radii = radii(motion);
         let switches: Vec<Node> = self
             .formula
             .graph
@@ -77,19 +79,24 @@ impl Watched<'_> {
             .filter(|node| self.is_switch(*node))
             .collect();
         let at = |q: &[f64], t: f64| self.sides(&switches, &local(q, &radii), t);
-        let (mut all, times) = (Vec::new(), motion.times());
+        let mut all = Vec::new();
+        let times = motion.times();
         let by_steps = Options { engine: Engine::Plain, ..Options::default() };
         let Some(&first) = times.first() else { return all };
         // The last side that each switch was known to be on.
         let mut last: Vec<Option<bool>> = at(motion.q(0), first).into_iter().map(known).collect();
         for k in 0..times.len().saturating_sub(1) {
             let quintics = motion.quintics(k);
-            let (from, to) = (times[k], times[k + 1]);
+            let from = times[k];
+            let to = times[k + 1];
             let pose = |u: f64| -> Vec<f64> {
                 quintics.iter().map(|c| c.iter().rev().fold(0.0, |sum, c| sum * u + c)).collect()
             };
             let along = |u: f64| {
-                at(&if u == 1.0 { motion.q(k + 1).to_vec() } else { pose(u) }, from + u * (to - from))
+                at(
+                    &if u == 1.0 { motion.q(k + 1).to_vec() } else { pose(u) },
+                    from + u * (to - from),
+                )
             };
             // Interpolated positions may pass a kink that the motion does not.
             let solved = |u: f64| {
@@ -101,7 +108,8 @@ impl Watched<'_> {
                 }
             };
             for place in 1..=PLACES {
-                let (low, high) = ((place - 1) as f64 / PLACES as f64, place as f64 / PLACES as f64);
+                let low = (place - 1) as f64 / PLACES as f64;
+                let high = place as f64 / PLACES as f64;
                 let after = along(high);
                 for (step, side) in after.iter().enumerate() {
                     let Some(new) = known(*side) else {
@@ -122,8 +130,8 @@ impl Watched<'_> {
         all
     }
 
-    /// The columns of the equation from all coordinates, and how far each may be off; the ground's are what
-    /// they are.
+    /// The columns of the equation from all coordinates, and how far each may be off; the ground's
+    /// are what they are.
     fn local(&self, motion: &Motion) -> impl Fn(&[f64], &[f64]) -> Vec<[f64; 2]> + use<> {
         let arguments = self.block.constraint.arguments();
         let instant = self.system.equations().instant_at(0.0, motion.q(0));
@@ -135,7 +143,8 @@ impl Watched<'_> {
         let moving = arguments.iter().flat_map(|argument| self.system.layout().columns(argument));
         let columns: Vec<(f64, Option<usize>)> = still.zip(moving).collect();
         move |q, radii| {
-            let of = |list: &[f64], column: Option<usize>| column.and_then(|k| list.get(k)).copied();
+            let of =
+                |list: &[f64], column: Option<usize>| column.and_then(|k| list.get(k)).copied();
             let own = |(still, column): &(f64, Option<usize>)| {
                 [of(q, *column).unwrap_or(*still), of(radii, *column).unwrap_or(0.0)]
             };
@@ -154,21 +163,26 @@ impl Watched<'_> {
 
     /// The side of each switch at columns that may be off by so much.
     fn sides(&self, switches: &[Node], columns: &[[f64; 2]], t: f64) -> Vec<Side> {
-        let (graph, rows) = (&self.formula.graph, &self.formula.rows);
+        let graph = &self.formula.graph;
+        let rows = &self.formula.rows;
         let q: Vec<f64> = columns.iter().map(|[x, _]| *x).collect();
-        let (parameters, outside) = (self.parameters, self.outside);
+        let parameters = self.parameters;
+        let outside = self.outside;
         let results = evaluate(graph, rows, &Numbers { q: &q, t, parameters, outside });
         let holds = |node: Node| results.condition(node).unwrap_or_default();
-        let (mut seen, mut open) = (vec![false; graph.len()], rows.clone());
+        let mut seen = vec![false; graph.len()];
+        let mut open = rows.clone();
         while let Some(node) = open.pop() {
             if !std::mem::replace(&mut seen[node.index()], true) {
                 open.extend(graph.numbers_behind(node, holds));
             }
         }
-        let bounds = |[x, radius]: &[f64; 2]| Series::constant(Interval::new(x - radius, x + radius));
+        let bounds =
+            |[x, radius]: &[f64; 2]| Series::constant(Interval::new(x - radius, x + radius));
         let (columns, t): (Vec<Series>, _) =
             (columns.iter().map(bounds).collect(), Series::constant(Interval::from(t)));
-        let bounds = evaluate(graph, switches, &Inputs { columns: &columns, t, parameters, outside });
+        let bounds =
+            evaluate(graph, switches, &Inputs { columns: &columns, t, parameters, outside });
         let side = |node: &Node| match seen[node.index()] {
             true => self.side(*node, &results, &bounds),
             false => Side::Unread,
@@ -204,7 +218,8 @@ impl Watched<'_> {
         let open = bounds.condition(condition).is_none_or(|known| !known.never && !known.always);
         open && graph.reachable(&[condition]).into_iter().any(|node| match graph.op(node) {
             Op::Compare(_, a, b) => {
-                let range = |node: Node| bounds.number(node).map_or(UNKNOWN.value(), |x| x.all_values());
+                let range =
+                    |node: Node| bounds.number(node).map_or(UNKNOWN.value(), |x| x.all_values());
                 let gap = range(a) - range(b);
                 gap.is_finite() && gap.contains(0.0)
             }
@@ -222,7 +237,8 @@ impl Watched<'_> {
         let (text, place) = told.map_or((String::new(), String::new()), |expression| {
             (format!("`{}` ", expression.text), format!(" ({})", self.table.source(expression)))
         });
-        let (name, units) = (self.block.name.clone(), self.system.layout().words.clone());
+        let name = self.block.name.clone();
+        let units = self.system.layout().words.clone();
         Event {
             t,
             units,
@@ -241,7 +257,8 @@ fn known(side: Side) -> Option<bool> {
     }
 }
 
-/// How far each coordinate of a motion may be off by rounding: a share of the largest one of its unit.
+/// How far each coordinate of a motion may be off by rounding: a share of the largest one of its
+/// unit.
 fn radii(motion: &Motion) -> Vec<f64> {
     let units = motion.units();
     let n = units.len();

@@ -33,8 +33,8 @@ impl System {
         all
     }
 
-    /// Tells the motion of each limit that it passes. A limit that cannot be evaluated is an event too: a run
-    /// does not fail for it.
+    /// Tells the motion of each limit that it passes. A limit that cannot be evaluated is an event
+    /// too: a run does not fail for it.
     pub(crate) fn note_limits(&self, motion: &mut Motion) {
         for limit in self.all_limits() {
             let events = events(self, motion, &limit).unwrap_or_else(|error| {
@@ -55,7 +55,8 @@ fn event(limit: &Limit, t: f64, text: String) -> Event {
 }
 
 fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>> {
-    let (name, [from, to]) = (limit.name.as_str(), limit.ends);
+    let name = limit.name.as_str();
+    let [from, to] = limit.ends;
     let fine = system.fine(motion, Some(&name))?;
     let grid = system.measure(&fine.motion, name)?.value;
     let (Some(&start), Some(&first)) = (motion.times().first(), grid.values().first()) else {
@@ -63,7 +64,8 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
     };
     let mut all = Vec::new();
     for (end, side, outside) in [(from, "lower", first < from), (to, "upper", first > to)] {
-        let (shown, unit) = (time(end), grid.unit());
+        let shown = time(end);
+        let unit = grid.unit();
         if outside {
             all.push(event(
                 limit,
@@ -90,7 +92,8 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
 
 /// True if an end lies within the values, or beyond them by no more than they change in a step.
 fn comes_near(values: &[f64], end: f64) -> bool {
-    let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+    let (low, high) =
+        values.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
     let step = values.windows(2).fold(0.0_f64, |m, pair| m.max((pair[1] - pair[0]).abs()));
     (low - step..=high + step).contains(&end)
 }

@@ -1,8 +1,9 @@
-//! Answers that people want of a mechanism: measures of its joints, extremes and crossings with their exact
-//! times, limits.
+//! Answers that people want of a mechanism: measures of its joints, extremes and crossings with
+//! their exact times, limits.
 //!
-//! Anything that is one number over time can be asked: by name, by coordinate, or by a function of a motion.
-//! Times between those of the grid are found by solving the pose there, not by interpolation.
+//! Anything that is one number over time can be asked: by name, by coordinate, or by a function of
+//! a motion. Times between those of the grid are found by solving the pose there, not by
+//! interpolation.
 
 mod assemblies;
 mod between;
@@ -28,9 +29,9 @@ use crate::model::layout::Place;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// One number over time that can be asked of a motion: a name (`"slot.slide"` of a joint, `"crank.theta"` of
-/// a coordinate; a `String` too), a coordinate (`crank.theta()`), or a function such as `|m: &Motion|
-/// m.transmission_angle(coupler, rocker)`.
+/// One number over time that can be asked of a motion: a name (`"slot.slide"` of a joint,
+/// `"crank.theta"` of a coordinate; a `String` too), a coordinate (`crank.theta()`), or a function
+/// such as `|m: &Motion| m.transmission_angle(coupler, rocker)`.
 pub trait Measure {
     /// The measure over the times of a motion of the system, with its rates.
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity>;
@@ -97,11 +98,12 @@ impl<F: Fn(&Motion) -> Result<Quantity>> Measure for F {
 }
 
 impl System {
-    /// One number over the times of a motion of this system, with its rates: a measure of a joint or a
-    /// coordinate by name (`"slot.slide"`, `"crank.theta"`), a coordinate, a function of the motion.
+    /// One number over the times of a motion of this system, with its rates: a measure of a joint
+    /// or a coordinate by name (`"slot.slide"`, `"crank.theta"`), a coordinate, a function of the
+    /// motion.
     ///
-    /// Angles of joints are counted over any number of turns, from −π to π at the first time; for that the
-    /// grid must not be so coarse that a rate changes by a turn a step.
+    /// Angles of joints are counted over any number of turns, from −π to π at the first time; for
+    /// that the grid must not be so coarse that a rate changes by a turn a step.
     ///
     /// Errors: a name that nothing has, with what can be asked; a motion of another system.
     pub fn measure(&self, motion: &Motion, what: impl Measure) -> Result<Quantity> {

@@ -4,14 +4,15 @@ use crate::model::error::{Error, OtherMotion, Result};
 use crate::solve::motion::Motion;
 use crate::system::{System, scale};
 
-/// An equation that is further off than this share of its terms, and twice what it was when the motion was
-/// computed, is one of another system.   \[-\]
+/// An equation that is further off than this share of its terms, and twice what it was when the
+/// motion was computed, is one of another system.   \[-\]
 const OFF: f64 = 1e-8;
 
 impl System {
     /// An error unless the motion is one of this system.
     pub(crate) fn own(&self, motion: &Motion) -> Result<()> {
-        let (expected, found) = (self.n_coordinates(), motion.names().len());
+        let expected = self.n_coordinates();
+        let found = motion.names().len();
         match motion.names() == self.coordinate_names() {
             true => Ok(()),
             false => Err(Error::WrongLength {
@@ -22,17 +23,22 @@ impl System {
         }
     }
 
-    /// An error unless the motion is one of this system as it is now: its first, middle and last times are
-    /// looked at.
+    /// An error unless the motion is one of this system as it is now: its first, middle and last
+    /// times are looked at.
     pub(crate) fn own_as_it_is(&self, motion: &Motion) -> Result<()> {
         self.own(motion)?;
         let last = motion.len().saturating_sub(1);
-        [0, last / 2, last].into_iter().filter(|k| *k < motion.len()).try_for_each(|k| self.holds(motion, k))
+        [0, last / 2, last]
+            .into_iter()
+            .filter(|k| *k < motion.len())
+            .try_for_each(|k| self.holds(motion, k))
     }
 
     /// An error where C = 0 does not hold at a time of the motion as far as it was told to.
     fn holds(&self, motion: &Motion, k: usize) -> Result<()> {
-        let (t, q, told) = (motion.times()[k], motion.q(k), 2.0 * motion.residuals()[k]);
+        let t = motion.times()[k];
+        let q = motion.q(k);
+        let told = 2.0 * motion.residuals()[k];
         // Another error tells where C or C_q is not finite.
         let Ok(point) = self.model().linearize(q, t) else { return Ok(()) };
         let equations = self.equations();

@@ -4,11 +4,13 @@ use super::Crossing;
 use crate::model::motion::Series;
 
 impl Series {
-    /// The times at which it passes a value, by straight lines between its times: where a drive begins to
-    /// hold back, or a pin to be lifted. Of what can be measured [`crate::System::crossings`] is exact. A
-    /// value that is reached and left to the same side is not passed.
+    /// The times at which it passes a value, by straight lines between its times: where a drive
+    /// begins to hold back, or a pin to be lifted. Of what can be measured
+    /// [`crate::System::crossings`] is exact. A value that is reached and left to the same side is
+    /// not passed.
     pub fn crossings(&self, value: f64) -> Vec<Crossing> {
-        let (times, mut all) = (self.times(), Vec::new());
+        let times = self.times();
+        let mut all = Vec::new();
         // The last time with a value off the level; between it and the next one may be some on it.
         let mut last: Option<(usize, f64)> = None;
         for (k, off) in self.values().iter().map(|x| x - value).enumerate().take(times.len()) {
@@ -20,7 +22,8 @@ impl Series {
             {
                 let on = before + 1 < k;
                 let share = if on { 1.0 } else { from / (from - off) };
-                let (t0, t1) = (times[before], times[before + 1]);
+                let t0 = times[before];
+                let t1 = times[before + 1];
                 let rises = (off > 0.0) == (times[k] > t0);
                 all.push(Crossing { t: t0 + share * (t1 - t0), rises });
             }
@@ -43,7 +46,10 @@ mod tests {
     #[test]
     fn values_are_passed_once_and_on_the_way_of_time() {
         let times = [0.0, 1.0, 2.0, 4.0, 5.0];
-        assert_eq!(crossings(&times, &[-1.0, 1.0, 3.0, -1.0, 0.0], 0.0), [(0.5, true), (3.5, false)]);
+        assert_eq!(
+            crossings(&times, &[-1.0, 1.0, 3.0, -1.0, 0.0], 0.0),
+            [(0.5, true), (3.5, false)]
+        );
         // On the level at a time, at two times, and touched.
         assert_eq!(crossings(&times, &[-1.0, 0.0, 3.0, 0.0, 2.0], 0.0), [(1.0, true)]);
         assert_eq!(crossings(&times, &[5.0, 2.0, 2.0, 1.0, 1.5], 2.0), [(1.0, false)]);

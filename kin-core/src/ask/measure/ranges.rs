@@ -1,11 +1,12 @@
-//! Laws that a run evaluates beyond their tables: a run reports it by events. A law that holds its last
-//! value, such as a sequence that comes to rest, is meant to do so and is not reported.
+//! Laws that a run evaluates beyond their tables: a run reports it by events. A law that holds its
+//! last value, such as a sequence that comes to rest, is meant to do so and is not reported.
 
 use crate::model::law::LawRange;
 use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 
-/// Arguments beyond a range by no more than this share of it are at its end: times are rounded.   \[-\]
+/// Arguments beyond a range by no more than this share of it are at its end: times are
+/// rounded.   \[-\]
 const AT_END: f64 = 1e-9;
 
 /// The argument of a law with a table.
@@ -32,7 +33,8 @@ impl System {
         for (k, &t) in motion.times().iter().enumerate() {
             let instant = equations.instant_at(t, motion.q(k));
             for asked in &mut all {
-                let (block, mut number) = (&equations.blocks[asked.block], 0);
+                let block = &equations.blocks[asked.block];
+                let mut number = 0;
                 block.constraint.laws(&equations.at(block, &instant), &mut |_, _, x| {
                     if number == asked.number {
                         asked.look(t, x);
@@ -48,8 +50,10 @@ impl System {
     }
 
     fn laws_with_tables(&self) -> Vec<Asked> {
-        let (equations, mut all) = (self.equations(), Vec::new());
-        // The laws are shown wherever the bodies are: no position is needed to see which have tables.
+        let equations = self.equations();
+        let mut all = Vec::new();
+        // The laws are shown wherever the bodies are: no position is needed to see which have
+        // tables.
         let instant = equations.instant();
         for (block, found) in equations.blocks.iter().enumerate() {
             let mut number = 0;

@@ -1,5 +1,5 @@
-//! Where a measure, or its rate, is zero between the times of a motion: safeguarded Newton steps on poses
-//! that are solved anew.
+//! Where a measure, or its rate, is zero between the times of a motion: safeguarded Newton steps on
+//! poses that are solved anew.
 
 use super::Measure;
 use super::between::step_of;
@@ -12,8 +12,8 @@ use crate::system::System;
 /// Numbers below this share of the largest are zero but for rounding.   \[-\]
 const ROUNDING: f64 = 1e-13;
 
-/// A quintic that comes to zero as near as this share of its size may stand for a function that crosses
-/// it.   \[-\]
+/// A quintic that comes to zero as near as this share of its size may stand for a function that
+/// crosses it.   \[-\]
 const NEAR: f64 = 1e-5;
 
 /// Steps of one search: Newton takes a handful, halving at most about sixty.
@@ -78,8 +78,8 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok(Search { system, fine, what, grid, zero, small })
     }
 
-    /// All zeros in the order of the motion. Of a rest only the first time is told, and only where the sign
-    /// differs on either side.
+    /// All zeros in the order of the motion. Of a rest only the first time is told, and only where
+    /// the sign differs on either side.
     pub(super) fn all(&self) -> Result<Vec<Root>> {
         let mut roots = Vec::new();
         let mut last: Option<(usize, End)> = None;
@@ -91,7 +91,8 @@ impl<'a, M: Measure> Search<'a, M> {
             match last {
                 // Of a rest the first time counts.
                 Some((before, from)) if k - before > 2 && from.f.signum() != end.f.signum() => {
-                    let (first, x) = (self.on_grid(before + 1).t, self.grid.value.values()[before + 1]);
+                    let first = self.on_grid(before + 1).t;
+                    let x = self.grid.value.values()[before + 1];
                     roots.push(self.found_at(first, from, x));
                 }
                 // Also beside a time of the grid at which it is zero.
@@ -117,8 +118,8 @@ impl<'a, M: Measure> Search<'a, M> {
         }
     }
 
-    /// x, ẋ and ẍ at a time between those of the grid. Turns are counted on from the time of the grid before
-    /// it.
+    /// x, ẋ and ẍ at a time between those of the grid. Turns are counted on from the time of the
+    /// grid before it.
     fn between(&self, t: f64) -> Result<[f64; 3]> {
         let Fine { motion, changes } = self.fine;
         let k = step_of(motion.times(), t).unwrap_or(0);
@@ -133,8 +134,9 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok([last(x) + turned, last(rate), last(second)])
     }
 
-    /// All zeros between two times, neither of which is one. Where the quintic through both ends has more of
-    /// them than the signs there tell, or comes near one, the poses at which it turns round are solved.
+    /// All zeros between two times, neither of which is one. Where the quintic through both ends
+    /// has more of them than the signs there tell, or comes near one, the poses at which it turns
+    /// round are solved.
     fn within(&self, from: End, to: End, roots: &mut Vec<Root>) -> Result<()> {
         let level = match self.zero {
             Zero::Value(level) => Some(level),
@@ -165,7 +167,8 @@ impl<'a, M: Measure> Search<'a, M> {
 
     /// The zero between two times with different signs.
     fn root(&self, from: End, to: End) -> Result<Root> {
-        let (mut low, mut high) = (from.t, to.t);
+        let mut low = from.t;
+        let mut high = to.t;
         let near = 2.0 * f64::EPSILON * low.abs().max(high.abs());
         let mut t = low + (high - low) * (from.f / (from.f - to.f));
         for _ in 0..STEPS {
@@ -190,16 +193,21 @@ impl<'a, M: Measure> Search<'a, M> {
 }
 
 impl System {
-    /// The times at which a measure of a motion passes a value, as exactly as poses can be solved, in the
-    /// order of the motion.
+    /// The times at which a measure of a motion passes a value, as exactly as poses can be solved,
+    /// in the order of the motion.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be coarse: where
-    /// its times do not show all that happens between them, Kin solves poses in between (see
-    /// [`System::extremes`]).
+    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be
+    /// coarse: where its times do not show all that happens between them, Kin solves poses in
+    /// between (see [`System::extremes`]).
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than can be
-    /// followed.
-    pub fn crossings(&self, motion: &Motion, what: impl Measure, value: f64) -> Result<Vec<Crossing>> {
+    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than
+    /// can be followed.
+    pub fn crossings(
+        &self,
+        motion: &Motion,
+        what: impl Measure,
+        value: f64,
+    ) -> Result<Vec<Crossing>> {
         self.own_as_it_is(motion)?;
         let fine = self.fine(motion, Some(&what))?;
         let roots = Search::new(self, &fine, &what, Zero::Value(value))?.all()?;

@@ -50,7 +50,8 @@ impl<'a> Bounds<'a> {
             let what = || format!("a motion with `{}` ({})", block.name, constraint.facts().kind);
             unreadable(constraint)
                 .map_or(Ok(()), |reason| Err(Error::CannotBeProved { what: what(), reason }))?;
-            let (arguments, at) = (constraint.arguments(), equations.at(block, &instant));
+            let arguments = constraint.arguments();
+            let at = equations.at(block, &instant);
             let values = arguments
                 .iter()
                 .enumerate()
@@ -62,7 +63,10 @@ impl<'a> Bounds<'a> {
                 .collect();
             Ok(Part { constraint, first: block.rows().start, columns })
         };
-        Ok(Bounds { system, parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()? })
+        Ok(Bounds {
+            system,
+            parts: equations.blocks.iter().map(part).collect::<Result<_, Error>>()?,
+        })
     }
 
     /// The laws whose bounds are taken on their own word, each with its constraint.
@@ -120,12 +124,13 @@ impl From<Fixed> for Series {
     }
 }
 
-/// Function that is called with a formula, the values of its parameters and the function that computes the
-/// rest.
+/// Function that is called with a formula, the values of its parameters and the function that
+/// computes the rest.
 pub(crate) type Shown<'a> = dyn FnMut(&Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
 
 impl<'a> Part<'a> {
-    /// A constraint alone, its columns being all there are; `None` for one that is not known as steps.
+    /// A constraint alone, its columns being all there are; `None` for one that is not known as
+    /// steps.
     pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
         let columns = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
         unreadable(constraint).is_none().then(|| Part {
@@ -136,32 +141,41 @@ impl<'a> Part<'a> {
     }
 
     /// Appends its rows of C along q and t.
-    pub(crate) fn residual(&self, q: &[Series], t: Series, c: &mut Vec<Series>) -> Result<(), Unknown> {
+    pub(crate) fn residual(
+        &self,
+        q: &[Series],
+        t: Series,
+        c: &mut Vec<Series>,
+    ) -> Result<(), Unknown> {
         let columns: Vec<Series> = self.columns.iter().map(|column| column.of(q)).collect();
         self.with(&mut |table, parameters, outside| {
             let Formula { graph, rows, .. } = table.formula();
-            let results = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
+            let results =
+                evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
             c.extend(self.rows(table, &results, 1)?);
             Ok(())
         })
     }
 
-    /// Appends its entries of C_q over a box and an interval of time, all that are not zero throughout.
+    /// Appends its entries of C_q over a box and an interval of time, all that are not zero
+    /// throughout.
     ///
-    /// Every row is asked for over the whole box, along each column, whether it has an entry there or not:
-    /// floor, `if` and their like jump where their slopes are zero. Nothing is taken from what the compiler
-    /// knows of the entries: its constants are rounded.
+    /// Every row is asked for over the whole box, along each column, whether it has an entry there
+    /// or not: floor, `if` and their like jump where their slopes are zero. Nothing is taken from
+    /// what the compiler knows of the entries: its constants are rounded.
     pub(crate) fn jacobian(
         &self,
         q: &[Interval],
         t: Interval,
         entries: &mut Vec<Entry>,
     ) -> Result<(), Unknown> {
-        let columns: Vec<Series> = self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
+        let columns: Vec<Series> =
+            self.columns.iter().map(|column| Series::constant(column.of(q))).collect();
         self.with(&mut |table, parameters, outside| {
             let t = Series::constant(t);
             let Formula { graph, rows, .. } = table.formula();
-            let still = evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
+            let still =
+                evaluate(graph, rows, &Inputs { columns: &columns, t, parameters, outside });
             for (k, column) in self.columns.iter().enumerate() {
                 let Column::Own(column) = *column else { continue };
                 let mut moved = columns.clone();
@@ -169,7 +183,8 @@ impl<'a> Part<'a> {
                 let inputs = Inputs { columns: &moved, t, parameters, outside };
                 let along = evaluate_along(graph, rows, Input::Column(k), &still, &inputs);
                 let along = self.rows(table, &along, 2)?;
-                let all = along.iter().enumerate().map(|(row, y)| (self.first + row, column, y.at(1)));
+                let all =
+                    along.iter().enumerate().map(|(row, y)| (self.first + row, column, y.at(1)));
                 entries.extend(all.filter(|entry| entry.2 != ZERO));
             }
             Ok(())
@@ -226,8 +241,8 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
     })
 }
 
-/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder, over all
-/// σ.
+/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder,
+/// over all σ.
 pub(super) fn taylor(at: &Series, over: &Series) -> Interval {
     let Some(last) = over.len().checked_sub(1) else { return over.value() };
     let unit = |k: usize| {

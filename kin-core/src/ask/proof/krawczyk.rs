@@ -1,12 +1,13 @@
-//! Krawczyk's test: that near an approximate position there is exactly one solution, for every time of an
-//! interval.
+//! Krawczyk's test: that near an approximate position there is exactly one solution, for every time
+//! of an interval.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::bounds::{Bounds, Entry, Unknown};
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO, down, up};
 
-/// Bounds around an approximate position at every time of an interval. Lengths and angles by coordinate.
+/// Bounds around an approximate position at every time of an interval. Lengths and angles by
+/// coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Around {
     /// The solution is no further away than this.
@@ -33,14 +34,16 @@ pub(super) struct Piece<'a> {
     pub c: &'a [Interval],
 }
 
-/// The smallest distance, in characteristic sizes, within which no other solution is looked for.   \[-\]
+/// The smallest distance, in characteristic sizes, within which no other solution is looked
+/// for.   \[-\]
 const LEAST: f64 = 1e-6;
 
-/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that only rounding
-/// keeps from being proved.   \[-\]
+/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that
+/// only rounding keeps from being proved.   \[-\]
 const MISSED: f64 = 1e-4;
 
-/// Krawczyk's test with coordinates and rows in units of order 1, `sizes` being those of coordinates.
+/// Krawczyk's test with coordinates and rows in units of order 1, `sizes` being those of
+/// coordinates.
 pub(super) struct Test<'a> {
     pub bounds: &'a Bounds<'a>,
     pub sizes: &'a [f64],
@@ -53,10 +56,10 @@ struct Frame {
 }
 
 impl Test<'_> {
-    /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions, and A C by
-    /// b: where b + R y < y ≤ ρ there is a solution within b + R y (Brouwer), and C has no two equal values
-    /// in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so that no mean of the C_q in the
-    /// box is singular.
+    /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions,
+    /// and A C by b: where b + R y < y ≤ ρ there is a solution within b + R y (Brouwer), and C has
+    /// no two equal values in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so
+    /// that no mean of the C_q in the box is singular.
     pub(super) fn around(&self, place: &Piece<'_>) -> Result<Around, Fault> {
         let singular = || Fault::Singular(place.middle.0.clone(), place.middle.1);
         let frame = self.frame(place).ok_or_else(singular)?;
@@ -64,10 +67,12 @@ impl Test<'_> {
             place.c.iter().zip(&frame.weights).map(|(c, w)| *c * Interval::from(*w)).collect();
         let b = frame.residual(&weighted);
         let worst = b.iter().fold(0.0_f64, |m, b| m.max(*b));
-        let spread = place.q.iter().zip(self.sizes).map(|(q, size)| q.radius() / size).fold(0.0, f64::max);
+        let spread =
+            place.q.iter().zip(self.sizes).map(|(q, size)| q.radius() / size).fold(0.0, f64::max);
         let radius = spread.max(4.0 * worst).max(LEAST);
         let fault = || {
-            let missed = (0..weighted.len()).max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag()));
+            let missed = (0..weighted.len())
+                .max_by(|i, j| weighted[*i].mag().total_cmp(&weighted[*j].mag()));
             missed
                 .filter(|row| weighted[*row].mag() > MISSED)
                 .map_or_else(singular, |row| Fault::Apart(row, place.c[row].mag()))
@@ -88,7 +93,8 @@ impl Test<'_> {
 
     /// The frame at the middle; `None` where C_q has no inverse, or is not finite.
     fn frame(&self, place: &Piece<'_>) -> Option<Frame> {
-        let (n, (q, t)) = (self.sizes.len(), &place.middle);
+        let n = self.sizes.len();
+        let (q, t) = &place.middle;
         let model = self.bounds.system.model();
         let point = model.linearize(q, *t).ok()?;
         let mut c_q = DMatrix::<f64>::zeros(n, n);
@@ -109,7 +115,8 @@ impl Test<'_> {
             column[k] = -ONE;
         }
         for (row, column, value) in entries {
-            let value = *value * Interval::from(self.sizes[*column]) * Interval::from(frame.weights[*row]);
+            let value =
+                *value * Interval::from(self.sizes[*column]) * Interval::from(frame.weights[*row]);
             let products = frame.inverse.column(*row);
             for (sum, a) in columns[*column].iter_mut().zip(products.iter()) {
                 *sum = *sum + Interval::from(*a) * value;
@@ -124,20 +131,23 @@ impl Frame {
     fn residual(&self, c: &[Interval]) -> Vec<f64> {
         let mut sums = vec![ZERO; c.len()];
         for (column, c) in self.inverse.column_iter().zip(c) {
-            sums.iter_mut().zip(column.iter()).for_each(|(sum, a)| *sum = *sum + Interval::from(*a) * *c);
+            sums.iter_mut()
+                .zip(column.iter())
+                .for_each(|(sum, a)| *sum = *sum + Interval::from(*a) * *c);
         }
         sums.into_iter().map(Interval::mag).collect()
     }
 }
 
-/// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where there is
-/// none.
+/// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where
+/// there is none.
 pub(crate) fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
     /// Above what was found, so that the next one may stay below.
     const ROOM: f64 = 1.02;
     let applied = |y: &DVector<f64>| -> Vec<f64> {
-        let row =
-            |(k, b): (usize, &f64)| r.row(k).iter().zip(y.iter()).fold(*b, |sum, (r, y)| up(sum + up(r * y)));
+        let row = |(k, b): (usize, &f64)| {
+            r.row(k).iter().zip(y.iter()).fold(*b, |sum, (r, y)| up(sum + up(r * y)))
+        };
         b.iter().enumerate().map(row).collect()
     };
     let mut y = DVector::from_iterator(b.len(), b.iter().map(|b| ROOM * b + 1e-20));
@@ -159,8 +169,8 @@ mod tests {
     use super::*;
     use crate::Mechanism;
 
-    /// R y < y for some y is the same as a spectral radius below 1: matrices of one row, and one whose rows
-    /// are large though it is not.
+    /// R y < y for some y is the same as a spectral radius below 1: matrices of one row, and one
+    /// whose rows are large though it is not.
     #[test]
     fn a_map_that_does_not_shrink_its_box_proves_nothing() {
         let one = |r: f64| DMatrix::from_element(1, 1, r);
@@ -172,7 +182,8 @@ mod tests {
         let shear = DMatrix::from_row_slice(2, 2, &[0.5, 1e3, 0.0, 0.5]);
         assert!(settled(&[1e-12, 1e-12], &shear, 1.0).is_some());
         assert!(
-            settled(&[1e-12, 1e-12], &DMatrix::from_row_slice(2, 2, &[0.0, 1e3, 2e-3, 0.0]), 1.0).is_none()
+            settled(&[1e-12, 1e-12], &DMatrix::from_row_slice(2, 2, &[0.0, 1e3, 2e-3, 0.0]), 1.0)
+                .is_none()
         );
     }
 
@@ -187,7 +198,8 @@ mod tests {
         m.add("squares", parabolas(x, y)).unwrap();
         let system = m.build().unwrap();
         let bounds = Bounds::new(&system).unwrap();
-        let (boxes, c) = (q.map(Interval::from), c.map(Interval::from));
+        let boxes = q.map(Interval::from);
+        let c = c.map(Interval::from);
         Test { bounds: &bounds, sizes: &sizes }.around(&Piece {
             middle: (q.to_vec(), 0.0),
             q: &boxes,
@@ -196,8 +208,8 @@ mod tests {
         })
     }
 
-    /// The box is as large as it is told to be: one that reaches over to the other root holds no proof, in
-    /// whatever unit of size.
+    /// The box is as large as it is told to be: one that reaches over to the other root holds no
+    /// proof, in whatever unit of size.
     #[test]
     fn no_box_reaches_over_to_another_solution() {
         for (sizes, proved) in [
@@ -236,11 +248,15 @@ mod tests {
             ([0.0, 0.0], [0.0, 0.0]),
         ] {
             let found = around(q, c, [1.0; 2]);
-            assert!(matches!(found, Err(Fault::Singular(ref at, _)) if *at == q), "{q:?}: {found:?}");
+            assert!(
+                matches!(found, Err(Fault::Singular(ref at, _)) if *at == q),
+                "{q:?}: {found:?}"
+            );
         }
     }
 
-    /// The radius found is at least the fixed point b/(1 − r), at most 30 % above it, and stays in the box.
+    /// The radius found is at least the fixed point b/(1 − r), at most 30 % above it, and stays in
+    /// the box.
     #[test]
     fn the_box_holds_the_fixed_point() {
         for (b, r) in [(1e-3, 0.0), (1e-3, 0.3), (1e-9, 0.9), (0.2, 0.5)] {

@@ -1,5 +1,5 @@
-//! One step of a motion: pieces of it for which Krawczyk's test holds, joined to one another and to both
-//! computed positions.
+//! One step of a motion: pieces of it for which Krawczyk's test holds, joined to one another and to
+//! both computed positions.
 
 use super::bounds::{Bounds, taylor};
 use super::krawczyk::{Around, Fault, Piece, Test};
@@ -11,7 +11,8 @@ use crate::solve::motion::Motion;
 const DEEPEST: u32 = 14;
 const MOST: usize = 256;
 
-/// The polynomials that stand for the positions between two times, over 0 ≤ u ≤ 1, and the time t0 + u dt.
+/// The polynomials that stand for the positions between two times, over 0 ≤ u ≤ 1, and the time
+/// t0 + u dt.
 pub(super) struct Curve {
     c: Vec<[f64; 6]>,
     t0: f64,
@@ -24,13 +25,18 @@ pub(super) type Failure = (f64, Fault);
 impl Curve {
     /// The curve of step k.
     pub(super) fn between(motion: &Motion, k: usize) -> Self {
-        let (t0, t1) = (motion.times()[k], motion.times()[k + 1]);
+        let t0 = motion.times()[k];
+        let t1 = motion.times()[k + 1];
         Curve { c: motion.quintics(k), t0, dt: Interval::from(t1) - Interval::from(t0) }
     }
 
     /// One position for good.
     pub(super) fn still(q: &[f64], t: f64) -> Self {
-        Curve { c: q.iter().map(|q| [*q, 0.0, 0.0, 0.0, 0.0, 0.0]).collect(), t0: t, dt: Interval::from(0.0) }
+        Curve {
+            c: q.iter().map(|q| [*q, 0.0, 0.0, 0.0, 0.0, 0.0]).collect(),
+            t0: t,
+            dt: Interval::from(0.0),
+        }
     }
 
     /// How far each end is from a position given.
@@ -42,7 +48,8 @@ impl Curve {
     /// Bounds around the curve from u0 to u1.
     pub(super) fn around(&self, test: &Test<'_>, [u0, u1]: [f64; 2]) -> Result<Around, Fault> {
         // exact: ends are dyadic fractions
-        let (middle, half) = (0.5 * (u0 + u1), 0.5 * (u1 - u0));
+        let middle = 0.5 * (u0 + u1);
+        let half = 0.5 * (u1 - u0);
         let mut powers = [Interval::from(1.0); 6];
         (1..6).for_each(|k| powers[k] = powers[k - 1] * Interval::from(half));
         let at: Vec<[Interval; 6]> = self
@@ -54,16 +61,27 @@ impl Curve {
             })
             .collect();
         let series = |c: &[Interval; 6]| Series::of(c, ORDER + 1);
-        let over: Vec<Series> = at.iter().map(|c| series(&shifted(c, Interval::ball(1.0)))).collect();
+        let over: Vec<Series> =
+            at.iter().map(|c| series(&shifted(c, Interval::ball(1.0)))).collect();
         let time = |u: Interval| {
-            Series::variable(Interval::from(self.t0) + u * self.dt, Interval::from(half) * self.dt, ORDER + 1)
+            Series::variable(
+                Interval::from(self.t0) + u * self.dt,
+                Interval::from(half) * self.dt,
+                ORDER + 1,
+            )
         };
-        let (t, t_over) = (time(Interval::from(middle)), time(Interval::new(u0, u1)));
-        let here =
-            test.bounds.residual(&at.iter().map(series).collect::<Vec<_>>(), t).map_err(Fault::Unknown)?;
+        let t = time(Interval::from(middle));
+        let t_over = time(Interval::new(u0, u1));
+        let here = test
+            .bounds
+            .residual(&at.iter().map(series).collect::<Vec<_>>(), t)
+            .map_err(Fault::Unknown)?;
         let everywhere = test.bounds.residual(&over, t_over).map_err(Fault::Unknown)?;
-        let c: Vec<Interval> =
-            here.iter().zip(&everywhere).map(|(here, everywhere)| taylor(here, everywhere)).collect();
+        let c: Vec<Interval> = here
+            .iter()
+            .zip(&everywhere)
+            .map(|(here, everywhere)| taylor(here, everywhere))
+            .collect();
         let q: Vec<Interval> = over.iter().map(Series::value).collect();
         let middle = (at.iter().map(|c| c[0].mid()).collect(), t.value().mid());
         test.around(&Piece { middle, q: &q, t: t_over.value(), c: &c })
@@ -86,17 +104,21 @@ fn shifted(c: &[Interval; 6], by: Interval) -> [Interval; 6] {
     c
 }
 
-/// True if the solutions of two tests at one time, whose positions are so far apart, are one and the same:
-/// the solution of one lies where the other one has no second solution.
+/// True if the solutions of two tests at one time, whose positions are so far apart, are one and
+/// the same: the solution of one lies where the other one has no second solution.
 fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
     let within = |a: &Around, b: &Around| {
-        a.inner.iter().zip(apart).zip(&b.outer).all(|((inner, apart), outer)| up(inner + apart) <= *outer)
+        a.inner
+            .iter()
+            .zip(apart)
+            .zip(&b.outer)
+            .all(|((inner, apart), outer)| up(inner + apart) <= *outer)
     };
     within(a, b) || within(b, a)
 }
 
-/// Pieces that are joined to one another: the last of them, how far the next one's positions may be from its,
-/// and what holds for all.
+/// Pieces that are joined to one another: the last of them, how far the next one's positions may be
+/// from its, and what holds for all.
 struct Chain {
     last: Around,
     apart: Vec<f64>,
@@ -124,9 +146,12 @@ pub(super) fn step(
     k: usize,
     ends: [&Around; 2],
 ) -> Result<Around, Failure> {
-    let (curve, test) = (Curve::between(motion, k), Test { bounds, sizes });
-    let (to_first, to_last) = (curve.distance(0.0, motion.q(k)), curve.distance(1.0, motion.q(k + 1)));
-    let (mut open, mut tested) = (vec![[0.0, 1.0]], 0);
+    let curve = Curve::between(motion, k);
+    let test = Test { bounds, sizes };
+    let to_first = curve.distance(0.0, motion.q(k));
+    let to_last = curve.distance(1.0, motion.q(k + 1));
+    let mut open = vec![[0.0, 1.0]];
+    let mut tested = 0;
     let mut chain = Chain { last: ends[0].clone(), apart: to_first, whole: None };
     while let Some([u0, u1]) = open.pop() {
         tested += 1;
@@ -166,11 +191,12 @@ mod tests {
         Around { inner: inner.to_vec(), outer: outer.to_vec() }
     }
 
-    /// The solution of one has to lie where the other one has no second: in all coordinates, with what the
-    /// positions are apart.
+    /// The solution of one has to lie where the other one has no second: in all coordinates, with
+    /// what the positions are apart.
     #[test]
     fn solutions_are_the_same_where_one_is_alone_in_the_box_of_the_other() {
-        let (a, b) = (around([0.1, 0.1], [0.2, 0.2]), around([0.15, 0.15], [0.3, 0.3]));
+        let a = around([0.1, 0.1], [0.2, 0.2]);
+        let b = around([0.15, 0.15], [0.3, 0.3]);
         assert!(joined(&a, &b, &[0.0; 2]) && joined(&b, &a, &[0.0; 2]));
         assert!(
             joined(&a, &b, &[0.19; 2])
@@ -178,16 +204,19 @@ mod tests {
                 && !joined(&a, &b, &[0.0, 0.21])
                 && !joined(&a, &b, &[0.21, 0.0])
         );
-        let (wide, narrow) = (around([1.0], [2.0]), around([1e-9], [1e-3]));
+        let wide = around([1.0], [2.0]);
+        let narrow = around([1e-9], [1e-3]);
         assert!(joined(&wide, &narrow, &[0.0]) && joined(&narrow, &wide, &[0.0]));
-        let (one, other) = (around([1.0, 1e-3], [2.0, 2e-3]), around([1e-3, 1.0], [2e-3, 2.0]));
+        let one = around([1.0, 1e-3], [2.0, 2e-3]);
+        let other = around([1e-3, 1.0], [2e-3, 2.0]);
         assert!(!joined(&one, &other, &[0.0; 2]));
     }
 
     /// Rounding errors count: a solution at the very edge is not within.
     #[test]
     fn edges_of_boxes_are_beyond_them() {
-        let (a, b) = (around([1.0], [1.0]), around([9.0], [1.0]));
+        let a = around([1.0], [1.0]);
+        let b = around([9.0], [1.0]);
         assert!(!joined(&a, &b, &[1e-17]) && joined(&around([0.5], [1.0]), &b, &[1e-17]));
     }
 
@@ -195,7 +224,8 @@ mod tests {
     #[test]
     fn pieces_are_joined_to_their_neighbours() {
         let start = around([1e-9, 1e-9], [5.0, 5.0]);
-        let (one, other) = (around([1.0, 1e-3], [2.0, 2e-3]), around([1e-3, 1.0], [2e-3, 2.0]));
+        let one = around([1.0, 1e-3], [2.0, 2e-3]);
+        let other = around([1e-3, 1.0], [2e-3, 2.0]);
         let chain = |apart: f64| Chain { last: start.clone(), apart: vec![apart; 2], whole: None };
         let mut pieces = chain(0.1);
         assert!(chain(0.1).append(&other) && pieces.append(&one) && !pieces.append(&other));
@@ -214,10 +244,12 @@ mod tests {
         m.add("motor", drive(x, Law::linear(1.0, 1.0))).unwrap();
         let system = m.build().unwrap();
         let motion = system.run([0.0, 1.0]).unwrap();
-        let (bounds, sizes) = (Bounds::new(&system).unwrap(), [1.0]);
+        let bounds = Bounds::new(&system).unwrap();
+        let sizes = [1.0];
         let test = Test { bounds: &bounds, sizes: &sizes };
-        let own =
-            [0, 1].map(|k| Curve::still(motion.q(k), motion.times()[k]).around(&test, [0.0, 1.0]).unwrap());
+        let own = [0, 1].map(|k| {
+            Curve::still(motion.q(k), motion.times()[k]).around(&test, [0.0, 1.0]).unwrap()
+        });
         let elsewhere = around([5.0], [1e-30]);
         assert!(step(&bounds, &sizes, &motion, 0, [&own[0], &own[1]]).is_ok());
         assert!(step(&bounds, &sizes, &motion, 0, [&elsewhere, &own[1]]).is_err());

@@ -9,9 +9,14 @@ use crate::numbers::enclosure::interval::down;
 
 /// The verdict, and the first step of which there is none.
 pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let (all, proved, s) = (proof.steps.len(), proof.proved(), proof.words.time());
-    let ends =
-        proof.steps.first().zip(proof.steps.last()).map(|(first, last)| (time(first.from), time(last.to)));
+    let all = proof.steps.len();
+    let proved = proof.proved();
+    let s = proof.words.time();
+    let ends = proof
+        .steps
+        .first()
+        .zip(proof.steps.last())
+        .map(|(first, last)| (time(first.from), time(last.to)));
     match ends {
         Some((from, to)) if proved == all => write!(
             f,
@@ -22,7 +27,12 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Some(_) => write!(f, "{}: {proved} of {} proved.", proof.name, count(all, "step"))?,
         None => {
             let found = proof.positions.iter().filter(|position| position.is_ok()).count();
-            write!(f, "{}: {found} of {} proved.", proof.name, count(proof.positions.len(), "position"))?;
+            write!(
+                f,
+                "{}: {found} of {} proved.",
+                proof.name,
+                count(proof.positions.len(), "position")
+            )?;
         }
     }
     let tubes: Vec<&Tube> = proof.steps.iter().filter_map(|step| step.tube.as_ref().ok()).collect();
@@ -34,10 +44,16 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     // of one step this is beyond its radius, whatever the radius of others is
     let free = |tube: &Tube, k: usize| down(tube.alone[k] - tube.radius[k]);
     let least = |tubes: &[&Tube]| {
-        sizes(proof, &|k| tubes.iter().fold(f64::INFINITY, |m, tube| free(tube, k).min(m)), f64::min, below)
+        sizes(
+            proof,
+            &|k| tubes.iter().fold(f64::INFINITY, |m, tube| free(tube, k).min(m)),
+            f64::min,
+            below,
+        )
     };
     if !tubes.is_empty() {
-        let (radius, alone) = (largest(&tubes), least(&tubes));
+        let radius = largest(&tubes);
+        let alone = least(&tubes);
         write!(
             f,
             "\n  It is within {radius} of the positions interpolated between them; no other comes within {alone} of it."
@@ -50,12 +66,17 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n  That is trusting the bounds of {}.", proof.trusted.join(", "))?;
     }
     if let Some(step) = proof.first_unproved() {
-        let (number, from, to) = (step.step + 1, time(step.from), time(step.to));
+        let number = step.step + 1;
+        let from = time(step.from);
+        let to = time(step.to);
         write!(f, "\n  First not proved: step {number}, from t = {from} {s} to {to} {s}")?;
     }
     let unproved = proof.first_unproved().and_then(|step| step.tube.as_ref().err());
-    let doubt = unproved.or_else(|| proof.positions.iter().find_map(|position| position.as_ref().err()));
-    doubt.map_or(Ok(()), |doubt| write!(f, "{}{doubt}", if unproved.is_some() { ": " } else { "\n  " }))
+    let doubt =
+        unproved.or_else(|| proof.positions.iter().find_map(|position| position.as_ref().err()));
+    doubt.map_or(Ok(()), |doubt| {
+        write!(f, "{}{doubt}", if unproved.is_some() { ": " } else { "\n  " })
+    })
 }
 
 /// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
@@ -65,10 +86,16 @@ fn sizes(
     join: fn(f64, f64) -> f64,
     rounded: fn(f64) -> String,
 ) -> String {
-    let of = |unit: Unit| (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join);
-    let names =
-        [(Unit::Metre, proof.words.length()), (Unit::Radian, "rad"), (Unit::One, "in Euler parameters")];
-    let texts = names.into_iter().filter_map(|(unit, name)| Some(format!("{} {name}", rounded(of(unit)?))));
+    let of = |unit: Unit| {
+        (0..proof.units.len()).filter(|k| proof.units[*k] == unit).map(of).reduce(join)
+    };
+    let names = [
+        (Unit::Metre, proof.words.length()),
+        (Unit::Radian, "rad"),
+        (Unit::One, "in Euler parameters"),
+    ];
+    let texts =
+        names.into_iter().filter_map(|(unit, name)| Some(format!("{} {name}", rounded(of(unit)?))));
     texts.collect::<Vec<_>>().join(" and ")
 }
 
@@ -85,17 +112,22 @@ fn below(x: f64) -> String {
 fn rounded(x: f64, sense: f64) -> String {
     let text = format!("{x:.1e}");
     let is_beyond = |text: &str| text.parse::<f64>().is_ok_and(|shown| sense * shown >= sense * x);
-    let power = format!("{x:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
+    let power =
+        format!("{x:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
     // half a unit of the second digit further it is rounded to the next number
     if is_beyond(&text) { text } else { format!("{:.1e}", x + sense * 0.05 * 10_f64.powi(power)) }
 }
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (t, s) = (time(self.t), self.units.time());
+        let t = time(self.t);
+        let s = self.units.time();
         match &self.reason {
             DoubtReason::Singular { coordinate } => {
-                write!(f, "near t = {t} {s} C_q may be singular; what is loosest there is `{coordinate}`.")
+                write!(
+                    f,
+                    "near t = {t} {s} C_q may be singular; what is loosest there is `{coordinate}`."
+                )
             }
             DoubtReason::Apart { equation, by } => write!(
                 f,
@@ -150,8 +182,8 @@ mod tests {
     #[test]
     fn the_verdict_in_words() {
         let position = tube([1e-15, 2e-15, 3e-15], [1e-6; 3]);
-        let (one, other) =
-            (tube([1e-9, 3e-8, 2e-9], [4e-6, 5e-6, 6e-6]), tube([5e-7, 1e-8, 1e-9], [3e-6, 8e-6, 6e-6]));
+        let one = tube([1e-9, 3e-8, 2e-9], [4e-6, 5e-6, 6e-6]);
+        let other = tube([5e-7, 1e-8, 1e-9], [3e-6, 8e-6, 6e-6]);
         assert_eq!(
             proof_of(
                 vec![Ok(one.clone()), Ok(other.clone())],
@@ -182,7 +214,10 @@ mod tests {
         );
         let alone = proof_of(
             vec![],
-            vec![Ok(position), Err(doubt(0.0, DoubtReason::Apart { equation: "rod".to_string(), by: 0.1 }))],
+            vec![
+                Ok(position),
+                Err(doubt(0.0, DoubtReason::Apart { equation: "rod".to_string(), by: 0.1 })),
+            ],
             &[],
         );
         assert!(
@@ -192,7 +227,8 @@ mod tests {
             "{alone}"
         );
         assert!(
-            alone.contains("\n  near t = 0 s the positions between both ends miss `rod` by 1.0e-1:")
+            alone
+                .contains("\n  near t = 0 s the positions between both ends miss `rod` by 1.0e-1:")
                 && !alone.contains("It is within"),
             "{alone}"
         );
@@ -202,7 +238,8 @@ mod tests {
     fn an_equation_without_bounds_in_words() {
         let unbounded = |expression: Option<&str>, source| {
             let expression = expression.map(str::to_string);
-            doubt(0.5, DoubtReason::Unbounded { equation: "cam".to_string(), expression, source }).to_string()
+            doubt(0.5, DoubtReason::Unbounded { equation: "cam".to_string(), expression, source })
+                .to_string()
         };
         assert_eq!(unbounded(None, None), "near t = 0.5 s no bounds of `cam` are known.");
         let source = Source { file: "cam.rs", line: 3, column: 5 };

@@ -31,8 +31,8 @@ impl Texts {
         }
     }
 
-    /// Puts the expressions into the parameters of the constraint of that place. An axis becomes the
-    /// directions that it was given by.
+    /// Puts the expressions into the parameters of the constraint of that place. An axis becomes
+    /// the directions that it was given by.
     pub(in crate::data) fn put(
         &self,
         holder: Holder,
@@ -64,16 +64,16 @@ impl Texts {
         }
     }
 
-    /// The points that the spatial body is drawn between whose coordinates begin there, if they hang on
-    /// dimensions.
+    /// The points that the spatial body is drawn between whose coordinates begin there, if they
+    /// hang on dimensions.
     pub(in crate::data) fn between(&self, first: usize) -> Option<[[NumberData; 3]; 2]> {
         let number = |part: usize| Some(number_of(self.text(&Bound::Between { first, part })?));
         let point = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
         Some([point(0)?, point(3)?])
     }
 
-    /// The place of the spatial body whose coordinates begin there, and the directions that it faces, if they
-    /// hang on dimensions.
+    /// The place of the spatial body whose coordinates begin there, and the directions that it
+    /// faces, if they hang on dimensions.
     pub(in crate::data) fn facing(&self, first: usize) -> Option<Vec<NumberData>> {
         let number = |part: usize| Some(number_of(self.text(&Bound::Facing { first, part })?));
         let all: Vec<NumberData> = (0..9).map_while(number).collect();

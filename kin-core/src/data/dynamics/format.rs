@@ -40,10 +40,18 @@ pub enum ActingData {
         #[serde(default = "at_origin")]
         point: [NumberData; 3],
         /// Components of the force: laws of time. None is no force.
-        #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "once::three")]
+        #[serde(
+            default,
+            skip_serializing_if = "Option::is_none",
+            deserialize_with = "once::three"
+        )]
         force: Option<Box<[Value; 3]>>,
         /// Components of the torque; in a plane the last one counts.
-        #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "once::three")]
+        #[serde(
+            default,
+            skip_serializing_if = "Option::is_none",
+            deserialize_with = "once::three"
+        )]
         torque: Option<Box<[Value; 3]>>,
         /// True if components are in the body's axes.
         #[serde(default)]

@@ -1,11 +1,11 @@
-//! Loads as data: energies, forces along a length or an angle, forces on a body, friction in joints, points
-//! with mass.
+//! Loads as data: energies, forces along a length or an angle, forces on a body, friction in
+//! joints, points with mass.
 
 use serde_json::Value;
 
 use super::format::{
-    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData, PointMassData,
-    ScalarData,
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData,
+    PointMassData, ScalarData,
 };
 use crate::data::dimensions::{NumberData, Texts};
 use crate::data::format::{ArgumentData, ConstraintData};
@@ -29,15 +29,21 @@ use crate::model::mechanism::Mechanism;
 pub(in crate::data) type Carried = Vec<(String, String)>;
 
 impl Mechanism {
-    /// Loads as data; equations of one's own are added to those that the file carries. Errors: a load that
-    /// only the program knows.
-    pub(in crate::data) fn load_data(&self, texts: &Texts, carried: &mut Carried) -> Result<Vec<LoadData>> {
+    /// Loads as data; equations of one's own are added to those that the file carries. Errors: a
+    /// load that only the program knows.
+    pub(in crate::data) fn load_data(
+        &self,
+        texts: &Texts,
+        carried: &mut Carried,
+    ) -> Result<Vec<LoadData>> {
         let loads = self.loads.loads.iter().enumerate();
-        loads.map(|(number, (name, load))| self.one_load((number, name), load, texts, carried)).collect()
+        loads
+            .map(|(number, (name, load))| self.one_load((number, name), load, texts, carried))
+            .collect()
     }
 
-    /// Points with mass as data; equations of one's own are added to those that the file carries. Errors: a
-    /// point that only the program knows.
+    /// Points with mass as data; equations of one's own are added to those that the file carries.
+    /// Errors: a point that only the program knows.
     pub(in crate::data) fn point_mass_data(
         &self,
         texts: &Texts,
@@ -63,7 +69,8 @@ impl Mechanism {
             plain("point mass", name)?;
             let place = format!("point mass `{name}`");
             let mass = self.number(&place, mass)?;
-            let made = self.scalar(point, registry).map_err(|reason| Error::Data { place, reason })?;
+            let made =
+                self.scalar(point, registry).map_err(|reason| Error::Data { place, reason })?;
             self.point_mass_bound(name, made, mass)?;
         }
         Ok(())
@@ -93,7 +100,8 @@ impl Mechanism {
         for FrictionData { joint, coefficient, rate, shape } in frictions {
             let place = format!("friction of `{joint}`");
             let number = |number: &NumberData| self.number(&place, number);
-            let (coefficient, rate) = (number(coefficient)?, number(rate)?);
+            let coefficient = number(coefficient)?;
+            let rate = number(rate)?;
             let friction = match shape {
                 FrictionShape::Pin { radius, length } => {
                     Friction::pin(coefficient, number(radius)?, rate).length(number(length)?)
@@ -117,8 +125,8 @@ impl Mechanism {
         let mut all = Vec::new();
         of.parts(&mut |part| all.push(part));
         let parts = all.into_iter().enumerate();
-        let parts =
-            parts.map(|(part, acting)| self.acting_data(name, ((load, part), acting), texts, carried));
+        let parts = parts
+            .map(|(part, acting)| self.acting_data(name, ((load, part), acting), texts, carried));
         Ok(LoadData { name: name.to_string(), parts: parts.collect::<Result<_>>()? })
     }
 
@@ -129,7 +137,10 @@ impl Mechanism {
         texts: &Texts,
         carried: &mut Carried,
     ) -> Result<ActingData> {
-        let fail = |reason: &str| Error::Data { place: format!("load `{name}`"), reason: reason.to_string() };
+        let fail = |reason: &str| Error::Data {
+            place: format!("load `{name}`"),
+            reason: reason.to_string(),
+        };
         let mut scalar = |constraint: &dyn Constraint| -> Result<ScalarData> {
             let (mut data, equation) = self.constraint_data(name, constraint)?;
             texts.put(Holder::Load { load, part }, constraint, &mut data.parameters);
@@ -181,26 +192,39 @@ impl Mechanism {
             }
             Some(Box::new(laws.each_ref().map(|law| {
                 let mut data = serde_json::to_value(LawData::of(law)).unwrap_or_default();
-                texts.put_law(of, &format!("{name}.{}", names.next().unwrap_or_default()), &mut data);
+                texts.put_law(
+                    of,
+                    &format!("{name}.{}", names.next().unwrap_or_default()),
+                    &mut data,
+                );
                 data
             })))
         };
         let body = self.layout.items.get(item)?.name.clone();
-        let (force, torque) = (laws("force", &on.force), laws("torque", &on.torque));
+        let force = laws("force", &on.force);
+        let torque = laws("torque", &on.torque);
         let point = texts.beside(of, ["point.x", "point.y", "point.z"], on.point);
         Some(ActingData::OnBody { body, point, force, torque, in_body: on.fixed })
     }
 
     /// Takes loads from data. Errors: those of [`Mechanism::add_load_data`].
-    pub(in crate::data) fn take_loads(&mut self, loads: &[LoadData], registry: &Registry) -> Result<()> {
+    pub(in crate::data) fn take_loads(
+        &mut self,
+        loads: &[LoadData],
+        registry: &Registry,
+    ) -> Result<()> {
         loads.iter().try_for_each(|load| self.add_load_data(load, registry))
     }
 
     /// Adds the load that the data say, made by the registry, on bodies of this mechanism.
     ///
-    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts, and those
-    /// of [`Mechanism::load`].
-    pub fn add_load_data(&mut self, LoadData { name, parts }: &LoadData, registry: &Registry) -> Result<()> {
+    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts,
+    /// and those of [`Mechanism::load`].
+    pub fn add_load_data(
+        &mut self,
+        LoadData { name, parts }: &LoadData,
+        registry: &Registry,
+    ) -> Result<()> {
         plain("load", name)?;
         let (mut made, mut bound): (Vec<Load>, Vec<HungInLoad>) = Default::default();
         for (part, data) in parts.iter().enumerate() {
@@ -253,10 +277,13 @@ impl Mechanism {
                     return Err(format!("`{body}` is no body: a force along it is `along`"));
                 }
                 let mut on = OnBody::on(target, *in_body);
-                for (name, laws, to) in [("force", force, &mut on.force), ("torque", torque, &mut on.torque)]
+                for (name, laws, to) in
+                    [("force", force, &mut on.force), ("torque", torque, &mut on.torque)]
                 {
                     for (law, to) in laws.iter().flat_map(|laws| laws.iter()).zip(to) {
-                        *to = self.law(law, registry).map_err(|error| format!("its {name}: {error}"))?;
+                        *to = self
+                            .law(law, registry)
+                            .map_err(|error| format!("its {name}: {error}"))?;
                     }
                 }
                 let number = |number: &NumberData| match number {
@@ -270,7 +297,8 @@ impl Mechanism {
         }
     }
 
-    /// The constraint that a registry makes of such data, and its parameters that hang on dimensions.
+    /// The constraint that a registry makes of such data, and its parameters that hang on
+    /// dimensions.
     fn scalar(
         &self,
         ScalarData { kind, arguments, parameters }: &ScalarData,

@@ -36,15 +36,21 @@ const CENTRE: [&str; 3] = ["centre.x", "centre.y", "centre.z"];
 
 impl Mechanism {
     /// Masses and gravity as data.
-    pub(in crate::data) fn mass_data(&self, texts: &Texts) -> (Vec<MassData>, Option<[NumberData; 3]>) {
+    pub(in crate::data) fn mass_data(
+        &self,
+        texts: &Texts,
+    ) -> (Vec<MassData>, Option<[NumberData; 3]>) {
         let data = |(item, solid): &(usize, Solid)| {
             let of = Beside::Solid(*item);
             let [mass] = texts.beside(&of, ["mass"], [solid.mass]);
             let centre = texts.beside(&of, CENTRE, solid.centre.to_array());
             let [row1, row2, row3] = solid.inertia.to_array();
             let [m1, m2, m3] = ENTRIES;
-            let mut inertia =
-                [texts.beside(&of, m1, row1), texts.beside(&of, m2, row2), texts.beside(&of, m3, row3)];
+            let mut inertia = [
+                texts.beside(&of, m1, row1),
+                texts.beside(&of, m2, row2),
+                texts.beside(&of, m3, row3),
+            ];
             // The one moment of a body in a plane.
             if let [NumberData::Expression(text)] = texts.beside(&of, ["inertia"], [0.0]) {
                 (0..3).for_each(|k| inertia[k][k] = NumberData::Expression(text.clone()));
@@ -56,7 +62,8 @@ impl Mechanism {
         (self.loads.solids.iter().map(data).collect(), Some(gravity).filter(|_| !none))
     }
 
-    /// Takes masses and gravity from data. Errors: a name that no body has, those of [`Mechanism::mass`].
+    /// Takes masses and gravity from data. Errors: a name that no body has, those of
+    /// [`Mechanism::mass`].
     pub(in crate::data) fn take_masses(
         &mut self,
         masses: &[MassData],
@@ -71,7 +78,8 @@ impl Mechanism {
             let values: Vec<f64> = all.iter().map(|x| x.value()).collect();
             let [m, x, y, z, j @ ..] = &values[..] else { continue };
             let rows = [0, 3, 6].map(|k| [j[k], j[k + 1], j[k + 2]]);
-            let solid = Solid { mass: *m, centre: Vec3::new(*x, *y, *z), inertia: Mat3::from(rows) };
+            let solid =
+                Solid { mass: *m, centre: Vec3::new(*x, *y, *z), inertia: Mat3::from(rows) };
             let bound = names.map(str::to_string).zip(all).collect();
             let bodies = self.layout.bodies();
             let target = bodies.iter().find(|(known, _)| known == body).map(|(_, target)| *target);

@@ -5,8 +5,8 @@ mod loads;
 mod masses;
 
 pub use format::{
-    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData, PointMassData,
-    ScalarData,
+    ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData,
+    PointMassData, ScalarData,
 };
 pub(super) use loads::{Carried, carry};
 pub use masses::MassData;

@@ -1,5 +1,6 @@
-//! How far a measure may be off where dimensions have tolerances: the linear stack with its second-order
-//! term, what the mechanism itself does at the corners that are the worst, samples of it, and a proof.
+//! How far a measure may be off where dimensions have tolerances: the linear stack with its
+//! second-order term, what the mechanism itself does at the corners that are the worst, samples of
+//! it, and a proof.
 
 mod proved;
 mod samples;
@@ -39,10 +40,10 @@ pub struct Tolerance {
     pub nominal: f64,
     /// The shares of the dimensions, the largest first.
     pub contributions: Vec<Contribution>,
-    /// The least and the largest value that the mechanism itself has in the box of tolerances, wherever it
-    /// was looked at: at its centre, at corners, and where the second order has an extreme on a face or
-    /// inside ([`LookedAt`]). Both are `None` where it cannot be assembled at one of these places: then there
-    /// is no worst case.
+    /// The least and the largest value that the mechanism itself has in the box of tolerances,
+    /// wherever it was looked at: at its centre, at corners, and where the second order has an
+    /// extreme on a face or inside ([`LookedAt`]). Both are `None` where it cannot be assembled at
+    /// one of these places: then there is no worst case.
     pub corners: [Option<f64>; 2],
     /// Where in the box the mechanism was looked at, and where it is worst.
     pub looked_at: LookedAt,
@@ -55,17 +56,18 @@ pub struct Tolerance {
 }
 
 impl System {
-    /// How far a measure of a motion may be off, at the time at which that is worst: with s_i the exact
-    /// derivatives by the dimensions that have a tolerance T_i ([`crate::Dimension::tolerance`]),
+    /// How far a measure of a motion may be off, at the time at which that is worst: with s_i the
+    /// exact derivatives by the dimensions that have a tolerance T_i
+    /// ([`crate::Dimension::tolerance`]),
     ///
     /// ```text
     /// worst case  Σ |s_i| T_i        RSS  √(Σ s_i² T_i²)        σ = √(Σ s_i² σ_i²)
     /// ```
     ///
-    /// (E. J. Haug, *Computer Aided Kinematics and Dynamics*, 1989, for the derivatives), and beside them
-    /// the second-order term ([`SecondOrder`]) and what the mechanism does where all dimensions are off the
-    /// worst way ([`Tolerance::corners`]). The play of a clearance counts as one dimension: T its radius, s
-    /// the length of the gradient by its two parts.
+    /// (E. J. Haug, *Computer Aided Kinematics and Dynamics*, 1989, for the derivatives), and
+    /// beside them the second-order term ([`SecondOrder`]) and what the mechanism does where all
+    /// dimensions are off the worst way ([`Tolerance::corners`]). The play of a clearance counts as
+    /// one dimension: T its radius, s the length of the gradient by its two parts.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -97,14 +99,16 @@ impl System {
     pub fn tolerance(&self, motion: &Motion, what: impl Measure) -> Result<Tolerance> {
         let (sources, names) = self.sources_of_error(None)?;
         let by = self.sensitivities(motion, &names)?.each(&what)?;
-        let off = |k: usize| sources.iter().map(|source| source.off(|i| by[i].value[k])).sum::<f64>();
+        let off =
+            |k: usize| sources.iter().map(|source| source.off(|i| by[i].value[k])).sum::<f64>();
         let more = |best: usize, k: usize| if off(k) > off(best) { k } else { best };
         let worst = (0..motion.len()).fold(0, more);
         self.tolerance_of(motion, what, motion.times().get(worst).copied().unwrap_or(f64::NAN))
     }
 
-    /// The same of one number that the measure has over the motion ([`Feature`]): its value at a time
-    /// (`0.5`), an extreme (`extremes.max()`) wherever in time that moves, its stroke (`&extremes`).
+    /// The same of one number that the measure has over the motion ([`Feature`]): its value at a
+    /// time (`0.5`), an extreme (`extremes.max()`) wherever in time that moves, its stroke
+    /// (`&extremes`).
     ///
     /// Errors: those of [`System::tolerance`] and [`System::at`].
     pub fn tolerance_of(
@@ -116,14 +120,15 @@ impl System {
         self.stack_of(motion, &what, of.into(), false)
     }
 
-    /// The same with a proof ([`Tolerance::proved`]): bounds, by interval arithmetic, that hold for every
-    /// mechanism whose dimensions are within their tolerances, each of which is shown to be assembled on the
-    /// branch of the motion. They are halved until they are within some half per cent of what is attained, or
-    /// no longer get nearer.
+    /// The same with a proof ([`Tolerance::proved`]): bounds, by interval arithmetic, that hold for
+    /// every mechanism whose dimensions are within their tolerances, each of which is shown to be
+    /// assembled on the branch of the motion. They are halved until they are within some half per
+    /// cent of what is attained, or no longer get nearer.
     ///
-    /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] where some mechanism of
-    /// the box may not be assembled, with its dimensions, and of what no bounds are known: measures that are
-    /// no coordinates, laws whose coefficients have a tolerance, and what [`System::prove`] refuses.
+    /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] where some
+    /// mechanism of the box may not be assembled, with its dimensions, and of what no bounds are
+    /// known: measures that are no coordinates, laws whose coefficients have a tolerance, and what
+    /// [`System::prove`] refuses.
     pub fn tolerance_proved(
         &self,
         motion: &Motion,
@@ -142,15 +147,19 @@ impl System {
     ) -> Result<Tolerance> {
         let (sources, names) = self.sources_of_error(None)?;
         let followed = Followed::new(self, motion, what, &feature)?;
-        let slopes = followed.gradient(self, &names)?.unwrap_or_else(|| vec![f64::NAN; names.len()]);
-        let proved = proof.then(|| proved::proved(&followed, &sources, &names, &slopes)).transpose()?;
+        let slopes =
+            followed.gradient(self, &names)?.unwrap_or_else(|| vec![f64::NAN; names.len()]);
+        let proved =
+            proof.then(|| proved::proved(&followed, &sources, &names, &slopes)).transpose()?;
         let second_order = second::order(&followed, &sources, &names, &slopes)?;
-        let (corners, looked_at) = worst::worst(&followed, &sources, &names, &slopes, second_order.as_ref());
+        let (corners, looked_at) =
+            worst::worst(&followed, &sources, &names, &slopes, second_order.as_ref());
         let mut contributions: Vec<Contribution> =
             sources.into_iter().map(|source| source.contribution(&slopes)).collect();
         contributions.sort_by(|a, b| b.off().abs().total_cmp(&a.off().abs()));
         let Followed { name, unit, nominal, .. } = followed;
-        let (t, units) = (feature.t(), self.unit_words().clone());
+        let t = feature.t();
+        let units = self.unit_words().clone();
         Ok(Tolerance {
             name,
             unit,
@@ -167,11 +176,13 @@ impl System {
     }
 
     /// All that may be off, with the names of all dimensions in it; an error if nothing may.
-    fn sources_of_error(&self, distribution: Option<Distribution>) -> Result<(Vec<Source>, Vec<String>)> {
+    fn sources_of_error(
+        &self,
+        distribution: Option<Distribution>,
+    ) -> Result<(Vec<Source>, Vec<String>)> {
         let dimensions = self.toleranced();
         if dimensions.is_empty() {
-            let reason =
-                "none of them has a tolerance, or moves anything; give one by `m.dimension(…)?.tolerance(…)`";
+            let reason = "none of them has a tolerance, or moves anything; give one by `m.dimension(…)?.tolerance(…)`";
             return Err(DimensionError::invalid("dimensions", reason));
         }
         let names = dimensions.iter().map(|one| one.name.clone()).collect();
@@ -180,20 +191,21 @@ impl System {
 }
 
 impl Tolerance {
-    /// Σ |s_i| T_i: all dimensions off the worst way, to first order. It says nothing where slopes vanish or
-    /// a part of the box cannot be assembled: see [`Tolerance::attained`].   \[unit of the measure\]
+    /// Σ |s_i| T_i: all dimensions off the worst way, to first order. It says nothing where slopes
+    /// vanish or a part of the box cannot be assembled: see [`Tolerance::attained`].   \[unit of
+    /// the measure\]
     pub fn worst_case(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().abs()).sum()
     }
 
-    /// √(Σ s_i² T_i²): what it is off as often as each dimension is off by its tolerance, where these are
-    /// independent and normal.   \[unit of the measure\]
+    /// √(Σ s_i² T_i²): what it is off as often as each dimension is off by its tolerance, where
+    /// these are independent and normal.   \[unit of the measure\]
     pub fn rss(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().powi(2)).sum::<f64>().sqrt()
     }
 
-    /// √(Σ s_i² σ_i²), to first order, with σ_i that of each dimension's distribution.   \[unit of the
-    /// measure\]
+    /// √(Σ s_i² σ_i²), to first order, with σ_i that of each dimension's distribution.   \[unit of
+    /// the measure\]
     pub fn sigma(&self) -> f64 {
         self.contributions.iter().map(|one| one.sigma().powi(2)).sum::<f64>().sqrt()
     }
@@ -208,17 +220,18 @@ impl Tolerance {
         share(one.sigma().powi(2), self.sigma().powi(2))
     }
 
-    /// How far the measure itself is off at the worst places that were looked at, |value − nominal| of the
-    /// one that is farther off. `None` where a part of the box cannot be assembled.   \[unit of the
-    /// measure\]
+    /// How far the measure itself is off at the worst places that were looked at, |value − nominal|
+    /// of the one that is farther off. `None` where a part of the box cannot be assembled.   \[unit
+    /// of the measure\]
     pub fn attained(&self) -> Option<f64> {
-        let [low, high] = self.corners.map(|corner| corner.map(|value| (value - self.nominal).abs()));
+        let [low, high] =
+            self.corners.map(|corner| corner.map(|value| (value - self.nominal).abs()));
         Some(low?.max(high?))
     }
 
-    /// How far that is beyond the worst case of the stack, as a share of the stack; below zero where both
-    /// places are nearer. `None` where a part of the box cannot be assembled, or all slopes are
-    /// zero.   \[-\]
+    /// How far that is beyond the worst case of the stack, as a share of the stack; below zero
+    /// where both places are nearer. `None` where a part of the box cannot be assembled, or all
+    /// slopes are zero.   \[-\]
     pub fn misled(&self) -> Option<f64> {
         Some(self.attained()? / self.worst_case() - 1.0).filter(|share| share.is_finite())
     }

@@ -18,8 +18,8 @@ const AT_ONCE: usize = 1 << 16;
 /// The most samples that can be asked for: of each a number is kept.
 const MOST: usize = 100_000_000;
 
-/// How far extremes are looked for in time, in the sums of what the dimensions do to it: normal ones may be
-/// off by more than their tolerance.   \[-\]
+/// How far extremes are looked for in time, in the sums of what the dimensions do to it: normal
+/// ones may be off by more than their tolerance.   \[-\]
 const REACH: f64 = 2.0;
 
 /// Steps in which a sample is walked to that cannot be assembled at once.
@@ -54,12 +54,12 @@ pub struct Samples {
 }
 
 impl System {
-    /// A feature of a measure ([`System::tolerance_of`]) in many mechanisms whose dimensions are off at
-    /// random, each by its own distribution, independently of one another; and how many of these mechanisms
-    /// cannot be assembled. They go over the lanes and cores of a sweep.
+    /// A feature of a measure ([`System::tolerance_of`]) in many mechanisms whose dimensions are
+    /// off at random, each by its own distribution, independently of one another; and how many of
+    /// these mechanisms cannot be assembled. They go over the lanes and cores of a sweep.
     ///
-    /// Where the same mechanism can be assembled only beyond a singular position, on another branch, it
-    /// counts as one that cannot.
+    /// Where the same mechanism can be assembled only beyond a singular position, on another
+    /// branch, it counts as one that cannot.
     ///
     /// Errors: those of [`System::tolerance_of`]; none or too many samples.
     pub fn samples(
@@ -84,12 +84,14 @@ impl System {
             Ok(window(term, motion, REACH * reach))
         });
         let windows = windows.collect::<Result<Vec<_>>>()?;
-        let (mut random, mut values) = (Random::new(sampling.seed), Vec::new());
+        let mut random = Random::new(sampling.seed);
+        let mut values = Vec::new();
         let mut open = sampling.count;
         while open > 0 {
             let count = open.min(AT_ONCE);
             open -= count;
-            let off: Vec<Vec<f64>> = (0..count).map(|_| drawn(&sources, names.len(), &mut random)).collect();
+            let off: Vec<Vec<f64>> =
+                (0..count).map(|_| drawn(&sources, names.len(), &mut random)).collect();
             let mut sums = vec![Some(followed.nominal); count];
             for (term, times) in followed.terms.iter().zip(&windows) {
                 let changes = changes(&followed, term, times, &names, &off)?;
@@ -112,7 +114,8 @@ fn window(term: &Term, motion: &Motion, reach: f64) -> Vec<f64> {
     match term.turn {
         None => vec![term.t],
         Some(_) => {
-            let reach = if reach.is_finite() { reach.clamp(1e-5 * span, 0.05 * span) } else { 0.05 * span };
+            let reach =
+                if reach.is_finite() { reach.clamp(1e-5 * span, 0.05 * span) } else { 0.05 * span };
             vec![term.t - reach, term.t, term.t + reach]
         }
     }
@@ -143,10 +146,14 @@ fn drawn(sources: &[Source], count: usize, random: &mut Random) -> Vec<f64> {
 /// A point in the disc of radius 1, but for its middle, and its squared distance from that.
 fn in_disc(random: &mut Random) -> [f64; 3] {
     let point = std::iter::repeat_with(|| {
-        let (x, y) = (random.number(), random.number());
+        let x = random.number();
+        let y = random.number();
         [x, y, x * x + y * y]
     });
-    point.into_iter().find(|[.., square]| *square > 0.0 && *square < 1.0).unwrap_or([0.5, 0.0, 0.25])
+    point
+        .into_iter()
+        .find(|[.., square]| *square > 0.0 && *square < 1.0)
+        .unwrap_or([0.5, 0.0, 0.25])
 }
 
 /// A normal number, by the polar method (G. Marsaglia, T. A. Bray, SIAM Review 6, 1964).
@@ -155,8 +162,8 @@ fn normal(random: &mut Random) -> f64 {
     x * (-2.0 * square.ln() / square).sqrt()
 }
 
-/// How far one term of a feature is off in each of some samples, which are off by so much themselves; `None`
-/// of those that cannot be assembled.
+/// How far one term of a feature is off in each of some samples, which are off by so much
+/// themselves; `None` of those that cannot be assembled.
 fn changes<M: Measure + Sync>(
     followed: &Followed<'_, M>,
     term: &Term,
@@ -182,14 +189,16 @@ fn changes<M: Measure + Sync>(
             (there == meant).then_some(value)
         });
         let alone = || {
-            let pose = followed.pose(term, &system).or_else(|| walked(followed, term, names, &off[k]))?;
+            let pose =
+                followed.pose(term, &system).or_else(|| walked(followed, term, names, &off[k]))?;
             Some(first(followed.what.of(&system, &pose).ok()?.value.values()))
         };
         posed.or_else(alone).map(|there| followed.change(term, there))
     })
 }
 
-/// The pose of a term at a fixed time, where all dimensions go to where they are off little by little.
+/// The pose of a term at a fixed time, where all dimensions go to where they are off little by
+/// little.
 fn walked<M: Measure>(
     followed: &Followed<'_, M>,
     term: &Term,
@@ -208,8 +217,8 @@ fn walked<M: Measure>(
     Some(pose)
 }
 
-/// The value at which a measure turns round within these times, by the polynomial of fifth degree through
-/// values, rates and second rates at both ends of a step; `None` if it does not turn there.
+/// The value at which a measure turns round within these times, by the polynomial of fifth degree
+/// through values, rates and second rates at both ends of a step; `None` if it does not turn there.
 fn turning(found: &Quantity, times: &[f64], is_max: bool) -> Option<f64> {
     let [x, rates, second, _] = found.orders();
     let side = if is_max { 1.0 } else { -1.0 };
@@ -219,7 +228,8 @@ fn turning(found: &Quantity, times: &[f64], is_max: bool) -> Option<f64> {
     let c = quintic(ends);
     let value = |u: f64| c.iter().rev().fold(0.0, |sum, c| sum * u + c);
     let slope = |u: f64| (1..6).rev().fold(0.0, |sum, k| sum * u + k as f64 * c[k]);
-    let (mut low, mut high) = (0.0, 1.0);
+    let mut low = 0.0;
+    let mut high = 1.0;
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         *if side * slope(middle) >= 0.0 { &mut low } else { &mut high } = middle;
@@ -263,18 +273,20 @@ impl Samples {
         self.values.iter().sum::<f64>() / self.values.len() as f64
     }
 
-    /// Standard deviation of those that can be assembled; NaN if there are fewer than two.   \[unit of the
-    /// measure\]
+    /// Standard deviation of those that can be assembled; NaN if there are fewer than two.   \[unit
+    /// of the measure\]
     pub fn sigma(&self) -> f64 {
-        let (mean, n) = (self.mean(), self.values.len() as f64);
+        let mean = self.mean();
+        let n = self.values.len() as f64;
         let sum: f64 = self.values.iter().map(|value| (value - mean).powi(2)).sum();
         if n < 2.0 { f64::NAN } else { (sum / (n - 1.0)).sqrt() }
     }
 
-    /// The value that a share `p` of those that can be assembled is below, interpolated between two of them;
-    /// NaN if there are none, or p is not between 0 and 1.   \[unit of the measure\]
+    /// The value that a share `p` of those that can be assembled is below, interpolated between two
+    /// of them; NaN if there are none, or p is not between 0 and 1.   \[unit of the measure\]
     pub fn quantile(&self, p: f64) -> f64 {
-        let Some(last) = self.values.len().checked_sub(1).filter(|_| (0.0..=1.0).contains(&p)) else {
+        let Some(last) = self.values.len().checked_sub(1).filter(|_| (0.0..=1.0).contains(&p))
+        else {
             return f64::NAN;
         };
         let place = p * last as f64;
@@ -288,18 +300,20 @@ impl Samples {
 const SHARES: [f64; 5] = [0.00135, 0.05, 0.5, 0.95, 0.99865];
 
 impl fmt::Display for Samples {
-    /// "slider.R_x (m), 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how many cannot
-    /// be assembled.
+    /// "slider.R_x (m), 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how
+    /// many cannot be assembled.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Sampling { count, seed, .. } = self.sampling;
         write!(f, "{} ({}), {count} samples of seed {seed}", self.name, self.unit)?;
         if !self.values.is_empty() {
             write!(f, ": mean {}, σ {}.", digits(self.mean(), 5), digits(self.sigma(), 2))?;
-            let told =
-                SHARES.map(|p| format!("{} % below {}", digits(100.0 * p, 4), digits(self.quantile(p), 5)));
+            let told = SHARES.map(|p| {
+                format!("{} % below {}", digits(100.0 * p, 4), digits(self.quantile(p), 5))
+            });
             write!(f, "\n  {}.", told.join(", "))?;
         }
-        let (missing, share) = (self.missing(), 100.0 * self.share_missing());
+        let missing = self.missing();
+        let share = 100.0 * self.share_missing();
         match missing {
             0 => write!(f, "\n  All of them can be assembled."),
             _ => write!(f, "\n  {missing} of them, {} %, cannot be assembled.", digits(share, 2)),

@@ -5,21 +5,22 @@ use super::source::Source;
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
 
-/// Steps of the differences, in tolerances. They are small beside what bends the measure, and the rounding
-/// errors of the gradients stay below 1e-12 of the linear stack.   \[-\]
+/// Steps of the differences, in tolerances. They are small beside what bends the measure, and the
+/// rounding errors of the gradients stay below 1e-12 of the linear stack.   \[-\]
 const STEP: f64 = 1.0 / 64.0;
 
-/// The second-order term of a stack of tolerances: with H the second derivatives of the measure by the
-/// dimensions,
+/// The second-order term of a stack of tolerances: with H the second derivatives of the measure by
+/// the dimensions,
 ///
 /// ```text
 /// mean shift  ½ Σ H_ii σ_i²
 /// variance    Σ s_i² σ_i² + ¼ Σ H_ii² (μ4_i − σ_i⁴) + ½ Σ_(i≠j) H_ij² σ_i² σ_j²
 /// ```
 ///
-/// for independent dimensions that are distributed evenly to both sides, σ_i² and μ4_i the second and fourth
-/// moment of each; of a disc, whose two parts are not independent, the moments of both together. H comes from
-/// differences of the exact gradient with extrapolation (Richardson), to about 1e-9.
+/// for independent dimensions that are distributed evenly to both sides, σ_i² and μ4_i the second
+/// and fourth moment of each; of a disc, whose two parts are not independent, the moments of both
+/// together. H comes from differences of the exact gradient with extrapolation (Richardson), to
+/// about 1e-9.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SecondOrder {
@@ -44,7 +45,9 @@ pub(super) fn order<M: Measure>(
     let mut hessian = vec![vec![0.0; n]; n];
     for source in sources {
         for k in &source.parts {
-            let Some(column) = column(followed, names, *k, source.tolerance)? else { return Ok(None) };
+            let Some(column) = column(followed, names, *k, source.tolerance)? else {
+                return Ok(None);
+            };
             hessian[*k] = column;
         }
     }
@@ -72,11 +75,13 @@ fn column<M: Measure>(
             let taken = system.parameter(&names[k])? - followed.system.parameter(&names[k])?;
             sides.push((taken, gradient));
         }
-        let ((plus, above), (minus, below)) = (&sides[0], &sides[1]);
+        let (plus, above) = &sides[0];
+        let (minus, below) = &sides[1];
         let slope = |i: usize| (above[i] - below[i]) / (plus - minus);
         slopes.push((0..names.len()).map(slope).collect::<Vec<f64>>());
     }
-    let extrapolated = slopes[0].iter().zip(&slopes[1]).map(|(wide, near)| (4.0 * near - wide) / 3.0);
+    let extrapolated =
+        slopes[0].iter().zip(&slopes[1]).map(|(wide, near)| (4.0 * near - wide) / 3.0);
     Ok(Some(extrapolated.collect()))
 }
 
@@ -84,7 +89,8 @@ fn column<M: Measure>(
 fn moments(sources: &[Source], slopes: &[f64], hessian: &[Vec<f64>]) -> [f64; 2] {
     let [mut mean, mut variance] = [0.0; 2];
     let of = |source: &Source| {
-        let ([second, fourth], t) = (source.distribution.moments(), source.tolerance);
+        let [second, fourth] = source.distribution.moments();
+        let t = source.tolerance;
         [second * t.powi(2), fourth * t.powi(4)]
     };
     for source in sources {
@@ -94,7 +100,9 @@ fn moments(sources: &[Source], slopes: &[f64], hessian: &[Vec<f64>]) -> [f64; 2]
         variance += match source.parts[..] {
             // x and y of a disc: E(x² y²) is a third of E(x⁴).
             [x, y] => {
-                let (xx, yy, xy) = (hessian[x][x], hessian[y][y], hessian[x][y]);
+                let xx = hessian[x][x];
+                let yy = hessian[y][y];
+                let xy = hessian[x][y];
                 let square = fourth * (xx * xx + yy * yy + (2.0 * xx * yy + 4.0 * xy * xy) / 3.0);
                 0.25 * (square - (second * (xx + yy)).powi(2))
             }
@@ -104,7 +112,10 @@ fn moments(sources: &[Source], slopes: &[f64], hessian: &[Vec<f64>]) -> [f64; 2]
             }
         };
         for other in sources.iter().filter(|other| !std::ptr::eq(*other, source)) {
-            let pairs = source.parts.iter().flat_map(|i| other.parts.iter().map(|j| hessian[*i][*j].powi(2)));
+            let pairs = source
+                .parts
+                .iter()
+                .flat_map(|i| other.parts.iter().map(|j| hessian[*i][*j].powi(2)));
             variance += 0.5 * second * of(other)[0] * pairs.sum::<f64>();
         }
     }

@@ -24,7 +24,8 @@ pub struct Contribution {
     pub tolerance: f64,
     /// Its distribution.
     pub distribution: Distribution,
-    /// s: the derivative of the measure by it; of a clearance by a play that is turned the worst way.
+    /// s: the derivative of the measure by it; of a clearance by a play that is turned the worst
+    /// way.
     pub slope: f64,
 }
 

@@ -26,11 +26,16 @@ pub(super) fn digits(x: f64, count: usize) -> f64 {
 fn above(x: f64, count: usize) -> f64 {
     let near = digits(x, count);
     // Half a unit of the last digit further it is rounded to the next number.
-    if near >= x { near } else { digits(x * (1.0 + 0.5 * 0.1_f64.powi(count as i32)), count).max(near) }
+    if near >= x {
+        near
+    } else {
+        digits(x * (1.0 + 0.5 * 0.1_f64.powi(count as i32)), count).max(near)
+    }
 }
 
 impl fmt::Display for Tolerance {
-    /// "slide (0.312 m at 0.418 s): ± 0.00041 worst case, ± 0.00027 RSS.", and a line for each dimension.
+    /// "slide (0.312 m at 0.418 s): ± 0.00041 worst case, ± 0.00027 RSS.", and a line for each
+    /// dimension.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Tolerance { name, unit, .. } = self;
         let when = match self.feature {
@@ -40,7 +45,8 @@ impl fmt::Display for Tolerance {
         write!(f, "{name} ({} {unit}{when}): ", digits(self.nominal, 4))?;
         self.headline(f)?;
         writeln!(f, " ± {} RSS.", digits(self.rss(), 2))?;
-        let longest = self.contributions.iter().map(|one| one.name.chars().count()).max().unwrap_or(0);
+        let longest =
+            self.contributions.iter().map(|one| one.name.chars().count()).max().unwrap_or(0);
         for one in &self.contributions {
             let off = digits(one.off(), 2);
             writeln!(
@@ -56,7 +62,8 @@ impl fmt::Display for Tolerance {
         }
         write!(f, "  Shares are of the worst case; signs are those of a larger dimension.")?;
         if let Some(second) = &self.second_order
-            && (second.mean_shift.abs() > BENT * self.sigma() || second.sigma > (1.0 + BENT) * self.sigma())
+            && (second.mean_shift.abs() > BENT * self.sigma()
+                || second.sigma > (1.0 + BENT) * self.sigma())
         {
             write!(
                 f,
@@ -75,8 +82,8 @@ impl fmt::Display for Tolerance {
 }
 
 impl Tolerance {
-    /// "± 0.00041 worst case,"; where the stack does not say how far the measure is off, both sides of it;
-    /// none where a part of the box cannot be assembled.
+    /// "± 0.00041 worst case,"; where the stack does not say how far the measure is off, both sides
+    /// of it; none where a part of the box cannot be assembled.
     fn headline(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(place) = &self.looked_at.unassembled {
             return write!(
@@ -114,7 +121,9 @@ impl Tolerance {
             let own = self.contributions.iter().find(|one| one.name == name);
             own.map_or(String::new(), |one| format!(" {}", one.unit))
         };
-        let told = |off: &Off| format!("`{}` is off by {}{}", off.name, digits(off.by, 4), unit(&off.name));
+        let told = |off: &Off| {
+            format!("`{}` is off by {}{}", off.name, digits(off.by, 4), unit(&off.name))
+        };
         let mut all: Vec<String> = place.iter().take(NAMED).map(told).collect();
         if place.len() > NAMED {
             all.push(format!("{} more are off by their tolerances", place.len() - NAMED));
@@ -123,7 +132,9 @@ impl Tolerance {
     }
 
     fn beyond_the_stack(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([Some(low), Some(high)], true) = (self.corners, self.is_misled()) else { return Ok(()) };
+        let ([Some(low), Some(high)], true) = (self.corners, self.is_misled()) else {
+            return Ok(());
+        };
         let [low, high] = [low, high].map(|value| digits(value - self.nominal, 2));
         write!(f, "\n  At the worst places it is off by {low} and +{high}: ")?;
         match self.misled().filter(|misled| *misled < VANISHING) {
@@ -139,7 +150,9 @@ impl Tolerance {
         match (all_corners, unassembled) {
             (true, _) => write!(f, "\n  Looked at all {corners} corners of the box of tolerances")?,
             (false, Some(_)) => return write!(f, "\n  Looked no further than that place."),
-            (false, None) => write!(f, "\n  Looked at {corners} corners of the box of {of} tolerances")?,
+            (false, None) => {
+                write!(f, "\n  Looked at {corners} corners of the box of {of} tolerances")?
+            }
         }
         write!(f, " and {inside} places inside")?;
         match all_corners {

@@ -1,5 +1,5 @@
-//! The places of the box of tolerances at which a measure is worst: its corners, and places on faces and
-//! inside, where the second order says that a measure turns round.
+//! The places of the box of tolerances at which a measure is worst: its corners, and places on
+//! faces and inside, where the second order says that a measure turns round.
 
 use super::super::feature::Followed;
 use super::second::SecondOrder;
@@ -41,8 +41,9 @@ pub struct Off {
 pub struct LookedAt {
     /// How many corners. Of a clearance each direction counts.
     pub corners: usize,
-    /// True if those are all corners, of clearances in eight directions. Else they are those to which the
-    /// derivatives and the second order lead, and those to which the change of one dimension leads on.
+    /// True if those are all corners, of clearances in eight directions. Else they are those to
+    /// which the derivatives and the second order lead, and those to which the change of one
+    /// dimension leads on.
     pub all_corners: bool,
     /// How many places on faces and inside.
     pub inside: usize,
@@ -50,12 +51,13 @@ pub struct LookedAt {
     pub lowest: Vec<Off>,
     /// The place with the largest value; empty of the centre.
     pub highest: Vec<Off>,
-    /// A place at which the mechanism cannot be assembled; `None` if it can wherever it was looked at.
+    /// A place at which the mechanism cannot be assembled; `None` if it can wherever it was looked
+    /// at.
     pub unassembled: Option<Vec<Off>>,
 }
 
-/// The least and the largest value that were found, `None` where a part of the box does not close, and where
-/// they were looked for.
+/// The least and the largest value that were found, `None` where a part of the box does not close,
+/// and where they were looked for.
 pub(super) fn worst<M: Measure>(
     followed: &Followed<'_, M>,
     sources: &[Source],
@@ -142,8 +144,8 @@ impl<M: Measure> Walk<'_, M> {
         })
     }
 
-    /// The places to which first and second order lead from the centre, from the corner that the signs of
-    /// the derivatives call the worst, and from some at random.
+    /// The places to which first and second order lead from the centre, from the corner that the
+    /// signs of the derivatives call the worst, and from some at random.
     fn by_the_model(&mut self, slopes: &[f64]) {
         let mut random = Random::new(1);
         let mut starts = vec![vec![0.0; self.names.len()]];
@@ -168,8 +170,8 @@ impl<M: Measure> Walk<'_, M> {
         off
     }
 
-    /// The place to which s·d + ½ dᵀ H d leads uphill, or downhill, one dimension after the other, from a
-    /// start.
+    /// The place to which s·d + ½ dᵀ H d leads uphill, or downhill, one dimension after the other,
+    /// from a start.
     fn climbed(&self, slopes: &[f64], mut d: Vec<f64>, side: f64) -> Vec<f64> {
         for _ in 0..ROUNDS {
             let before = d.clone();
@@ -178,7 +180,8 @@ impl<M: Measure> Walk<'_, M> {
                 let bend = |i: usize, j: usize| side * self.second[parts[i]][parts[j]];
                 let slope = |i: usize| {
                     let others = (0..d.len()).filter(|j| !parts.contains(j));
-                    side * (slopes[parts[i]] + others.map(|j| self.second[parts[i]][j] * d[j]).sum::<f64>())
+                    side * (slopes[parts[i]]
+                        + others.map(|j| self.second[parts[i]][j] * d[j]).sum::<f64>())
                 };
                 let here: Vec<f64> = parts.iter().map(|k| d[*k]).collect();
                 let own: Vec<f64> = (0..parts.len()).map(slope).collect();
@@ -204,7 +207,8 @@ impl<M: Measure> Walk<'_, M> {
 
     /// All corners; false if they are too many.
     fn every_corner(&mut self, slopes: &[f64]) -> bool {
-        let choices: Vec<Vec<Vec<f64>>> = self.sources.iter().map(|source| source.ends(slopes)).collect();
+        let choices: Vec<Vec<Vec<f64>>> =
+            self.sources.iter().map(|source| source.ends(slopes)).collect();
         let count = choices.iter().try_fold(1_usize, |count, own| count.checked_mul(own.len()));
         let Some(count) = count.filter(|count| *count <= 1 << ALL) else { return false };
         for mut number in 0..count {
@@ -219,7 +223,8 @@ impl<M: Measure> Walk<'_, M> {
         true
     }
 
-    /// From the worst corners on by turning one dimension after the other round, as long as that is worse.
+    /// From the worst corners on by turning one dimension after the other round, as long as that is
+    /// worse.
     fn one_by_one(&mut self) {
         for (which, side) in SIDES.into_iter().enumerate() {
             for _ in 0..ROUNDS {
@@ -240,12 +245,14 @@ impl<M: Measure> Walk<'_, M> {
         }
     }
 
-    /// From the worst places on by the exact derivatives there, with the second order of the centre.
+    /// From the worst places on by the exact derivatives there, with the second order of the
+    /// centre.
     fn onward(&mut self) {
         for (which, side) in SIDES.into_iter().enumerate() {
             for _ in 0..STEPS {
                 let Deviation { off, value } = &self.worst[which];
-                let (off, before) = (off.clone(), *value);
+                let off = off.clone();
+                let before = *value;
                 let moved = self.names.iter().zip(off.iter().copied());
                 let Some(system) = self.followed.system.off(moved) else { break };
                 let Ok(Some(slopes)) = self.followed.gradient(&system, self.names) else { break };
@@ -284,8 +291,8 @@ impl<M: Measure> Walk<'_, M> {
 }
 
 impl Source {
-    /// Its ends: both of a dimension, some around the disc of a clearance, the first one in the direction of
-    /// the slopes.
+    /// Its ends: both of a dimension, some around the disc of a clearance, the first one in the
+    /// direction of the slopes.
     fn ends(&self, slopes: &[f64]) -> Vec<Vec<f64>> {
         let worst: Vec<f64> = self.worst(slopes).into_iter().map(|(_, by)| by).collect();
         match worst[..] {
@@ -305,11 +312,14 @@ impl Source {
 
     /// Places of this source alone at which s·d + ½ dᵀ H d may be largest.
     fn places(&self, slopes: &[f64], bend: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
-        let inside = |d: &Vec<f64>| d.iter().map(|x| x * x).sum::<f64>() < self.tolerance * self.tolerance;
+        let inside =
+            |d: &Vec<f64>| d.iter().map(|x| x * x).sum::<f64>() < self.tolerance * self.tolerance;
         match *slopes {
             [x, y] => {
                 let mut all = self.around(x.atan2(y), 4 * DIRECTIONS);
-                let (xx, xy, yy) = (bend(0, 0), bend(0, 1), bend(1, 1));
+                let xx = bend(0, 0);
+                let xy = bend(0, 1);
+                let yy = bend(1, 1);
                 let determinant = xx * yy - xy * xy;
                 all.push(vec![(xy * y - yy * x) / determinant, (xy * x - xx * y) / determinant]);
                 all.retain(|d| d.iter().all(|x| x.is_finite()));

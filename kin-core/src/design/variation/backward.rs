@@ -12,8 +12,8 @@ use crate::model::law::Law;
 use crate::program::{Asked, Elimination, Guarded, Masks, Reduced, Summed, take};
 use crate::solve::motion::Motion;
 
-/// Adds the terms of all times to the gradient; gives the times that are left to the walk. `None` where there
-/// is no tape, and all are left.
+/// Adds the terms of all times to the gradient; gives the times that are left to the walk. `None`
+/// where there is no tape, and all are left.
 pub(in crate::design) fn adjoint(
     prepared: &Prepared<'_>,
     agreement: Option<&Agreement>,
@@ -29,15 +29,17 @@ pub(in crate::design) fn adjoint(
     tape(prepared, agreement, motion, weights)?.run(motion, &weight, Summed(gradient))
 }
 
-/// The tape, its elimination chosen at the first time. A coordinate that has no weight at any time is not
-/// read. Of a redundant mechanism a time at which superfluous equations may not agree is left to the walk.
+/// The tape, its elimination chosen at the first time. A coordinate that has no weight at any time
+/// is not read. Of a redundant mechanism a time at which superfluous equations may not agree is
+/// left to the walk.
 pub(super) fn tape(
     prepared: &Prepared<'_>,
     agreement: Option<&Agreement>,
     motion: &Motion,
     weights: &Weights,
 ) -> Option<Guarded> {
-    let (n, m) = (motion.names().len(), prepared.system.n_equations());
+    let n = motion.names().len();
+    let m = prepared.system.n_equations();
     let rows: Vec<usize> = match agreement {
         Some(agreement) => agreement.rows.clone(),
         None => (0..m).collect(),
@@ -45,7 +47,8 @@ pub(super) fn tape(
     if rows.len() != n {
         return None;
     }
-    let weighs = |order: usize, j: usize| weights[order].iter().skip(j).step_by(n).any(|x| *x != 0.0);
+    let weighs =
+        |order: usize, j: usize| weights[order].iter().skip(j).step_by(n).any(|x| *x != 0.0);
     let AlongTime { graph, laws, by_q, by_p } =
         AlongTime::of(Gathered::of(prepared).ok()?.by_turns(prepared.system));
     let begin = (*motion.times().first()?, motion.q(0));
@@ -93,7 +96,8 @@ impl AlongTime {
         let by_p: Vec<JetCells> = by_p.into_iter().map(&mut cells).collect();
         let mut reduced = Reduced::of_all(&whole.graph);
         put_rates(&mut reduced, whole.n, whole.n);
-        let (by_q, by_p) = (moved(&mut reduced, &by_q), moved(&mut reduced, &by_p));
+        let by_q = moved(&mut reduced, &by_q);
+        let by_p = moved(&mut reduced, &by_p);
         AlongTime { graph: reduced.graph, laws: whole.laws, by_q, by_p }
     }
 }
@@ -108,8 +112,8 @@ struct Transposed<'a> {
 }
 
 impl Transposed<'_> {
-    /// λ₀, λ₁ and λ₂: Jᵀ λ₂ = F_q̈, Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂, Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂; `fixed` is λ₂ in
-    /// rows that are not in use, and zero in the others.
+    /// λ₀, λ₁ and λ₂: Jᵀ λ₂ = F_q̈, Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂, Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂; `fixed`
+    /// is λ₂ in rows that are not in use, and zero in the others.
     fn multipliers(
         &mut self,
         graph: &mut Graph,
@@ -156,17 +160,20 @@ fn term(graph: &mut Graph, lambda: &[Vec<Node>; 3], by_p: &[(usize, NodeJet)]) -
     sum
 }
 
-/// g, ġ and g̈ of `agreement.rs`, each with its limit: a small share of its terms, and what rounding may be.
+/// g, ġ and g̈ of `agreement.rs`, each with its limit: a small share of its terms, and what
+/// rounding may be.
 fn limited(
     graph: &mut Graph,
     nu: &[Vec<Node>; 3],
     by_p: &[(usize, NodeJet)],
     limits: &[f64; 3],
 ) -> Vec<(Node, Node)> {
-    let (zero, share) = (graph.zero(), graph.constant(CONSISTENT));
+    let zero = graph.zero();
+    let share = graph.constant(CONSISTENT);
     let mut all = Vec::new();
     for (terms, limit) in TERMS.into_iter().zip(limits) {
-        let (mut sum, mut size) = (zero, zero);
+        let mut sum = zero;
+        let mut size = zero;
         for (row, jet) in by_p {
             for (factor, of, by) in terms {
                 let factor = graph.constant(*factor);
@@ -177,7 +184,8 @@ fn limited(
             }
         }
         if sum != zero {
-            let (terms, limit) = (graph.mul(share, size), graph.constant(*limit));
+            let terms = graph.mul(share, size);
+            let limit = graph.constant(*limit);
             all.push((sum, graph.add(terms, limit)));
         }
     }

@@ -1,8 +1,8 @@
 //! q_p, q̇_p and q̈_p of each name as outputs of a tape.
 //!
-//! With δ = q_p the variation of C by p is C_q δ + C_p, and zero at all times. C_q δ is the tangent of C
-//! along δ, and is differentiated by time as it is: C_q has many cells, of which C along one direction needs
-//! none.
+//! With δ = q_p the variation of C by p is C_q δ + C_p, and zero at all times. C_q δ is the tangent
+//! of C along δ, and is differentiated by time as it is: C_q has many cells, of which C along one
+//! direction needs none.
 
 use kin_graph::differentiate::{Jet, Jets};
 use kin_graph::{Graph, Input, Node};
@@ -13,8 +13,8 @@ use crate::model::law::Law;
 use crate::program::{Elimination, Guarded, IntoRows, Masks, Reduced, SELF};
 use crate::solve::motion::Motion;
 
-/// Fills the lists of each name, one an order, with a row for each time of a motion; gives the times that are
-/// left to the walk. `None` where there is no tape, and all are left.
+/// Fills the lists of each name, one an order, with a row for each time of a motion; gives the
+/// times that are left to the walk. `None` where there is no tape, and all are left.
 pub(in crate::design) fn forward(
     prepared: &Prepared<'_>,
     motion: &Motion,
@@ -52,8 +52,8 @@ pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion) -> Option<Guarded> 
     })
 }
 
-/// C_q δ with two derivatives by time, as nodes of one graph. δ_j is coordinate n + j in it, and the second
-/// rate of coordinate k the rate of coordinate 2 n + k.
+/// C_q δ with two derivatives by time, as nodes of one graph. δ_j is coordinate n + j in it, and
+/// the second rate of coordinate k the rate of coordinate 2 n + k.
 struct Varied {
     graph: Graph,
     laws: Vec<Law>,
@@ -66,7 +66,8 @@ struct Varied {
 
 impl Varied {
     fn of(Gathered { mut whole, residuals, by_q, by_p }: Gathered) -> Self {
-        let (n, mut tangents) = (whole.n, Jets::default());
+        let n = whole.n;
+        let mut tangents = Jets::default();
         let tangents: Vec<Node> =
             residuals.into_iter().map(|row| tangents.first(&mut whole.graph, row)).collect();
         let mut varied = Reduced::of_all(&whole.graph);
@@ -82,13 +83,16 @@ impl Varied {
         let by_q = by_q.into_iter().map(&mut cells).collect();
         let by_p: Vec<Vec<(usize, Node)>> = by_p.into_iter().map(&mut cells).collect();
         let tangents: Vec<Node> = tangents.into_iter().map(|row| varied.of(row)).collect();
-        let (mut graph, mut jets) = (varied.graph, Jets::along_curve(2 * n));
+        let mut graph = varied.graph;
+        let mut jets = Jets::along_curve(2 * n);
         let mut jet = |node: Node| {
             let Jet { first, second } = jets.of(&mut graph, node);
             [node, first, second]
         };
-        let rows = tangents.into_iter().map(&mut jet).map(|[_, first, second]| [first, second]).collect();
-        let mut jets = |own: Vec<(usize, Node)>| own.into_iter().map(|(k, node)| (k, jet(node))).collect();
+        let rows =
+            tangents.into_iter().map(&mut jet).map(|[_, first, second]| [first, second]).collect();
+        let mut jets =
+            |own: Vec<(usize, Node)>| own.into_iter().map(|(k, node)| (k, jet(node))).collect();
         let by_p = by_p.into_iter().map(&mut jets).collect();
         Varied { graph, laws: whole.laws, n, by_q, by_p, rows }
     }
@@ -100,7 +104,8 @@ impl Varied {
         (elimination, masks): (&Elimination<'_>, &mut Masks),
         by_p: &JetCells,
     ) -> [Vec<Node>; 3] {
-        let (n, zero) = (self.n, reduced.graph.zero());
+        let n = self.n;
+        let zero = reduced.graph.zero();
         let mut found: [Vec<Node>; 3] = Default::default();
         for order in 0..3_usize {
             let mut b = vec![zero; n];

@@ -1,5 +1,5 @@
-//! All equations of a system as nodes of one graph, with their derivatives by coordinates and by the names
-//! that are asked for.
+//! All equations of a system as nodes of one graph, with their derivatives by coordinates and by
+//! the names that are asked for.
 
 use kin_graph::{Graph, Input, Node};
 
@@ -39,7 +39,8 @@ impl Gathered {
             by_p: none(prepared.names),
         };
         for (number, block) in system.equations().blocks.iter().enumerate() {
-            let own: Vec<&Asked> = prepared.asked.iter().filter(|asked| asked.block == number).collect();
+            let own: Vec<&Asked> =
+                prepared.asked.iter().filter(|asked| asked.block == number).collect();
             all.add(system, block, (&prepared.blocks[number], &own))?;
         }
         Ok(all)
@@ -53,11 +54,13 @@ impl Gathered {
         (equation, asked): (&Equation, &[&Asked]),
     ) -> Result<(), &'static str> {
         let mut columns = columns(system, block.constraint.as_ref()).ok_or(ABROAD)?;
-        let (whole, first) = (&mut self.whole, block.rows().start);
+        let whole = &mut self.whole;
+        let first = block.rows().start;
         let done = block.constraint.formula(|_, parameters, outside| {
             columns.extend(parameters.iter().map(|value| Column::Fixed(*value)));
             columns.extend(equation.calls.iter().map(|_| Column::Fixed(0.0)));
-            let leaves = Leaves { columns: &columns, parameters, outside, timed: &[], of_parameters: &[] };
+            let leaves =
+                Leaves { columns: &columns, parameters, outside, timed: &[], of_parameters: &[] };
             let nodes = equation.graph.reachable(&needed(equation, asked));
             let places = whole.copy(&equation.graph, &nodes, &leaves)?;
             let of = |node: Node| places[node.index()];
@@ -86,7 +89,9 @@ impl Gathered {
                                 if call.law != *number {
                                     continue;
                                 }
-                                let by = whole.law_at(by.clone(), of(call.x), call.order).ok_or(UNREAD)?;
+                                let by = whole
+                                    .law_at(by.clone(), of(call.x), call.order)
+                                    .ok_or(UNREAD)?;
                                 let slope = whole.graph.mul(of(*slope), by);
                                 let slope = whole.graph.mul(factor, slope);
                                 sum(&mut whole.graph, &mut self.by_p[asked.name], row, slope);
@@ -110,10 +115,13 @@ fn needed(equation: &Equation, asked: &[&Asked]) -> Vec<Node> {
         for asked in asked {
             match &asked.hangs {
                 Hangs::Parameter(k) => {
-                    nodes.extend(row.by_parameter.iter().filter(|(own, _)| own == k).map(|(_, node)| *node));
+                    nodes.extend(
+                        row.by_parameter.iter().filter(|(own, _)| own == k).map(|(_, node)| *node),
+                    );
                 }
                 Hangs::Law { number, .. } => {
-                    let calls = row.by_call.iter().filter(|(k, _)| equation.calls[*k].law == *number);
+                    let calls =
+                        row.by_call.iter().filter(|(k, _)| equation.calls[*k].law == *number);
                     nodes.extend(calls.flat_map(|(k, slope)| [*slope, equation.calls[*k].x]));
                 }
             }
@@ -122,8 +130,8 @@ fn needed(equation: &Equation, asked: &[&Asked]) -> Vec<Node> {
     nodes
 }
 
-/// Rates as a tape along a motion reads them: ṫ is 1, and q̈, the rates of arguments from number `second` on,
-/// are parameters.
+/// Rates as a tape along a motion reads them: ṫ is 1, and q̈, the rates of arguments from number
+/// `second` on, are parameters.
 pub(super) fn put_rates(reduced: &mut Reduced<'_>, n: usize, second: usize) {
     let one = reduced.graph.constant(1.0);
     reduced.put(Input::TimeRate, one);

@@ -1,5 +1,5 @@
-//! By the tape and by the walk the same derivatives: two routes that share nothing but the derivatives of
-//! each equation.
+//! By the tape and by the walk the same derivatives: two routes that share nothing but the
+//! derivatives of each equation.
 
 use super::{adjoint, backward, forward};
 use crate::design::adjoint::{Weights, adjoint as walked};
@@ -17,16 +17,19 @@ fn names(system: &System) -> Vec<String> {
     names.collect()
 }
 
-/// The largest difference of each order beside the largest number of it or 1, and how many times were left to
-/// the walk; `None` where there is no tape.
+/// The largest difference of each order beside the largest number of it or 1, and how many times
+/// were left to the walk; `None` where there is no tape.
 fn apart(system: &System, motion: &Motion, names: &[String]) -> Option<([f64; 3], usize)> {
     let n = system.n_coordinates();
     let mut prepared = Prepared::new(system, names).expect("prepared");
     let mut lists = vec![vec![f64::NAN; n * motion.len()]; 3 * names.len()];
-    let left = forward::forward(&prepared, motion, lists.iter_mut().map(Vec::as_mut_slice).collect())?;
-    let (mut off, mut sizes) = ([0.0_f64; 3], [1.0_f64; 3]);
+    let left =
+        forward::forward(&prepared, motion, lists.iter_mut().map(Vec::as_mut_slice).collect())?;
+    let mut off = [0.0_f64; 3];
+    let mut sizes = [1.0_f64; 3];
     for k in (0..motion.len()).filter(|k| !left.contains(k)) {
-        let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+        let t = motion.times()[k];
+        let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
         let along = prepared.at(t, orders);
         let mut solver = Solver::new(system);
         solver.go_to(t, orders).expect("factored");
@@ -46,15 +49,18 @@ fn apart(system: &System, motion: &Motion, names: &[String]) -> Option<([f64; 3]
 
 /// The largest difference of the gradients with random weights, beside the largest of its terms.
 fn adjoints_apart(system: &System, motion: &Motion, names: &[String]) -> Option<f64> {
-    let (n, mut random) = (system.n_coordinates(), Random::new(3));
+    let n = system.n_coordinates();
+    let mut random = Random::new(3);
     let mut list = || (0..n * motion.len()).map(|_| random.number()).collect::<Vec<f64>>();
     let weights: Weights = [list(), list(), list()];
     let mut prepared = Prepared::new(system, names).expect("prepared");
     let mut found = vec![0.0; names.len()];
     let left = adjoint(&prepared, None, motion, &weights, &mut found)?;
-    let (mut expected, mut size) = (vec![0.0; names.len()], 1.0_f64);
+    let mut expected = vec![0.0; names.len()];
+    let mut size = 1.0_f64;
     for k in (0..motion.len()).filter(|k| !left.contains(k)) {
-        let (t, orders) = (motion.times()[k], [motion.q(k), motion.qd(k), motion.qdd(k)]);
+        let t = motion.times()[k];
+        let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
         let along = prepared.at(t, orders);
         let mut solver = Solver::new(system);
         solver.go_to(t, orders).expect("factored");
@@ -76,7 +82,8 @@ fn adjoints_apart(system: &System, motion: &Motion, names: &[String]) -> Option<
 
 #[test]
 fn tape_and_walk_have_the_same_derivatives() {
-    let (mut compared, mut without) = (0, Vec::new());
+    let mut compared = 0;
+    let mut without = Vec::new();
     for (name, system) in systems() {
         let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
         let names = names(&system);
@@ -89,14 +96,17 @@ fn tape_and_walk_have_the_same_derivatives() {
         };
         let backward = adjoints_apart(&system, &motion, &names).expect("a tape too");
         assert!(left < 3, "{name}: {left} times have no tape");
-        assert!(off.iter().all(|off| *off < 1e-11) && backward < 1e-11, "{name}: {off:?} {backward:e}");
+        assert!(
+            off.iter().all(|off| *off < 1e-11) && backward < 1e-11,
+            "{name}: {off:?} {backward:e}"
+        );
         compared += 1;
     }
     assert!(compared > 15, "{compared}, none of {without:?}");
 }
 
-/// Steps of the tapes of one name, of five, and of the gradient by all with weights of one coordinate and its
-/// rates.
+/// Steps of the tapes of one name, of five, and of the gradient by all with weights of one
+/// coordinate and its rates.
 fn steps(system: &System, motion: &Motion, names: &[String]) -> Option<[usize; 3]> {
     let n = system.n_coordinates();
     let count = |names: &[String]| {
@@ -109,11 +119,12 @@ fn steps(system: &System, motion: &Motion, names: &[String]) -> Option<[usize; 3
     Some([count(&names[..1])?, count(&names[..5])?, adjoint])
 }
 
-/// A run of fewer steps is a few sines in closed form, of which derivatives by parameters have more terms.
+/// A run of fewer steps is a few sines in closed form, of which derivatives by parameters have more
+/// terms.
 const SMALL: usize = 50;
 
-/// Steps of tapes take about the same time, by whichever tape. The worst is the cam with its follower: 275
-/// steps for one parameter where a run has 115.
+/// Steps of tapes take about the same time, by whichever tape. The worst is the cam with its
+/// follower: 275 steps for one parameter where a run has 115.
 #[test]
 fn derivatives_take_no_more_steps_than_a_run() {
     let mut counted = 0;
@@ -122,13 +133,17 @@ fn derivatives_take_no_more_steps_than_a_run() {
         let names = names(&system);
         let Ok(run) = compiled(&system, 0.0, motion.q(0)) else { continue };
         let run = schedule(run).size()[0];
-        let Some([one, five, all]) = (names.len() > 5).then(|| steps(&system, &motion, &names)).flatten()
+        let Some([one, five, all]) =
+            (names.len() > 5).then(|| steps(&system, &motion, &names)).flatten()
         else {
             continue;
         };
         let [further, bound] = [(five - one) / 4, run.max(SMALL)];
         let most = 5 * bound / 2;
-        assert!(one <= most && further <= bound && all <= most, "{name}: {run}, {one}, {further}, {all}");
+        assert!(
+            one <= most && further <= bound && all <= most,
+            "{name}: {run}, {one}, {further}, {all}"
+        );
         counted += 1;
     }
     assert!(counted > 15, "{counted}");

@@ -1,10 +1,11 @@
 //! Points of one turning body share what they are made of.
 //!
-//! A u is written by vectors, e0 (e0 u + e × u) + e (e · u), which is the shortest way for one point. Where a
-//! body has several, and derivatives are taken of each, A is better worked out once: a quadratic form in the
-//! four Euler parameters of a body becomes Σ c (±e_a e_b ±e_c e_d …), terms with equal coefficients together,
-//! whose sums are then the same nodes for all points. Only homogeneous forms are changed: their terms are of
-//! the size of the coefficients, since |p| = 1, so that nothing cancels.
+//! A u is written by vectors, e0 (e0 u + e × u) + e (e · u), which is the shortest way for one
+//! point. Where a body has several, and derivatives are taken of each, A is better worked out once:
+//! a quadratic form in the four Euler parameters of a body becomes Σ c (±e_a e_b ±e_c e_d …), terms
+//! with equal coefficients together, whose sums are then the same nodes for all points. Only
+//! homogeneous forms are changed: their terms are of the size of the coefficients, since |p| = 1,
+//! so that nothing cancels.
 
 use kin_graph::{Graph, Input, Node, Op};
 
@@ -13,7 +14,8 @@ use crate::model::layout::Kind;
 use crate::program::SELF;
 use crate::system::System;
 
-/// A constant, or a homogeneous form in the Euler parameters of the body whose coordinates begin there.
+/// A constant, or a homogeneous form in the Euler parameters of the body whose coordinates begin
+/// there.
 #[derive(Clone, Copy)]
 enum Form {
     Constant(f64),
@@ -48,8 +50,8 @@ impl Gathered {
         self
     }
 
-    /// Nodes that outputs are made of, with forms by shared sums, in a graph of their own; by their numbers
-    /// before.
+    /// Nodes that outputs are made of, with forms by shared sums, in a graph of their own; by their
+    /// numbers before.
     fn rewritten(&mut self, bodies: &[usize], outputs: &[Node]) -> Vec<Node> {
         let from = std::mem::take(&mut self.whole.graph);
         let to = &mut self.whole.graph;
@@ -71,7 +73,12 @@ impl Gathered {
 }
 
 /// The form that a node is, if its operands are.
-fn form(graph: &Graph, node: Node, bodies: &[usize], of: impl Fn(Node) -> Option<Form>) -> Option<Form> {
+fn form(
+    graph: &Graph,
+    node: Node,
+    bodies: &[usize],
+    of: impl Fn(Node) -> Option<Form>,
+) -> Option<Form> {
     Some(match graph.op(node) {
         Op::Constant(bits) => Form::Constant(f64::from_bits(bits)),
         Op::Input(Input::State(j, SELF)) => {
@@ -85,7 +92,9 @@ fn form(graph: &Graph, node: Node, bodies: &[usize], of: impl Fn(Node) -> Option
         Op::Sub(a, b) => plus(of(a)?, of(b)?, -1.0)?,
         Op::Mul(a, b) => match (of(a)?, of(b)?) {
             (Form::Constant(x), form) | (form, Form::Constant(x)) => times(form, x),
-            (Form::Linear(body, a), Form::Linear(other, b)) if body == other => product(body, &a, &b),
+            (Form::Linear(body, a), Form::Linear(other, b)) if body == other => {
+                product(body, &a, &b)
+            }
             _ => return None,
         },
         _ => return None,

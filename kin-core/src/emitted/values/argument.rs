@@ -1,8 +1,8 @@
-//! Numbers on their way into the user's own functions: as f64 or as `Real<D>`, whichever the function asks
-//! for.
+//! Numbers on their way into the user's own functions: as f64 or as `Real<D>`, whichever the
+//! function asks for.
 //!
-//! Each trait has several implementations for one type: with one only, rustc would take it for granted, and
-//! speak of mismatched types where the function asks for something else.
+//! Each trait has several implementations for one type: with one only, rustc would take it for
+//! granted, and speak of mismatched types where the function asks for something else.
 
 use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Vec2, Vec3};
@@ -20,13 +20,15 @@ pub trait IntoPlain<T> {
     fn into_plain(self) -> T;
 }
 
-/// A value without derivatives as what the user's function asks for: as it is, as f64, or as `Real<D>`.
+/// A value without derivatives as what the user's function asks for: as it is, as f64, or as
+/// `Real<D>`.
 pub trait IntoConstant<T> {
     /// The converted value.
     fn into_constant(self) -> T;
 }
 
-/// A value that carries derivatives as what the user's function asks for: it must ask for dual numbers.
+/// A value that carries derivatives as what the user's function asks for: it must ask for dual
+/// numbers.
 #[diagnostic::on_unimplemented(
     message = "this function takes f64 only, so its derivative is not known",
     label = "depends on coordinates or time",
@@ -37,8 +39,8 @@ pub trait IntoJet<T> {
     fn into_jet(self) -> T;
 }
 
-/// A value that carries derivatives as what a field of the user's struct asks for: it must ask for dual
-/// numbers.
+/// A value that carries derivatives as what a field of the user's struct asks for: it must ask for
+/// dual numbers.
 #[diagnostic::on_unimplemented(
     message = "this field holds f64 only, so the derivative of what is put into it would be lost",
     label = "depends on coordinates or time",
@@ -56,8 +58,8 @@ impl<S: IntoJet<T>, T> IntoField<T> for S {
     }
 }
 
-/// A value and the same value in the other kind of numbers, by reference, as the reference that the user's
-/// function asks for.
+/// A value and the same value in the other kind of numbers, by reference, as the reference that the
+/// user's function asks for.
 #[diagnostic::on_unimplemented(
     message = "this function takes `{T}`, and is given something else",
     label = "is no `{T}`"
@@ -85,8 +87,8 @@ impl<T> IntoJet<T> for T {
     }
 }
 
-/// Nobody asks for this. With one implementation of `IntoJet` for each kind of numbers, rustc would take what
-/// it gives for granted and speak of mismatched types instead of the message above.
+/// Nobody asks for this. With one implementation of `IntoJet` for each kind of numbers, rustc would
+/// take what it gives for granted and speak of mismatched types instead of the message above.
 pub struct Nothing;
 
 type Scalar<T> = T;
@@ -225,7 +227,12 @@ states! { PlanarState SpatialState }
 
 impl IntoPlain<PlanarState<Real<f64>>> for PlanarState {
     fn into_plain(self) -> PlanarState<Real<f64>> {
-        PlanarState { r: self.r.into(), theta: Real(self.theta), sin: Real(self.sin), cos: Real(self.cos) }
+        PlanarState {
+            r: self.r.into(),
+            theta: Real(self.theta),
+            sin: Real(self.sin),
+            cos: Real(self.cos),
+        }
     }
 }
 
@@ -245,9 +252,9 @@ pub fn constant_argument<S: IntoConstant<T>, T>(value: S) -> T {
     value.into_constant()
 }
 
-/// An argument of the user's function that carries derivatives. A method, so that its own type is known
-/// before the one asked for: rustc then gives the message of [`IntoJet`] instead of speaking of mismatched
-/// types.
+/// An argument of the user's function that carries derivatives. A method, so that its own type is
+/// known before the one asked for: rustc then gives the message of [`IntoJet`] instead of speaking
+/// of mismatched types.
 pub struct Jet<S>(pub S);
 
 impl<S> Jet<S> {
@@ -268,8 +275,8 @@ impl<S> Jet<S> {
     }
 }
 
-/// A borrowed argument of the user's function that depends on no coordinate and not on time, from both kinds
-/// of numbers.
+/// A borrowed argument of the user's function that depends on no coordinate and not on time, from
+/// both kinds of numbers.
 pub fn reference_argument<'a, P, R, T>(plain: &'a P, lifted: &'a R) -> T
 where
     (&'a P, &'a R): IntoReference<T>,
@@ -277,8 +284,9 @@ where
     (plain, lifted).into_reference()
 }
 
-/// `place += x` of an f64 in a struct of the user's. No value that carries derivatives is [`IntoField<f64>`],
-/// so that the message is the one of a field; without these, rustc would speak of operators.
+/// `place += x` of an f64 in a struct of the user's. No value that carries derivatives is
+/// [`IntoField<f64>`], so that the message is the one of a field; without these, rustc would speak
+/// of operators.
 macro_rules! no_place_in_f64 {
     ($($operator:ident :: $method:ident),*) => {$(
         #[doc(hidden)]

@@ -19,7 +19,8 @@ pub fn cast<D, T: Cast<D>>(x: T) -> Real<D> {
     x.cast()
 }
 
-/// `x as T` in the dual copy, T being a kind of whole number. A derivative is lost, as it is for any step.
+/// `x as T` in the dual copy, T being a kind of whole number. A derivative is lost, as it is for
+/// any step.
 pub fn whole<T, S: Whole<T>>(x: S) -> T {
     x.whole()
 }

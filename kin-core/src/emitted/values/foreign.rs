@@ -1,10 +1,10 @@
-//! Where emitted code meets what only rustc knows: constants, fields of the user's types, results of the
-//! user's functions.
+//! Where emitted code meets what only rustc knows: constants, fields of the user's types, results
+//! of the user's functions.
 //!
 //! One method name stands for several traits; rustc picks the first whose receiver fits.
-//! `(&Foreign(x)).lifted(…)` is [`LiftNumbers`] if x is made of f64 and [`LiftAny`] if not, because a method
-//! that needs no further reference is found first. `returned(x).lowered()` works the same way on results of
-//! the user's functions.
+//! `(&Foreign(x)).lifted(…)` is [`LiftNumbers`] if x is made of f64 and [`LiftAny`] if not, because
+//! a method that needs no further reference is found first. `returned(x).lowered()` works the same
+//! way on results of the user's functions.
 
 use std::marker::PhantomData;
 
@@ -43,8 +43,8 @@ impl<D, T: Clone> LiftAny<D> for &Foreign<T> {
     }
 }
 
-/// The receiver of a method of numbers: `(&&Foreign(x)).receiver(…)` lifts behind a reference too. First
-/// choice: x is made of f64.
+/// The receiver of a method of numbers: `(&&Foreign(x)).receiver(…)` lifts behind a reference too.
+/// First choice: x is made of f64.
 pub trait ReceiveNumbers<D> {
     /// The lifted type.
     type Output;

@@ -4,8 +4,8 @@ use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 use crate::numbers::real::{Dual, Real};
 
-/// A value made of f64 as the same value made of constant `Real<D>`. A value that holds no f64 stays as it
-/// is.
+/// A value made of f64 as the same value made of constant `Real<D>`. A value that holds no f64
+/// stays as it is.
 pub trait Lift<D> {
     /// The lifted type.
     type Output;
@@ -14,7 +14,10 @@ pub trait Lift<D> {
 }
 
 /// A value made of `Real<f64>` as the same value made of f64. What holds none stays as it is.
-#[diagnostic::on_unimplemented(message = "`{Self}` is not made of numbers", label = "expected numbers")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not made of numbers",
+    label = "expected numbers"
+)]
 pub trait Lower {
     /// The plain type.
     type Output;
@@ -22,8 +25,8 @@ pub trait Lower {
     fn lower(self) -> Self::Output;
 }
 
-/// A value made of `Real<D>` as the same value made of f64, without derivatives. What holds none stays as it
-/// is.
+/// A value made of `Real<D>` as the same value made of f64, without derivatives. What holds none
+/// stays as it is.
 pub trait Constants {
     /// The plain type.
     type Output;
@@ -93,7 +96,12 @@ impl<D: Dual> Lift<D> for Axis {
 impl<D: Dual> Lift<D> for PlanarState {
     type Output = PlanarState<Real<D>>;
     fn lift(self) -> Self::Output {
-        PlanarState { r: self.r.lift(), theta: self.theta.lift(), sin: self.sin.lift(), cos: self.cos.lift() }
+        PlanarState {
+            r: self.r.lift(),
+            theta: self.theta.lift(),
+            sin: self.sin.lift(),
+            cos: self.cos.lift(),
+        }
     }
 }
 

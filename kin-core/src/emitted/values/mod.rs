@@ -1,5 +1,5 @@
-//! How values cross between the user's program and emitted code: arguments, parameters, numbers inside of
-//! what only the program knows.
+//! How values cross between the user's program and emitted code: arguments, parameters, numbers
+//! inside of what only the program knows.
 
 mod argument;
 mod cast;
@@ -13,8 +13,8 @@ pub use argument::{IntoConstant, IntoField, IntoJet, IntoPlain, IntoReference, J
 pub use argument::{constant_argument, plain_argument, reference_argument};
 pub use cast::{Cast, Whole, cast, whole};
 pub use foreign::{
-    Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers, ReceiveReference,
-    Returned, returned,
+    Foreign, LiftAny, LiftNumbers, LowerAny, LowerReal, ReceiveAny, ReceiveNumbers,
+    ReceiveReference, Returned, returned,
 };
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
 pub use numbers::{Numbers, set, set_at, visit};

@@ -9,8 +9,8 @@ pub trait Numbers {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64));
     /// Sets the number called `wanted`; false if it is not one of these.
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool;
-    /// Sets the number that `index` others come before; false if there are not as many, and those are taken
-    /// from `index`.
+    /// Sets the number that `index` others come before; false if there are not as many, and those
+    /// are taken from `index`.
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool;
 }
 
@@ -65,7 +65,8 @@ impl Numbers for Law {
 
     /// Laws are shared and go by name.
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool {
-        let (mut count, mut wanted) = (0, None);
+        let mut count = 0;
+        let mut wanted = None;
         self.parameters(&mut |part, _| {
             if count == *index {
                 wanted = Some(part.to_string());
@@ -77,8 +78,9 @@ impl Numbers for Law {
     }
 }
 
-/// The components of h. With one of them changed f and g are worked out anew, f as near to the old one as may
-/// be. Its nine numbers can be set as they are, too, under the names `NAME.h.x`, …, `NAME.g.z`.
+/// The components of h. With one of them changed f and g are worked out anew, f as near to the old
+/// one as may be. Its nine numbers can be set as they are, too, under the names `NAME.h.x`, …,
+/// `NAME.g.z`.
 impl Numbers for Axis {
     fn visit(&self, name: &str, visit: &mut dyn FnMut(&str, f64)) {
         self.h.visit(name, visit);
@@ -108,7 +110,9 @@ impl<T: Numbers, const N: usize> Numbers for [T; N] {
     }
 
     fn set(&mut self, name: &str, wanted: &str, value: f64) -> bool {
-        self.iter_mut().enumerate().any(|(k, part)| part.set(&format!("{name}[{k}]"), wanted, value))
+        self.iter_mut()
+            .enumerate()
+            .any(|(k, part)| part.set(&format!("{name}[{k}]"), wanted, value))
     }
 
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool {

@@ -1,5 +1,5 @@
-//! Types that a parameter of a constraint can have. (Messages of rustc show these lines: a file of their own
-//! keeps them where they are.)
+//! Types that a parameter of a constraint can have. (Messages of rustc show these lines: a file of
+//! their own keeps them where they are.)
 
 /// A parameter of a constraint: any value of its own.
 #[diagnostic::on_unimplemented(

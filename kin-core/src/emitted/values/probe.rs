@@ -1,14 +1,15 @@
-//! Finds out if the user's function takes numbers as they are. A function of f64, or one that is generic in
-//! its numbers, is called with what is there; only one that asks for numbers of another kind has them
-//! converted, and says so by its signature.
+//! Finds out if the user's function takes numbers as they are. A function of f64, or one that is
+//! generic in its numbers, is called with what is there; only one that asks for numbers of another
+//! kind has them converted, and says so by its signature.
 //!
-//! `(&Probe::new(&f, (of(&a), of(&b)))).marker()` is [`AsIs`] if `f(a, b)` is good Rust and [`Converted`] if
-//! not, because a method that needs no further reference is found first.
+//! `(&Probe::new(&f, (of(&a), of(&b)))).marker()` is [`AsIs`] if `f(a, b)` is good Rust and
+//! [`Converted`] if not, because a method that needs no further reference is found first.
 
 use std::marker::PhantomData;
 
 use super::{
-    IntoConstant, IntoPlain, IntoReference, Jet, constant_argument, plain_argument, reference_argument,
+    IntoConstant, IntoPlain, IntoReference, Jet, constant_argument, plain_argument,
+    reference_argument,
 };
 
 /// A function, and the types of what it may be called with.

@@ -1,4 +1,5 @@
-//! Lengths and angles that forces act along: the row of a constraint, a measure of a joint, a coordinate.
+//! Lengths and angles that forces act along: the row of a constraint, a measure of a joint, a
+//! coordinate.
 
 use std::f64::consts::TAU;
 
@@ -24,8 +25,8 @@ pub(in crate::forces) enum Way<'a> {
 pub(in crate::forces) struct Measured<'a> {
     joint: Beside<'a>,
     number: usize,
-    /// Times of the motion, and the angle as it is counted there over any number of turns; none of a measure
-    /// that does not turn.
+    /// Times of the motion, and the angle as it is counted there over any number of turns; none of
+    /// a measure that does not turn.
     counted: Vec<(f64, f64)>,
 }
 
@@ -39,14 +40,19 @@ pub(in crate::forces) struct Seen {
 
 impl<'a> Way<'a> {
     /// Errors: a name that nothing has; an angle of a joint that is not finite.
-    pub(in crate::forces) fn new(system: &'a System, motion: &Motion, along: &'a Along) -> Result<Way<'a>> {
+    pub(in crate::forces) fn new(
+        system: &'a System,
+        motion: &Motion,
+        along: &'a Along,
+    ) -> Result<Way<'a>> {
         let layout = system.layout();
         let name = match &along.0 {
             Line::Row(x) => return Ok(Way::Row(Beside::new(layout, x.as_ref()))),
             Line::Named(name) => name.as_str(),
         };
         if let Some(place) = system.place_of(name) {
-            let joint = Beside::new(layout, system.equations().blocks[place.block].constraint.as_ref());
+            let joint =
+                Beside::new(layout, system.equations().blocks[place.block].constraint.as_ref());
             let mut counted = Vec::new();
             if place.measured.turns {
                 let angle = name.of(system, motion)?.value;
@@ -63,7 +69,8 @@ impl<'a> Way<'a> {
         match self {
             Way::Row(row) => {
                 let valued = row.valued(now);
-                let (pattern, mut slopes) = (row.constraint.facts().pattern, Vec::new());
+                let pattern = row.constraint.facts().pattern;
+                let mut slopes = Vec::new();
                 for (entry, value) in pattern.iter().zip(&valued.c_q) {
                     slopes.extend(row.columns[entry.column].map(|column| (column, *value)));
                 }
@@ -97,7 +104,8 @@ impl Measured<'_> {
     /// Each slope is the rate along its coordinate alone, less that which time itself makes.
     fn seen(&self, now: Now<'_>) -> Seen {
         let joint = &self.joint;
-        let (q, mut qd) = (joint.local(now.q, true), joint.local(now.qd, false));
+        let q = joint.local(now.q, true);
+        let mut qd = joint.local(now.qd, false);
         let at = |qd: &[f64]| {
             let moving = Moving { q: &q, qd, ..Moving::default() };
             measure(joint.constraint, self.number, moving, now.t)
@@ -118,9 +126,12 @@ impl Measured<'_> {
     /// The angle x by as many turns as at the next of the times of the motion.
     fn counted_on(&self, x: f64, t: f64) -> f64 {
         let falls = matches!(&self.counted[..], [first, .., last] if last.0 < first.0);
-        let after = self.counted.partition_point(|(time, _)| if falls { *time > t } else { *time < t });
-        let near =
-            [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|k| self.counted.get(k));
+        let after =
+            self.counted.partition_point(|(time, _)| if falls { *time > t } else { *time < t });
+        let near = [after.checked_sub(1), Some(after)]
+            .into_iter()
+            .flatten()
+            .filter_map(|k| self.counted.get(k));
         let near = near.min_by(|a, b| (a.0 - t).abs().total_cmp(&(b.0 - t).abs()));
         near.map_or(x, |(_, angle)| x + TAU * ((angle - x) / TAU).round())
     }

@@ -11,15 +11,16 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Rows of a redundant mechanism that are left over by more than this, in units of order 1, contradict one
-/// another.   \[-\]
+/// Rows of a redundant mechanism that are left over by more than this, in units of order 1,
+/// contradict one another.   \[-\]
 const LEFT: f64 = 1e-8;
 
 impl System {
-    /// The mechanical advantage of an output over a drive at each time of a motion: the force (or torque)
-    /// that the mechanism gives along the output x for a unit of the drive's effort, df/dx by virtual power,
-    /// all other drives standing still. Positive where x grows with the drive's law f; without masses, loads
-    /// and friction. Infinite at a dead centre of the output.   \[-, 1/m, m\]
+    /// The mechanical advantage of an output over a drive at each time of a motion: the force (or
+    /// torque) that the mechanism gives along the output x for a unit of the drive's effort, df/dx
+    /// by virtual power, all other drives standing still. Positive where x grows with the drive's
+    /// law f; without masses, loads and friction. Infinite at a dead centre of the output.   \[-,
+    /// 1/m, m\]
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -30,36 +31,48 @@ impl System {
     /// m.add("foot", revolute(lower, m.ground(), lower.start(), vec2(0.0, 0.0)))?;
     /// m.add("knee", revolute(lower, upper, lower.end(), upper.start()))?;
     /// m.add("head", revolute(upper, table, upper.end(), vec2(0.0, 0.0)))?;
-    /// m.add("guide", prismatic(table, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(1.0, 0.0), 0.0))?;
-    /// m.add("spindle", drive_point_along(lower, lower.end(), vec2(1.0, 0.0), Law::linear(0.1, -0.04)))?;
+    /// let (origin, along) = (vec2(0.0, 0.0), vec2(1.0, 0.0));
+    /// m.add("guide", prismatic(table, m.ground(), origin, origin, along, 0.0))?;
+    /// let advance = Law::linear(0.1, -0.04);
+    /// m.add("spindle", drive_point_along(lower, lower.end(), along, advance))?;
     /// m.prefer(lower, deg(60.0));
     /// let system = m.build()?;
     /// let motion = system.run(linspace(0.0, 2.0, 21))?;
     /// let advantage = system.mechanical_advantage(&motion, "spindle", table.y())?;
     /// // With the knee at x the table is at y = 2 √(l² − x²).
-    /// assert!((advantage.values()[0] + 0.5 * (0.2_f64.powi(2) - 0.01).sqrt() / 0.1).abs() < 1e-12);
+    /// let by_hand = -0.5 * (0.2_f64.powi(2) - 0.01).sqrt() / 0.1;
+    /// assert!((advantage.values()[0] - by_hand).abs() < 1e-12);
     /// # Ok(())
     /// # }
     /// ```
     ///
-    /// The output is anything that can be measured ([`Measure`]). Errors: a name that no driver has, a driver
-    /// of several rows, one that redundant equations do not let move alone; those of [`System::measure`]; a
-    /// singular position.
-    pub fn mechanical_advantage(&self, motion: &Motion, drive: &str, output: impl Measure) -> Result<Series> {
+    /// The output is anything that can be measured ([`Measure`]). Errors: a name that no driver
+    /// has, a driver of several rows, one that redundant equations do not let move alone; those of
+    /// [`System::measure`]; a singular position.
+    pub fn mechanical_advantage(
+        &self,
+        motion: &Motion,
+        drive: &str,
+        output: impl Measure,
+    ) -> Result<Series> {
         self.own_as_it_is(motion)?;
         let block = self.driver_of_one_row(drive)?;
         let row = block.rows().start;
         let [mut moved, mut still] = [0, 1].map(|_| Motion::new(self, motion.len()));
         let zero = vec![0.0; self.n_coordinates()];
         for (k, &t) in motion.times().iter().enumerate() {
-            let (q, outcome) = (motion.q(k), Outcome { iterations: 0, residual: motion.residuals()[k] });
+            let q = motion.q(k);
+            let outcome = Outcome { iterations: 0, residual: motion.residuals()[k] };
             moved.append(t, [q, &self.moved_by(row, drive, q, t)?, &zero, &[]], outcome, 0);
             still.append(t, [q, &zero, &zero, &[]], outcome, 0);
         }
-        let (moved, still) = (output.of(self, &moved)?, output.of(self, &still)?);
+        let moved = output.of(self, &moved)?;
+        let still = output.of(self, &still)?;
         // A measure of time itself has a rate where nothing moves.
-        let slopes = moved.rate.values().iter().zip(still.rate.values()).map(|(all, own)| all - own);
-        let values = slopes.map(|slope| if slope == 0.0 { f64::INFINITY } else { slope.recip() }).collect();
+        let slopes =
+            moved.rate.values().iter().zip(still.rate.values()).map(|(all, own)| all - own);
+        let values =
+            slopes.map(|slope| if slope == 0.0 { f64::INFINITY } else { slope.recip() }).collect();
         let units = motion.unit_words();
         let name = format!("{drive}.advantage on {}", moved.value.name());
         let input = unit_of_row(self, block, 0).map(|unit| units.in_own_words(&unit));
@@ -70,16 +83,18 @@ impl System {
     /// The driver of that name, which must have one row.
     fn driver_of_one_row(&self, drive: &str) -> Result<&Block> {
         let drives = || self.equations().blocks.iter().filter(|block| block.drives);
-        let block = drives().find(|block| block.name == drive).ok_or_else(|| Error::UnknownName {
-            what: "driver",
-            name: drive.to_string(),
-            known: drives().map(|block| block.name.clone()).collect(),
-        })?;
+        let block =
+            drives().find(|block| block.name == drive).ok_or_else(|| Error::UnknownName {
+                what: "driver",
+                name: drive.to_string(),
+                known: drives().map(|block| block.name.clone()).collect(),
+            })?;
         match block.rows().len() {
             1 => Ok(block),
-            rows => {
-                Err(refused(drive, format!("it drives {rows} numbers at once: which of them is the input?")))
-            }
+            rows => Err(refused(
+                drive,
+                format!("it drives {rows} numbers at once: which of them is the input?"),
+            )),
         }
     }
 
@@ -95,7 +110,8 @@ impl System {
             linear.solve();
             return Ok(linear.solution().to_vec());
         }
-        let (mut c_q, measures) = (self.jacobian(q, t)?, self.model().measure(q, t));
+        let mut c_q = self.jacobian(q, t)?;
+        let measures = self.model().measure(q, t);
         c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);
         c_q.row_iter_mut().zip(&measures.norms).for_each(|(mut row, norm)| row /= *norm);
         let mut rhs = DVector::zeros(self.n_equations());
@@ -103,14 +119,16 @@ impl System {
         let solved = c_q.clone().svd(true, true).solve(&rhs, LEFT);
         let shares = solved.map_err(|reason| refused(drive, reason.to_string()))?;
         if (c_q * &shares - &rhs).amax() > LEFT * rhs.amax() {
-            let reason = "redundant equations do not let it move alone: other drives lead the same thing";
+            let reason =
+                "redundant equations do not let it move alone: other drives lead the same thing";
             return Err(refused(drive, reason.to_string()));
         }
         Ok(shares.iter().zip(&measures.sizes).map(|(share, size)| share * size).collect())
     }
 }
 
-/// The unit of df/dx, angles being numbers: that of force over force, force over torque or torque over force.
+/// The unit of df/dx, angles being numbers: that of force over force, force over torque or torque
+/// over force.
 fn unit(input: &str, output: &str) -> String {
     match (input, output) {
         _ if input == output => "-".to_string(),
@@ -134,7 +152,14 @@ mod tests {
 
     #[test]
     fn angles_have_no_unit() {
-        let all = [("mm", "mm"), ("rad", "rad"), ("rad", "mm"), ("mm", "rad"), ("rad", "-"), ("mm", "m^2")];
+        let all = [
+            ("mm", "mm"),
+            ("rad", "rad"),
+            ("rad", "mm"),
+            ("mm", "rad"),
+            ("rad", "-"),
+            ("mm", "m^2"),
+        ];
         assert_eq!(all.map(|(f, x)| unit(f, x)), ["-", "-", "1/mm", "mm", "-", "mm/m^2"]);
     }
 }

@@ -32,9 +32,9 @@ pub(super) struct Led {
 impl Led {
     /// All of a driver.
     pub(super) fn all(forces: &Forces<'_>, block: &Block) -> Vec<Led> {
-        let led = block
-            .constraint
-            .formula(|table, parameters, outside| by_formula(forces, block, (table, parameters, outside)));
+        let led = block.constraint.formula(|table, parameters, outside| {
+            by_formula(forces, block, (table, parameters, outside))
+        });
         led.flatten().unwrap_or_else(|| by_rows(forces, block))
     }
 
@@ -62,8 +62,10 @@ fn by_formula(
     block: &Block,
     (table, parameters, outside): (&Table, &[f64], Outside<'_>),
 ) -> Option<Vec<Led>> {
-    let (system, motion) = (forces.system, forces.motion);
-    let (formula, equations) = (table.formula(), system.equations());
+    let system = forces.system;
+    let motion = forces.motion;
+    let formula = table.formula();
+    let equations = system.equations();
     let laws = of_time(formula).filter(|laws| !laws.is_empty() && !are_rows(formula, laws))?;
     let arguments = block.constraint.arguments();
     let at = |k: usize| {
@@ -72,12 +74,15 @@ fn by_formula(
         slopes(formula, &laws, &still)
     };
     let all: Vec<Vec<Vec<f64>>> = (0..motion.len()).map(at).collect();
-    let is_of_row =
-        |law: usize, row: usize, slope: f64| (slope + if law == row { 1.0 } else { 0.0 }).abs() < ROUNDED;
+    let is_of_row = |law: usize, row: usize, slope: f64| {
+        (slope + if law == row { 1.0 } else { 0.0 }).abs() < ROUNDED
+    };
     let is_plain = |laws: &Vec<Vec<f64>>| {
         let all = laws.iter().enumerate();
-        all.flat_map(|(law, rows)| rows.iter().enumerate().map(move |(row, slope)| (law, row, *slope)))
-            .all(|(law, row, slope)| is_of_row(law, row, slope))
+        all.flat_map(|(law, rows)| {
+            rows.iter().enumerate().map(move |(row, slope)| (law, row, *slope))
+        })
+        .all(|(law, row, slope)| is_of_row(law, row, slope))
     };
     if laws.len() == block.rows().len() && all.iter().all(is_plain) {
         return None;
@@ -98,13 +103,15 @@ fn units(
     block: &Block,
     (formula, laws): (&kin_graph::Formula, &[usize]),
 ) -> Vec<Option<String>> {
-    let (system, layout) = (forces.system, forces.system.layout());
+    let system = forces.system;
+    let layout = forces.system.layout();
     let mut columns = Vec::new();
     for argument in block.constraint.arguments() {
-        let own = layout.columns(&argument).into_iter().enumerate().map(|(k, column)| match column {
-            Some(column) => f64::from(u8::from(layout.units[column] == Unit::Metre)),
-            None => f64::from(u8::from(is_place(argument.target, k))),
-        });
+        let own =
+            layout.columns(&argument).into_iter().enumerate().map(|(k, column)| match column {
+                Some(column) => f64::from(u8::from(layout.units[column] == Unit::Metre)),
+                None => f64::from(u8::from(is_place(argument.target, k))),
+            });
         columns.extend(own);
     }
     let of_row = |k: usize| match unit_of_row(system, block, k)?.as_str() {
@@ -134,7 +141,8 @@ fn is_place(target: Target, k: usize) -> bool {
 
 /// `NAME.LAW` by the names of parameters; that of the driver alone where it has one law.
 fn names(forces: &Forces<'_>, block: &Block, laws: &[usize], outside: Outside<'_>) -> Vec<String> {
-    let (motion, equations) = (forces.motion, forces.system.equations());
+    let motion = forces.motion;
+    let equations = forces.system.equations();
     if laws.len() == 1 {
         return vec![block.name.clone()];
     }

@@ -1,14 +1,16 @@
-//! Newton's method on the normal forces of all contacts, with friction grown from nothing to its full size.
+//! Newton's method on the normal forces of all contacts, with friction grown from nothing to its
+//! full size.
 //!
-//! With a share s of friction the normal forces satisfy X = X₀ + s A(X), A positively homogeneous: twice the
-//! forces make twice the friction. So X = Y/w with
+//! With a share s of friction the normal forces satisfy X = X₀ + s A(X), A positively homogeneous:
+//! twice the forces make twice the friction. So X = Y/w with
 //!
 //! ```text
 //! Y − w X₀ − s A(Y) = 0,   |Y|² + w² = 1,
 //! ```
 //!
-//! a curve that stays bounded where X does not: forces grow beyond all bounds as w falls to zero. Below zero
-//! every push would be a pull. The curve is followed from s = 0, where it is the solution without friction.
+//! a curve that stays bounded where X does not: forces grow beyond all bounds as w falls to zero.
+//! Below zero every push would be a pull. The curve is followed from s = 0, where it is the
+//! solution without friction.
 
 use std::ops::Range;
 
@@ -64,7 +66,9 @@ struct Station {
 
 impl<'a> Laws<'a> {
     pub(super) fn new(all: &[Rubbing], rubs: &[Rub], by_amounts: &'a DMatrix<f64>) -> Laws<'a> {
-        let (mut laws, mut first, mut n_amounts) = (Vec::new(), 0, 0);
+        let mut laws = Vec::new();
+        let mut first = 0;
+        let mut n_amounts = 0;
         for (rubbing, rub) in all.iter().zip(rubs) {
             let contacts = first..first + rubbing.n_contacts();
             (first, n_amounts) = (contacts.end, n_amounts + rub.n_amounts());
@@ -81,7 +85,8 @@ impl<'a> Laws<'a> {
             let normals = law.contacts.clone().map(|k| normal(contacts, k));
             all.push(share * law.along * normals.map(|normal| normal.norm()).sum::<f64>());
             // The contact across a guide's width has its force along the axis, and no part in this.
-            let force = law.contacts.clone().fold(Vec3::zeros(), |force, k| force + normal(contacts, k));
+            let force =
+                law.contacts.clone().fold(Vec3::zeros(), |force, k| force + normal(contacts, k));
             all.extend(law.directions.iter().map(|u| share * law.across * u.dot(force)));
         }
         all
@@ -121,7 +126,8 @@ impl<'a> Laws<'a> {
         }
         let start = without / size;
         let norm = (start.norm_squared() + 1.0).sqrt();
-        let (mut place, mut share) = (Station { y: &start / norm, w: 1.0 / norm }, 0.0);
+        let mut place = Station { y: &start / norm, w: 1.0 / norm };
+        let mut share = 0.0;
         let mut step = 1.0_f64;
         for _ in 0..STEPS {
             let next = (share + step).min(1.0);
@@ -141,7 +147,12 @@ impl<'a> Laws<'a> {
     }
 
     /// The share at which w falls to zero, between two.
-    fn unbounded(&self, mut place: Station, start: &DVector<f64>, [mut from, mut to]: [f64; 2]) -> Grown {
+    fn unbounded(
+        &self,
+        mut place: Station,
+        start: &DVector<f64>,
+        [mut from, mut to]: [f64; 2],
+    ) -> Grown {
         while to - from > 1e-15 {
             let middle = 0.5 * (from + to);
             match self.corrected(&place, start, middle) {
@@ -154,7 +165,8 @@ impl<'a> Laws<'a> {
 
     /// Newton's method at one share; `None` where it does not converge nearby.
     fn corrected(&self, from: &Station, start: &DVector<f64>, share: f64) -> Option<Station> {
-        let (n, mut at) = (start.len(), from.clone());
+        let n = start.len();
+        let mut at = from.clone();
         for _ in 0..ITERATIONS {
             let amounts = DVector::from_vec(self.amounts(&at.y, share));
             let left = &at.y - start * at.w - self.by_amounts * amounts;
@@ -178,7 +190,8 @@ impl<'a> Laws<'a> {
             at.y += step.rows(0, n);
             at.w += step[n];
             if size < 1e-12 {
-                let near = ((&at.y - &from.y).norm_squared() + (at.w - from.w).powi(2)).sqrt() < NEAR;
+                let near =
+                    ((&at.y - &from.y).norm_squared() + (at.w - from.w).powi(2)).sqrt() < NEAR;
                 return near.then_some(at);
             }
         }

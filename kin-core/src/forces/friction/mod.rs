@@ -1,8 +1,9 @@
 //! Dry friction: reactions enter the friction, which enters the reactions.
 //!
-//! The normal forces N of all contacts depend on the amounts f of friction linearly, N = N₀ + Σ f_e N_e, N_e
-//! being those of one unit of friction of joint e, by one transposed solve with the elimination at hand; and
-//! f depends on N by Coulomb's law. So Newton's method works on the few normal forces alone (`grown.rs`).
+//! The normal forces N of all contacts depend on the amounts f of friction linearly, N = N₀ + Σ f_e
+//! N_e, N_e being those of one unit of friction of joint e, by one transposed solve with the
+//! elimination at hand; and f depends on N by Coulomb's law. So Newton's method works on the few
+//! normal forces alone (`grown.rs`).
 
 mod grown;
 mod rubbing;
@@ -34,8 +35,10 @@ impl Frictions {
     pub(super) fn new(system: &System) -> Result<Frictions> {
         let blocks = system.equations().blocks.iter().enumerate();
         let one = |(name, friction): &(String, Friction)| {
-            let (number, block) =
-                blocks.clone().find(|(_, block)| block.name == *name).ok_or_else(|| Error::UnknownName {
+            let (number, block) = blocks
+                .clone()
+                .find(|(_, block)| block.name == *name)
+                .ok_or_else(|| Error::UnknownName {
                     what: "constraint",
                     name: name.clone(),
                     known: blocks.clone().map(|(_, block)| block.name.clone()).collect(),
@@ -49,7 +52,12 @@ impl Frictions {
     /// Adds friction to λ without it, and tells what it is at each joint.
     ///
     /// Errors: a reaction that is not unique, by name; a mechanism that is jammed.
-    pub(super) fn add(&self, solver: &Solver<'_>, now: Now<'_>, found: &mut Multipliers) -> Result<()> {
+    pub(super) fn add(
+        &self,
+        solver: &Solver<'_>,
+        now: Now<'_>,
+        found: &mut Multipliers,
+    ) -> Result<()> {
         if self.all.is_empty() {
             return Ok(());
         }
@@ -119,12 +127,15 @@ impl Frictions {
     }
 
     fn jammed(&self, solver: &Solver<'_>, t: f64, held: Held<'_>) -> Error {
-        let (system, blocks) = (solver.system(), &solver.system().equations().blocks);
+        let system = solver.system();
+        let blocks = &solver.system().equations().blocks;
         let mut lambda = vec![0.0; system.n_equations()];
         for (amount, unit) in held.amounts.iter().zip(held.lambda) {
             lambda.iter_mut().zip(unit).for_each(|(all, unit)| *all += amount * unit);
         }
-        let (mut worst, mut name, mut first) = (0.0, "", 0);
+        let mut worst = 0.0;
+        let mut name = "";
+        let mut first = 0;
         for (rubbing, rub) in self.all.iter().zip(held.rubs) {
             let power = (held.amounts[first] * rub.rate).abs();
             if power >= worst {
@@ -137,7 +148,8 @@ impl Frictions {
         let largest = all().map(effort).fold(0.0, f64::max);
         let drives = all().filter(|block| effort(block) > WORKS * largest);
         let drives = drives.map(|block| block.name.clone()).collect();
-        let (constraint, units) = (name.to_string(), system.unit_words().clone());
+        let constraint = name.to_string();
+        let units = system.unit_words().clone();
         Box::new(Jammed { constraint, t, share: held.share, drives, units }).into()
     }
 }

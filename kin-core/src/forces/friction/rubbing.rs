@@ -66,11 +66,13 @@ impl Rubbing {
     /// Where it acts at one time, without any friction yet.
     pub(super) fn at(&self, system: &System, now: Now<'_>) -> Rub {
         let first = self.seat.bodies.map(|body| place(system, &body));
-        let part =
-            |of: &[f64], k: usize| first[k].map_or(Vec::new(), |(first, n)| of[first..first + n].to_vec());
+        let part = |of: &[f64], k: usize| {
+            first[k].map_or(Vec::new(), |(first, n)| of[first..first + n].to_vec())
+        };
         let q = [0, 1].map(|k| part(now.q, k));
         let stands = [Stand::of(&q[0]), Stand::of(&q[1])];
-        let (point, axis) = (stands[0].point(self.seat.point), stands[self.seat.axis_of].a * self.seat.axis);
+        let point = stands[0].point(self.seat.point);
+        let axis = stands[self.seat.axis_of].a * self.seat.axis;
         let slides = matches!(self.friction.shape, Shape::Slide { .. });
         let planar = matches!(self.seat.bodies[0], Target::Planar(_));
         let z = vec3(0.0, 0.0, 1.0);
@@ -84,8 +86,17 @@ impl Rubbing {
                 vec![f, axis.cross(f)]
             }
         };
-        let mut rub =
-            Rub { first, q, point, axis, across, slides, rate: 0.0, amount: 0.0, torque: Vec3::zeros() };
+        let mut rub = Rub {
+            first,
+            q,
+            point,
+            axis,
+            across,
+            slides,
+            rate: 0.0,
+            amount: 0.0,
+            torque: Vec3::zeros(),
+        };
         // By virtual work: the power of one unit of it.
         let unit = rub.spread(system.n_coordinates(), rub.along());
         rub.rate = unit.iter().zip(now.qd).map(|(q, qd)| q * qd).sum();
@@ -101,7 +112,8 @@ impl Rubbing {
         }
     }
 
-    /// Friction along the axis for one newton of normal forces, and across it for one of force across.
+    /// Friction along the axis for one newton of normal forces, and across it for one of force
+    /// across.
     pub(super) fn by_normal_force(&self, rate: f64) -> [f64; 2] {
         let share = self.friction.coefficient * (rate / self.friction.rate).tanh();
         match self.friction.shape {
@@ -110,11 +122,13 @@ impl Rubbing {
         }
     }
 
-    /// Normal forces at its contacts by the force and torque that the joint puts on body i about its point.
+    /// Normal forces at its contacts by the force and torque that the joint puts on body i about
+    /// its point.
     pub(super) fn contacts(&self, rub: &Rub, held: Wrench) -> Vec<Vec3> {
         let h = rub.axis;
         let across = |v: Vec3| v - h * h.dot(v);
-        let (force, torque) = (across(held.force), across(held.torque));
+        let force = across(held.force);
+        let torque = across(held.torque);
         let ends = |length: f64| {
             let bent = torque.cross(h) * (1.0 / length);
             vec![force * 0.5 + bent, force * 0.5 - bent]
@@ -125,8 +139,8 @@ impl Rubbing {
             Shape::Slide { length, width } => {
                 let mut all = ends(length);
                 if self.seat.holds_turn {
-                    // Its size alone counts, in friction and in what is unique: with the other sign all of
-                    // it is mirrored, and no result changes.
+                    // Its size alone counts, in friction and in what is unique: with the other sign
+                    // all of it is mirrored, and no result changes.
                     all.push(h * (2.0 * h.dot(held.torque) / width));
                 }
                 all
@@ -152,7 +166,8 @@ impl Rub {
 
     /// Generalised forces of one unit of each amount.
     pub(super) fn units(&self, n: usize) -> Vec<Vec<f64>> {
-        let turned = self.across.iter().map(|u| Wrench { force: Vec3::zeros(), torque: u.cross(self.axis) });
+        let turned =
+            self.across.iter().map(|u| Wrench { force: Vec3::zeros(), torque: u.cross(self.axis) });
         std::iter::once(self.along()).chain(turned).map(|unit| self.spread(n, unit)).collect()
     }
 
@@ -172,13 +187,16 @@ impl Rub {
     /// Adds its generalised forces to those of the mechanism.
     pub(in crate::forces) fn scatter(&self, by_q: &mut [f64]) {
         let along = self.along();
-        let whole =
-            Wrench { force: along.force * self.amount, torque: along.torque * self.amount + self.torque };
+        let whole = Wrench {
+            force: along.force * self.amount,
+            torque: along.torque * self.amount + self.torque,
+        };
         let own = self.spread(by_q.len(), whole);
         by_q.iter_mut().zip(own).for_each(|(all, own)| *all += own);
     }
 
-    /// Generalised forces of a force and a torque at the point on body i, and of their opposite on body j.
+    /// Generalised forces of a force and a torque at the point on body i, and of their opposite on
+    /// body j.
     fn spread(&self, n: usize, on_i: Wrench) -> Vec<f64> {
         let mut all = vec![0.0; n];
         for (k, sign) in [(0, 1.0), (1, -1.0)] {
@@ -191,7 +209,9 @@ impl Rub {
                     let by_q = generalised(p, own.force, stand.a.transpose() * own.torque);
                     all[first..first + 7].copy_from_slice(&by_q);
                 }
-                None => all[first..first + 3].copy_from_slice(&[own.force.x, own.force.y, own.torque.z]),
+                None => {
+                    all[first..first + 3].copy_from_slice(&[own.force.x, own.force.y, own.torque.z])
+                }
             }
         }
         all

@@ -11,16 +11,16 @@ use crate::solve::newton::{Options, Outcome};
 use crate::system::System;
 use crate::system::scaled::Measures;
 
-/// The last time of the motion before the way is at least this far from the singular position, if there is
-/// such a time, and the end of the way no further than that.   \[-\]
+/// The last time of the motion before the way is at least this far from the singular position, if
+/// there is such a time, and the end of the way no further than that.   \[-\]
 const FIRST: f64 = 0.125;
 const LAST: f64 = 1.0 / 2048.0;
 
 /// Places on the way at most: each is half as far as the one before it.
 const PLACES: usize = 40;
 
-/// A part of the generalised forces below this share of all of them is rounding, and so is the size of the
-/// force of one constraint below the second share of the largest one.   \[-\]
+/// A part of the generalised forces below this share of all of them is rounding, and so is the size
+/// of the force of one constraint below the second share of the largest one.   \[-\]
 const ROUNDING: f64 = 1e-12;
 const NOTHING: f64 = 1e-9;
 
@@ -37,13 +37,14 @@ pub(super) struct Approach {
     pub times: Vec<f64>,
     /// max |q_j − q_j*| by the sizes of coordinates.   \[-\]
     pub ways: Vec<f64>,
-    /// For each part of the forces and each constraint the size of its multipliers at each place, in units
-    /// of order 1; none of a constraint on which that part puts nothing.
+    /// For each part of the forces and each constraint the size of its multipliers at each place,
+    /// in units of order 1; none of a constraint on which that part puts nothing.
     pub sizes: Vec<Vec<Option<Vec<f64>>>>,
 }
 
-/// Shares of q̇ and q̈ that forces are computed with, one part after the other: at a toggle rates have no
-/// bound, and forces of accelerations, of rates and those at rest grow with powers of their own.
+/// Shares of q̇ and q̈ that forces are computed with, one part after the other: at a toggle rates
+/// have no bound, and forces of accelerations, of rates and those at rest grow with powers of their
+/// own.
 fn parts(kind: SingularKind) -> &'static [[f64; 2]] {
     match kind {
         SingularKind::TurningPoint => &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
@@ -68,7 +69,8 @@ impl Approach {
         };
         let Some(start) = start(motion, to.t, side, &way) else { return Ok(None) };
         let options = Options::default();
-        let (mut run, mut near) = (Run::new(system, &options, None)?, Motion::new(system, PLACES));
+        let mut run = Run::new(system, &options, None)?;
+        let mut near = Motion::new(system, PLACES);
         let row = [motion.q(start), motion.qd(start), motion.qdd(start), &[]];
         near.append(motion.times()[start], row, Outcome { iterations: 0, residual: 0.0 }, 0);
         run.go_on(&near, f64::INFINITY);
@@ -111,7 +113,8 @@ fn sizes(
     let blocks = &system.equations().blocks;
     let mut all = vec![vec![Some(Vec::new()); blocks.len()]; parts.len()];
     for k in places {
-        let (mut before, mut largest) = (vec![0.0; system.n_coordinates()], 0.0_f64);
+        let mut before = vec![0.0; system.n_coordinates()];
+        let mut largest = 0.0_f64;
         for (part, [rate, second]) in parts.iter().enumerate() {
             let [qd, qdd] = [(near.qd(k), rate), (near.qdd(k), second)]
                 .map(|(of, share)| of.iter().map(|x| share * x).collect::<Vec<f64>>());
@@ -120,11 +123,14 @@ fn sizes(
             let own: Vec<f64> = whole.iter().zip(&before).map(|(all, less)| all - less).collect();
             before = whole;
             let size = |of: &[f64]| {
-                of.iter().zip(&measures.sizes).fold(0.0_f64, |most, (q, size)| most.max((q * size).abs()))
+                of.iter()
+                    .zip(&measures.sizes)
+                    .fold(0.0_f64, |most, (q, size)| most.max((q * size).abs()))
             };
             largest = largest.max(size(&before));
             let acts = size(&own) > ROUNDING * largest;
-            let lambda = if part == 0 { solver.solve(now, &own)?.lambda } else { solver.transposed(&own) };
+            let lambda =
+                if part == 0 { solver.solve(now, &own)?.lambda } else { solver.transposed(&own) };
             let of_block = |rows: std::ops::Range<usize>| {
                 rows.map(|row| (lambda[row] * measures.norms[row]).powi(2)).sum::<f64>().sqrt()
             };

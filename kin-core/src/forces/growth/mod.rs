@@ -1,9 +1,10 @@
 //! How forces grow towards singular positions, where C_qᵀ λ = Q has no solution.
 //!
-//! Near such a position the smallest singular value of C_q goes as the way s along the path, and |t − t*| as
-//! s² at a toggle, as s at a change point. So forces grow as a power of |t − t*|: that of loads at rest as
-//! −½ at a toggle, that of masses, which have accelerations without bound there, as −2, and either as −1 at
-//! a change point. Powers are found from forces on the way, whatever the mechanism.
+//! Near such a position the smallest singular value of C_q goes as the way s along the path, and |t
+//! − t*| as s² at a toggle, as s at a change point. So forces grow as a power of |t − t*|: that of
+//! loads at rest as −½ at a toggle, that of masses, which have accelerations without bound there,
+//! as −2, and either as −1 at a change point. Powers are found from forces on the way, whatever the
+//! mechanism.
 
 mod approach;
 mod asked;
@@ -63,9 +64,16 @@ fn towards(
 }
 
 /// An error of forces at time t, with what grows there if it is a singular position of the motion.
-pub(super) fn explained(system: &System, motion: &Motion, t: f64, error: Error, acting: Acting<'_>) -> Error {
+pub(super) fn explained(
+    system: &System,
+    motion: &Motion,
+    t: f64,
+    error: Error,
+    acting: Acting<'_>,
+) -> Error {
     let times = motion.times();
-    let step = times.windows(2).fold(f64::INFINITY, |least, two| least.min((two[1] - two[0]).abs()));
+    let step =
+        times.windows(2).fold(f64::INFINITY, |least, two| least.min((two[1] - two[0]).abs()));
     let is_here = |position: &&SingularPosition| (position.t - t).abs() <= AT_ONCE * step;
     let Some(position) = motion.singular_positions().iter().find(is_here) else { return error };
     match (&error, towards(system, motion, position, acting)) {

@@ -14,20 +14,23 @@ pub(super) struct Values<'a> {
 const SETTLED: f64 = 0.01;
 const FRACTION: f64 = 0.02;
 
-/// Powers are multiples of one twelfth: halves at a toggle, whole numbers at a change point, thirds and
-/// quarters where the path is flatter than usual.
+/// Powers are multiples of one twelfth: halves at a toggle, whole numbers at a change point, thirds
+/// and quarters where the path is flatter than usual.
 const TWELFTHS: f64 = 12.0;
 
 /// p of a quantity that goes as |t − t*|^p; `None` where it does not settle.
 ///
-/// Along the path the quantity is a power times a series in the way s, and so is |t − t*|. The slope of
-/// logarithms between two places is p + a s + b s² + …, of which a and b are taken out (Richardson).
+/// Along the path the quantity is a power times a series in the way s, and so is |t − t*|. The
+/// slope of logarithms between two places is p + a s + b s² + …, of which a and b are taken out
+/// (Richardson).
 pub(super) fn power(of: &Values<'_>) -> Option<f64> {
-    let slope = |k: usize| (of.sizes[k + 1] / of.sizes[k]).ln() / (of.times[k + 1] / of.times[k]).ln();
+    let slope =
+        |k: usize| (of.sizes[k + 1] / of.sizes[k]).ln() / (of.times[k + 1] / of.times[k]).ln();
     let slopes: Vec<f64> = (0..of.sizes.len().saturating_sub(1)).map(slope).collect();
     let ratio = |k: usize| of.ways[k] / of.ways[k + 1];
     let better = |from: &[f64], order: i32| -> Vec<f64> {
-        let one = |k: usize| from[k + 1] + (from[k + 1] - from[k]) / (ratio(k + 1).powi(order) - 1.0);
+        let one =
+            |k: usize| from[k + 1] + (from[k + 1] - from[k]) / (ratio(k + 1).powi(order) - 1.0);
         (0..from.len().saturating_sub(1)).map(one).collect()
     };
     let found = better(&better(&slopes, 1), 2);
@@ -43,7 +46,8 @@ mod tests {
     /// Of t and of a quantity as functions of the way.
     fn of(t: impl Fn(f64) -> f64, size: impl Fn(f64) -> f64) -> Option<f64> {
         let ways: Vec<f64> = (0..8).map(|k| 0.2 * 0.5_f64.powi(k)).collect();
-        let [times, sizes] = [ways.iter().map(|s| t(*s)).collect(), ways.iter().map(|s| size(*s)).collect()];
+        let [times, sizes] =
+            [ways.iter().map(|s| t(*s)).collect(), ways.iter().map(|s| size(*s)).collect()];
         let (times, sizes): (Vec<f64>, Vec<f64>) = (times, sizes);
         power(&Values { times: &times, ways: &ways, sizes: &sizes })
     }

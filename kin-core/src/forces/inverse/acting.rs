@@ -12,10 +12,10 @@ use crate::numbers::algebra::Vec3;
 use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
 use crate::system::System;
 
-const CLOSURE: &str =
-    "its force is a closure, which only the program knows; a force that is written as a function is read";
+const CLOSURE: &str = "its force is a closure, which only the program knows; a force that is written as a function is read";
 
-const MEASURE: &str = "it acts along a measure of a joint, which is asked for at one time after the other";
+const MEASURE: &str =
+    "it acts along a measure of a joint, which is asked for at one time after the other";
 
 /// Generalised forces, energies and powers as nodes of the whole.
 pub(super) struct Acts<'w> {
@@ -40,7 +40,8 @@ impl<'w> Acts<'w> {
         loads: &[(&str, Laid<'_>)],
     ) -> Result<Self, Refusal> {
         let zero = whole.graph.zero();
-        let (by_q, [kinetic, rate, potential, powers, largest]) = (vec![zero; whole.n], [zero; 5]);
+        let by_q = vec![zero; whole.n];
+        let [kinetic, rate, potential, powers, largest] = [zero; 5];
         let mut acts = Acts { whole, by_q, kinetic, rate, potential, loads: powers, largest };
         for (item, solid) in &system.loads.solids {
             let Some(item) = system.layout().items.get(*item) else { continue };
@@ -84,7 +85,8 @@ impl<'w> Acts<'w> {
     /// A point with mass: Q = −m r_qᵀ (r̈ − g).
     fn point(&mut self, rows: &[Row], mass: f64, gravity: [f64; 3]) {
         for (row, g) in rows.iter().zip(gravity) {
-            let (rate, second) = (self.rate_of(row), self.second_of(row));
+            let rate = self.rate_of(row);
+            let second = self.second_of(row);
             let graph = self.graph();
             let [m, half, g, weight] = [mass, 0.5 * mass, g, mass * g].map(|x| graph.constant(x));
             let free = graph.sub(g, second);
@@ -95,7 +97,8 @@ impl<'w> Acts<'w> {
             }
             self.power(force, rate);
             let graph = self.graph();
-            let (square, work) = (graph.mul(rate, rate), graph.mul(rate, second));
+            let square = graph.mul(rate, rate);
+            let work = graph.mul(rate, second);
             let [kinetic, growth] = [graph.mul(half, square), graph.mul(m, work)];
             let [power, height] = [graph.mul(weight, rate), graph.mul(weight, row.residual)];
             self.kinetic = self.whole.graph.add(self.kinetic, kinetic);
@@ -138,7 +141,10 @@ impl<'w> Acts<'w> {
                     let row = self.row(system, x.constraint)?;
                     let rate = self.rate_of(&row);
                     let force = self.along_force(force, [row.residual, rate])?;
-                    row.slopes.iter().map(|(j, slope)| (*j, self.graph().mul(force, *slope))).collect()
+                    row.slopes
+                        .iter()
+                        .map(|(j, slope)| (*j, self.graph().mul(force, *slope)))
+                        .collect()
                 }
                 Part::Along(Way::Coordinate(column, _), force) => {
                     let rate = self.whole.moving(*column, Input::Rate(*column, SELF));
@@ -185,7 +191,8 @@ impl<'w> Acts<'w> {
             }
             Ok::<_, &'static str>(nodes)
         };
-        let (force, torque) = (at(&on.force)?, at(&on.torque)?);
+        let force = at(&on.force)?;
+        let torque = at(&on.torque)?;
         let graph = &mut self.whole.graph;
         let [global, local, torque] = match on.fixed {
             true => [frame.global(graph, force), force, torque],

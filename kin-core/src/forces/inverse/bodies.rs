@@ -26,7 +26,9 @@ impl Acts<'_> {
         let orders = along_motion(self.whole, first, count);
         let graph = self.graph();
         let Balance { moving, weight, potential } = match count {
-            3 => planar(graph, solid, gravity, orders.each_ref().map(|all| [all[0], all[1], all[2]])),
+            3 => {
+                planar(graph, solid, gravity, orders.each_ref().map(|all| [all[0], all[1], all[2]]))
+            }
             _ => spatial(graph, solid, Vec3::from(gravity), orders.each_ref().map(Vec::as_slice)),
         };
         for k in 0..count {
@@ -48,14 +50,15 @@ impl Acts<'_> {
 
 /// A c of a planar body by sine and cosine of its angle.
 fn lever(graph: &mut Graph, theta: Node, [x, y]: [f64; 2]) -> [Node; 2] {
-    let (sin, cos) = (graph.call(Function::Sin, theta), graph.call(Function::Cos, theta));
+    let sin = graph.call(Function::Sin, theta);
+    let cos = graph.call(Function::Cos, theta);
     let [x, y] = [x, y].map(|c| graph.constant(c));
     let [a, b, c, d] = [graph.mul(cos, x), graph.mul(sin, y), graph.mul(sin, x), graph.mul(cos, y)];
     [graph.sub(a, b), graph.add(c, d)]
 }
 
-/// m a_c acts at the centre, J θ̈ about it: in global axes, for what is turned into those of the body has to
-/// be turned back.
+/// m a_c acts at the centre, J θ̈ about it: in global axes, for what is turned into those of the
+/// body has to be turned back.
 fn planar(
     graph: &mut Graph,
     solid: &Solid,
@@ -64,16 +67,20 @@ fn planar(
 ) -> Balance {
     let arm = lever(graph, theta, [solid.centre.x, solid.centre.y]);
     let square = graph.mul(w, w);
-    let [m, j, gx, gy] = [solid.mass, solid.inertia.m33, gravity[0], gravity[1]].map(|x| graph.constant(x));
+    let [m, j, gx, gy] =
+        [solid.mass, solid.inertia.m33, gravity[0], gravity[1]].map(|x| graph.constant(x));
     let inwards = arm.map(|arm| graph.mul(square, arm));
     let across = arm.map(|arm| graph.mul(alpha, arm));
-    let (x, y) = (graph.sub(ax, across[1]), graph.add(ay, across[0]));
+    let x = graph.sub(ax, across[1]);
+    let y = graph.add(ay, across[0]);
     let a = [graph.sub(x, inwards[0]), graph.sub(y, inwards[1])];
     let generalised = |graph: &mut Graph, f: [Node; 2]| {
-        let (plus, minus) = (graph.mul(arm[0], f[1]), graph.mul(arm[1], f[0]));
+        let plus = graph.mul(arm[0], f[1]);
+        let minus = graph.mul(arm[1], f[0]);
         [f[0], f[1], graph.sub(plus, minus)]
     };
-    let (f, g) = (a.map(|a| graph.mul(m, a)), [gx, gy].map(|g| graph.mul(m, g)));
+    let f = a.map(|a| graph.mul(m, a));
+    let g = [gx, gy].map(|g| graph.mul(m, g));
     let [x, y, torque] = generalised(graph, f);
     let spin = graph.mul(j, alpha);
     let moving = vec![x, y, graph.add(torque, spin)];
@@ -93,10 +100,12 @@ fn spatial(graph: &mut Graph, solid: &Solid, gravity: Vec3, orders: [&[Node]; 3]
     let arm = graph.plus(along, inwards);
     let arm = frame.global(graph, arm);
     let a = graph.plus(frame.second, arm);
-    let [spin, rest] = [frame.omega, frame.alpha].map(|omega| graph.apply_numbers(solid.inertia, omega));
+    let [spin, rest] =
+        [frame.omega, frame.alpha].map(|omega| graph.apply_numbers(solid.inertia, omega));
     let gyroscopic = graph.cross(frame.omega, spin);
     let torque = graph.plus(rest, gyroscopic);
-    let (moving, weight) = (graph.times(a, solid.mass), graph.vector(gravity * solid.mass));
+    let moving = graph.times(a, solid.mass);
+    let weight = graph.vector(gravity * solid.mass);
     let at_origin = |graph: &mut Graph, f, torque| {
         let local = frame.local(graph, f);
         let moment = graph.cross(c, local);
@@ -104,15 +113,16 @@ fn spatial(graph: &mut Graph, solid: &Solid, gravity: Vec3, orders: [&[Node]; 3]
         frame.generalised(graph, f, torque)
     };
     let none = graph.vector(Vec3::zeros());
-    let (moving, weight) = (at_origin(graph, moving, torque), at_origin(graph, weight, none));
+    let moving = at_origin(graph, moving, torque);
+    let weight = at_origin(graph, weight, none);
     let height = frame.global(graph, c);
     let at = graph.plus(frame.r, height);
     let upwards = graph.vector(gravity * -solid.mass);
     Balance { moving, weight, potential: graph.dot(upwards, at) }
 }
 
-/// T and dT/dt of a planar body in graphs of its own: coordinates are states, their rates the states behind
-/// them, so that T is differentiated by both.
+/// T and dT/dt of a planar body in graphs of its own: coordinates are states, their rates the
+/// states behind them, so that T is differentiated by both.
 fn planar_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
     let mut graph = Graph::default();
     let [theta, vx, vy, w] = [2, 3, 4, 5].map(|k| graph.input(Input::State(k, SELF)));
@@ -129,7 +139,8 @@ fn planar_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
 
 /// The same of a spatial body.
 fn spatial_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
-    let (mut graph, count) = (Graph::default(), 7);
+    let mut graph = Graph::default();
+    let count = 7;
     let [q, qd] = [0, count].map(|first| {
         (first..first + count).map(|k| graph.input(Input::State(k, SELF))).collect::<Vec<Node>>()
     });

@@ -83,14 +83,16 @@ impl Frame {
         let along = torque.map(|t| graph.mul(e0, t));
         let across = graph.cross(e, torque);
         let vector = graph.plus(along, across);
-        let by_p = [scalar].into_iter().chain(vector).map(|x| graph.add(x, x)).collect::<Vec<Node>>();
+        let by_p =
+            [scalar].into_iter().chain(vector).map(|x| graph.add(x, x)).collect::<Vec<Node>>();
         f.into_iter().chain(by_p).collect()
     }
 }
 
 /// ω̄ = 2 Ḡ ṗ: twice the vector of p* ṗ.
 fn omega(graph: &mut Graph, [e0, e @ ..]: [Node; 4], rate: &[Node]) -> Nodes3 {
-    let (f0, f) = (rate[0], [rate[1], rate[2], rate[3]]);
+    let f0 = rate[0];
+    let f = [rate[1], rate[2], rate[3]];
     let along = f.map(|f| graph.mul(e0, f));
     let back = e.map(|e| graph.mul(f0, e));
     let cross = graph.cross(e, f);

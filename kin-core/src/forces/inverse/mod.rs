@@ -1,9 +1,9 @@
-//! Inverse dynamics as one tape of the whole mechanism, replayed over several times of a motion at once: M q̈
-//! and Q_v of all bodies, loads, and C_qᵀ λ = Q by an elimination of nodes, transposed.
+//! Inverse dynamics as one tape of the whole mechanism, replayed over several times of a motion at
+//! once: M q̈ and Q_v of all bodies, loads, and C_qᵀ λ = Q by an elimination of nodes, transposed.
 //!
-//! The balances are the tape's outputs beside λ. What cannot be a tape (redundant mechanisms, friction, loads
-//! that are closures) is told by name and left to the walk over the times, as are times at which a pivot is
-//! small beside that of the first one, or anything is not finite.
+//! The balances are the tape's outputs beside λ. What cannot be a tape (redundant mechanisms,
+//! friction, loads that are closures) is told by name and left to the walk over the times, as are
+//! times at which a pivot is small beside that of the first one, or anything is not finite.
 
 mod acting;
 mod bodies;
@@ -64,15 +64,15 @@ pub(super) fn energies(
     tape.run(motion, &|_| None, sink)?.is_empty().then_some(all)
 }
 
-/// A tape, or why there is none, with what it was made for: of another position the numbers would be the
-/// same but for the last digits, and those must not depend on what was asked before.
+/// A tape, or why there is none, with what it was made for: of another position the numbers would
+/// be the same but for the last digits, and those must not depend on what was asked before.
 struct Cached {
     begin: Begin,
     tape: Result<Arc<Guarded>, Refusal>,
 }
 
-/// All that a tape is made by, as bits: the first time, where coordinates stand there, and which of them
-/// stand still along the motion.
+/// All that a tape is made by, as bits: the first time, where coordinates stand there, and which of
+/// them stand still along the motion.
 #[derive(Clone, PartialEq)]
 struct Begin {
     t: u64,
@@ -84,7 +84,11 @@ impl Begin {
     /// `None` of a motion without times.
     fn of(system: &System, motion: &Motion) -> Option<Begin> {
         let t = motion.times().first()?.to_bits();
-        Some(Begin { t, q: motion.q(0).iter().map(|x| x.to_bits()).collect(), still: still(system, motion) })
+        Some(Begin {
+            t,
+            q: motion.q(0).iter().map(|x| x.to_bits()).collect(),
+            still: still(system, motion),
+        })
     }
 
     fn t(&self) -> f64 {
@@ -96,11 +100,13 @@ impl Begin {
     }
 }
 
-/// The coordinates that one row without time holds alone: those of frames, and what guides hold of blocks. A
-/// program has looked at that row at each time of its motion, along which they stand still, so that all that
-/// they lead is known beforehand. Of other motions nothing is taken for granted.
+/// The coordinates that one row without time holds alone: those of frames, and what guides hold of
+/// blocks. A program has looked at that row at each time of its motion, along which they stand
+/// still, so that all that they lead is known beforehand. Of other motions nothing is taken for
+/// granted.
 fn still(system: &System, motion: &Motion) -> Vec<bool> {
-    let (equations, mut still) = (system.equations(), vec![false; system.n_coordinates()]);
+    let equations = system.equations();
+    let mut still = vec![false; system.n_coordinates()];
     let Some(last) = motion.len().checked_sub(1).filter(|_| motion.engine().compiled > 0) else {
         return still;
     };
@@ -111,9 +117,11 @@ fn still(system: &System, motion: &Motion) -> Vec<bool> {
         // A second entry is one too many.
         alone[*row] = Some(if alone[*row].is_none() { held } else { None });
     }
-    let steady = equations.blocks.iter().filter(|block| !block.constraint.facts().dependence.c_on_t);
+    let steady =
+        equations.blocks.iter().filter(|block| !block.constraint.facts().dependence.c_on_t);
     let held = steady.flat_map(|block| alone[block.rows()].iter().flatten().flatten());
-    let rests = |k: usize, column: usize| motion.qd(k)[column] == 0.0 && motion.qdd(k)[column] == 0.0;
+    let rests =
+        |k: usize, column: usize| motion.qd(k)[column] == 0.0 && motion.qdd(k)[column] == 0.0;
     for &column in held {
         let same = motion.q(0)[column].to_bits() == motion.q(last)[column].to_bits();
         still[column] = same && rests(0, column) && rests(last, column);
@@ -122,7 +130,11 @@ fn still(system: &System, motion: &Motion) -> Vec<bool> {
 }
 
 /// The tape for motions that begin like this one: made once, and cached beside the system.
-fn cached(system: &System, motion: &Motion, loads: &[(&str, Laid<'_>)]) -> Result<Arc<Guarded>, Refusal> {
+fn cached(
+    system: &System,
+    motion: &Motion,
+    loads: &[(&str, Laid<'_>)],
+) -> Result<Arc<Guarded>, Refusal> {
     let begin = Begin::of(system, motion).ok_or_else(|| refusal("", SINGULAR))?;
     if let Some(known) = system.cache().get::<Cached>().filter(|known| known.begin == begin) {
         return known.tape.clone();
@@ -165,14 +177,15 @@ fn tape_with(
     let (cells, by_time): (Vec<_>, Vec<Node>) =
         whole.rows.into_iter().map(|row| (row.slopes, row.by_time)).unzip();
     let at = (begin.t(), q.as_slice());
-    let made = Guarded::new(system, at, (whole.graph, whole.laws), &cells, |graph, elimination, masks| {
-        let by_q = masks.all(graph, &by_q);
-        let lambda = elimination.solve_transposed(graph, &by_q);
-        let mut lambda = masks.all(graph, &lambda);
-        spoil(graph, &mut lambda);
-        let drives = along(graph, &lambda, &by_time);
-        lambda.into_iter().chain([rate, drives, loads, largest]).collect()
-    });
+    let made =
+        Guarded::new(system, at, (whole.graph, whole.laws), &cells, |graph, elimination, masks| {
+            let by_q = masks.all(graph, &by_q);
+            let lambda = elimination.solve_transposed(graph, &by_q);
+            let mut lambda = masks.all(graph, &lambda);
+            spoil(graph, &mut lambda);
+            let drives = along(graph, &lambda, &by_time);
+            lambda.into_iter().chain([rate, drives, loads, largest]).collect()
+        });
     made.ok_or(refusal("", SINGULAR))
 }
 

@@ -1,5 +1,5 @@
-//! Forces by a tape against those by the walk, on the gallery with masses and loads of the tests' own; faults
-//! that are planted have to show.
+//! Forces by a tape against those by the walk, on the gallery with masses and loads of the tests'
+//! own; faults that are planted have to show.
 
 use std::sync::Arc;
 
@@ -29,26 +29,35 @@ fn massed(mut system: System) -> System {
         if matches!(item.kind, Kind::Angle | Kind::Length) {
             continue;
         }
-        let (mass, centre) = (1.0 + 0.3 * number as f64, Vec3::new(0.03, -0.02, 0.01));
+        let mass = 1.0 + 0.3 * number as f64;
+        let centre = Vec3::new(0.03, -0.02, 0.01);
         solids.push((number, Solid { mass, centre, inertia: Mat3::from(rows) }));
     }
     let loads = on.map(|target| {
         let law = |x: f64| Law::sine(x, 1.3, 0.2) + Law::constant(0.4);
         let part = |fixed| {
-            let (force, torque) = ([law(3.0), law(-2.0), law(0.5)], [law(0.1), law(0.2), law(0.3)]);
+            let force = [law(3.0), law(-2.0), law(0.5)];
+            let torque = [law(0.1), law(0.2), law(0.3)];
             let point = [0.2, -0.1, 0.0];
-            Load(Acting::OnBody(Box::new(OnBody { point, force, torque, ..OnBody::on(target, fixed) })))
+            Load(Acting::OnBody(Box::new(OnBody {
+                point,
+                force,
+                torque,
+                ..OnBody::on(target, fixed)
+            })))
         };
         vec![("push".to_string(), part(false)), ("tool".to_string(), part(true))]
     });
     let gravity = [0.4, -7.31, 0.0];
-    system.loads = Arc::new(Loads { solids, gravity, loads: loads.unwrap_or_default(), ..Loads::default() });
+    system.loads =
+        Arc::new(Loads { solids, gravity, loads: loads.unwrap_or_default(), ..Loads::default() });
     system
 }
 
 /// The largest difference of λ, and the largest λ.
 fn apart(a: &Forces<'_>, b: &Forces<'_>, motion: &Motion) -> f64 {
-    let (mut off, mut most) = (0.0_f64, 0.0_f64);
+    let mut off = 0.0_f64;
+    let mut most = 0.0_f64;
     for k in 0..motion.len() {
         for (a, b) in a.multipliers.at(k).iter().zip(b.multipliers.at(k)) {
             off = if (a - b).abs() <= off { off } else { (a - b).abs() };
@@ -61,8 +70,10 @@ fn apart(a: &Forces<'_>, b: &Forces<'_>, motion: &Motion) -> f64 {
 /// The largest difference of energies and powers, by the largest of them.
 fn powers_apart(a: &Forces<'_>, b: &Forces<'_>) -> f64 {
     let of = |forces: &Forces<'_>| {
-        let (energy, balance) = (forces.energy(), forces.balance());
-        let own = [&energy.kinetic, &energy.potential, &balance.drives, &balance.loads, &balance.kinetic];
+        let energy = forces.energy();
+        let balance = forces.balance();
+        let own =
+            [&energy.kinetic, &energy.potential, &balance.drives, &balance.loads, &balance.kinetic];
         own.map(|series| series.values().to_vec())
     };
     let largest = a.balance().largest / b.balance().largest - 1.0;
@@ -74,7 +85,8 @@ fn powers_apart(a: &Forces<'_>, b: &Forces<'_>) -> f64 {
 
 #[test]
 fn tape_and_walk_have_the_same_forces() {
-    let (mut compared, mut without) = (0, Vec::new());
+    let mut compared = 0;
+    let mut without = Vec::new();
     for (name, system) in systems() {
         let system = massed(system);
         let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
@@ -87,16 +99,22 @@ fn tape_and_walk_have_the_same_forces() {
                 continue;
             }
         };
-        let (off, powers) = (apart(&compiled, &plain, &motion), powers_apart(&compiled, &plain));
-        let (counts, energy) = (compiled.engine(), plain.energy());
-        let [kinetic, potential] = super::energies(&system, &motion, &compiled.loads).expect("a tape");
+        let off = apart(&compiled, &plain, &motion);
+        let powers = powers_apart(&compiled, &plain);
+        let counts = compiled.engine();
+        let energy = plain.energy();
+        let [kinetic, potential] =
+            super::energies(&system, &motion, &compiled.loads).expect("a tape");
         let sizes = [&energy.kinetic, &energy.potential].map(|one| one.peak().value.abs() + 1.0);
-        let off = [kinetic, potential].iter().zip([&energy.kinetic, &energy.potential]).zip(sizes).fold(
-            off,
-            |off, ((tape, walk), size)| {
-                tape.iter().zip(walk.values()).fold(off, |off, (a, b)| off.max((a - b).abs() / size))
-            },
-        );
+        let off = [kinetic, potential]
+            .iter()
+            .zip([&energy.kinetic, &energy.potential])
+            .zip(sizes)
+            .fold(off, |off, ((tape, walk), size)| {
+                tape.iter()
+                    .zip(walk.values())
+                    .fold(off, |off, (a, b)| off.max((a - b).abs() / size))
+            });
         assert!(off < 1e-11 && powers < 1e-11, "{name}: {off:e} {powers:e}");
         assert!(counts.compiled > 22 && compiled.balance().worst() < 1e-11, "{name}: {counts:?}");
         compared += 1;
@@ -113,7 +131,8 @@ const FAULTS: [Spoil; 2] = [
 
 #[test]
 fn a_fault_in_a_program_leaves_its_forces_to_the_walk() {
-    let (mut planted, mut noticed) = (0, 0);
+    let mut planted = 0;
+    let mut noticed = 0;
     for (name, system) in systems().filter(|(name, _)| name == "four-bar") {
         let system = massed(system);
         let Ok(motion) = system.run(linspace(0.0, 0.5, 60)) else { continue };

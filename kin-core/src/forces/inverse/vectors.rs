@@ -58,7 +58,8 @@ impl Vectors for Graph {
 
     fn cross(&mut self, a: Nodes3, b: Nodes3) -> Nodes3 {
         [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
-            let (plus, minus) = (self.mul(a[i], b[j]), self.mul(a[j], b[i]));
+            let plus = self.mul(a[i], b[j]);
+            let minus = self.mul(a[j], b[i]);
             self.sub(plus, minus)
         })
     }
@@ -75,17 +76,23 @@ impl Vectors for Graph {
     }
 
     fn turn(&mut self, angle: Node) -> [Nodes3; 3] {
-        let (sin, cos) = (self.call(Function::Sin, angle), self.call(Function::Cos, angle));
-        let (minus, zero, one) = (self.neg(sin), self.zero(), self.constant(1.0));
+        let sin = self.call(Function::Sin, angle);
+        let cos = self.call(Function::Cos, angle);
+        let minus = self.neg(sin);
+        let zero = self.zero();
+        let one = self.constant(1.0);
         [[cos, minus, zero], [sin, cos, zero], [zero, zero, one]]
     }
 
     fn rotation(&mut self, [e0, e @ ..]: [Node; 4]) -> [Nodes3; 3] {
-        let (double, scalar) = (e.map(|x| self.add(x, x)), self.add(e0, e0));
-        let (square, one) = (self.mul(scalar, e0), self.constant(1.0));
+        let double = e.map(|x| self.add(x, x));
+        let scalar = self.add(e0, e0);
+        let square = self.mul(scalar, e0);
+        let one = self.constant(1.0);
         let diagonal = self.sub(square, one);
         // ẽ, with the number of the component and its sign.
-        let skew = [[(0, 0), (2, -1), (1, 1)], [(2, 1), (0, 0), (0, -1)], [(1, -1), (0, 1), (0, 0)]];
+        let skew =
+            [[(0, 0), (2, -1), (1, 1)], [(2, 1), (0, 0), (0, -1)], [(1, -1), (0, 1), (0, 0)]];
         [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| {
                 let outer = self.mul(double[i.min(j)], e[i.max(j)]);

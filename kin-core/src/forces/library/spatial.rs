@@ -20,8 +20,8 @@ pub fn length(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> f64 {
 
 /// A spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)².      \[J\]
 ///
-/// `u_i`, `u_j`: the points; `stiffness`: k, `free`: l0, its length without force. Shabana, *Computational
-/// Dynamics*, section 5.2.
+/// `u_i`, `u_j`: the points; `stiffness`: k, `free`: l0, its length without force. Shabana,
+/// *Computational Dynamics*, section 5.2.
 ///
 /// Signs: longer than l0 it pulls the points together.
 #[potential]
@@ -30,7 +30,7 @@ pub fn spring(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, stiffness: f64, free
     0.5 * stiffness * stretch * stretch
 }
 
-/// How far P_i is along a direction of body j: h_j · (r_Pi − r_Pj), a length to act along.      \[m\]
+/// How far P_i is along a direction of body j: h_j · (r_Pi − r_Pj), a length to act along.   \[m\]
 ///
 /// `u_i`, `u_j`: the points; `h_j`: the direction in body j, such as the axis of a cylinder.
 ///
@@ -42,8 +42,8 @@ pub fn slide(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) -> f64 {
 
 /// The turn of body i in body j about an axis, from f_j to f_i: an angle to act along.      \[rad\]
 ///
-/// `h_i`, `h_j`: the common axis in either body, held parallel by a joint. Between −π and π: a spring that is
-/// wound further belongs on a separate coordinate (`spatial::relative_angle`).
+/// `h_i`, `h_j`: the common axis in either body, held parallel by a joint. Between −π and π: a
+/// spring that is wound further belongs on a separate coordinate (`spatial::relative_angle`).
 ///
 /// Signs: a torque along it turns i right-handed about h_j, and j the other way.
 #[constraint]
@@ -54,24 +54,32 @@ pub fn turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis) -> f64 {
 
 /// A torsion spring about an axis: V = ½ k (φ − φ0)², φ the turn of i in j.      \[J\]
 ///
-/// `h_i`, `h_j`: the common axis in either body; `stiffness`: k, `free`: φ0. It is wound by π at most to
-/// either side.
+/// `h_i`, `h_j`: the common axis in either body; `stiffness`: k, `free`: φ0. It is wound by π at
+/// most to either side.
 ///
 /// Signs: turned beyond φ0, body i is turned back.
 #[potential]
-pub fn torsion_spring(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, stiffness: f64, free: f64) -> f64 {
+pub fn torsion_spring(
+    i: Spatial,
+    j: Spatial,
+    h_i: Axis,
+    h_j: Axis,
+    stiffness: f64,
+    free: f64,
+) -> f64 {
     let f = i.direction(h_i.f);
-    let (x, y) = (f.dot(j.direction(h_j.f)), f.dot(j.direction(h_j.g)));
+    let x = f.dot(j.direction(h_j.f));
+    let y = f.dot(j.direction(h_j.g));
     let (sin, cos) = free.sin_cos();
     let turn = (y * cos - x * sin).atan2(x * cos + y * sin);
     0.5 * stiffness * turn * turn
 }
 
-/// An elastic bushing: V = ½ Σ k d² + 2 Σ κ e², d the way from P_j to P_i as body j sees it, e the vector
-/// part of the Euler parameters of i in j; for small turns 2 e is the turn.      \[J\]
+/// An elastic bushing: V = ½ Σ k d² + 2 Σ κ e², d the way from P_j to P_i as body j sees it, e the
+/// vector part of the Euler parameters of i in j; for small turns 2 e is the turn.   \[J\]
 ///
-/// `u_i`, `u_j`: the points; `p_j`: the Euler parameters of i in j without torque; `stiffness`: k along the
-/// axes of j \[N/m\], `torsion`: κ about them \[N m/rad\].
+/// `u_i`, `u_j`: the points; `p_j`: the Euler parameters of i in j without torque; `stiffness`: k
+/// along the axes of j \[N/m\], `torsion`: κ about them \[N m/rad\].
 ///
 /// Signs: it pulls P_i back to P_j and turns i back.
 #[potential]
@@ -103,11 +111,11 @@ pub fn small_turn(i: Spatial, j: Spatial, p_j: EulerParameters, h_j: Axis) -> f6
     2.0 * j.p.conjugate().product(i.p).product(p_j.normalize().conjugate()).vector().dot(h_j.h)
 }
 
-/// A bushing with damping: the energy of [`bushing`](fn@bushing), and dampers along its way and its turns.
-/// \[N, N m\]
+/// A bushing with damping: the energy of [`bushing`](fn@bushing), and dampers along its way and its
+/// turns. \[N, N m\]
 ///
-/// `u`: P_i and P_j; `p_j`: the Euler parameters of i in j without torque; `stiffness`, `damping`: along the
-/// axes of body j, then about them.
+/// `u`: P_i and P_j; `p_j`: the Euler parameters of i in j without torque; `stiffness`, `damping`:
+/// along the axes of body j, then about them.
 pub fn damped_bushing(
     i: impl IntoSpatialBody,
     j: impl IntoSpatialBody,
@@ -116,7 +124,9 @@ pub fn damped_bushing(
     stiffness: [Vec3; 2],
     damping: [Vec3; 2],
 ) -> Load {
-    let (i, j, [u_i, u_j]) = (i.into_spatial_body(), j.into_spatial_body(), u);
+    let i = i.into_spatial_body();
+    let j = j.into_spatial_body();
+    let [u_i, u_j] = u;
     let elastic = bushing(i, j, u_i, u_j, p_j, stiffness[0], stiffness[1]);
     let axes = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
     let [along, about] = damping.map(Vec3::to_array);
@@ -129,7 +139,8 @@ pub fn damped_bushing(
     )
 }
 
-/// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart positive.   \[N s/m\]
+/// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart
+/// positive.   \[N s/m\]
 pub fn damper(
     i: impl IntoSpatialBody,
     j: impl IntoSpatialBody,
@@ -140,8 +151,8 @@ pub fn damper(
     viscous(length(i, j, u_i.into(), u_j.into()), damping)
 }
 
-/// A strut or cylinder between two points whose force is a law of its length: positive pushes the points
-/// apart.   \[N\]
+/// A strut or cylinder between two points whose force is a law of its length: positive pushes the
+/// points apart.   \[N\]
 pub fn strut(
     i: impl IntoSpatialBody,
     j: impl IntoSpatialBody,

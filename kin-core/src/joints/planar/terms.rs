@@ -7,10 +7,10 @@ pub(super) const TERMS: usize = 6;
 
 /// Linear coupling of two to six coordinates: Σ k_n q_n − c = 0.      \[unit of c\]
 ///
-/// Removes 1 freedom. `q`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`); `k`: a factor
-/// for each; `c`: what they add up to. A differential, a planetary train by its turns, a platform held by
-/// ropes over pulleys. To drive a sum, couple it with a separate coordinate and drive that. Norton, *Design
-/// of Machinery*, ch. 9.
+/// Removes 1 freedom. `q`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`); `k`:
+/// a factor for each; `c`: what they add up to. A differential, a planetary train by its turns, a
+/// platform held by ropes over pulleys. To drive a sum, couple it with a separate coordinate and
+/// drive that. Norton, *Design of Machinery*, ch. 9.
 ///
 /// Signs: those of the coordinates.
 #[constraint]

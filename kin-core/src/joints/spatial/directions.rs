@@ -5,9 +5,9 @@ use kin_macros::constraint;
 
 /// Parallel axes: f_i · h_j = g_i · h_j = 0.      \[–, –\]
 ///
-/// Removes 2 freedoms. `h_i`, `h_j`: the axes; f_i and g_i are across h_i, the length of h_j scales the rows.
-/// The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
-/// section 9.4.
+/// Removes 2 freedoms. `h_i`, `h_j`: the axes; f_i and g_i are across h_i, the length of h_j scales
+/// the rows. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an
+/// error. Haug, section 9.4.
 ///
 /// Signs: h_i and h_j point the same way.
 #[constraint]
@@ -22,8 +22,8 @@ pub fn parallel(i: Spatial, j: Spatial, h_i: Axis, h_j: Vec3) -> (f64, f64) {
 
 /// Perpendicular directions: h_i · h_j = 0.      \[–\]
 ///
-/// Removes 1 freedom. `h_i`, `h_j`: the directions, whose lengths scale the row. As a primitive it is called
-/// dot-1. Haug, section 9.4.
+/// Removes 1 freedom. `h_i`, `h_j`: the directions, whose lengths scale the row. As a primitive it
+/// is called dot-1. Haug, section 9.4.
 ///
 /// Signs: the row is positive where the angle between h_i and h_j is less than 90°.
 #[constraint]
@@ -34,11 +34,11 @@ pub fn perpendicular(i: Spatial, j: Spatial, h_i: Vec3, h_j: Vec3) -> f64 {
 
 /// Directions at an angle: h_i · h_j − cos α = 0.      \[–\]
 ///
-/// Removes 1 freedom. `h_i`, `h_j`: the directions; `alpha`: the angle between them, strictly between 0 and
-/// π: at the ends the row has no slope, and `parallel` is meant. Haug, section 9.4.
+/// Removes 1 freedom. `h_i`, `h_j`: the directions; `alpha`: the angle between them, strictly
+/// between 0 and π: at the ends the row has no slope, and `parallel` is meant. Haug, section 9.4.
 ///
-/// Signs: the angle has none: h_i may stand anywhere on a cone about h_j. The row is positive where it is
-/// less than α.
+/// Signs: the angle has none: h_i may stand anywhere on a cone about h_j. The row is positive where
+/// it is less than α.
 #[constraint]
 #[require(alpha > 0.0 && alpha < std::f64::consts::PI, "the angle is between 0 and π; for these themselves use `parallel`")]
 pub fn angle(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, alpha: f64) -> f64 {

@@ -4,19 +4,29 @@ use crate::model::law::Law;
 use crate::numbers::algebra::{Vec3, vec3};
 use kin_macros::constraint;
 
-/// A point that moves in body i by laws of time is a point of body j: R_i + A_i ū_i(t) − R_j − A_j ū_j = 0.
+/// A point that moves in body i by laws of time is a point of body j: R_i + A_i ū_i(t) − R_j − A_j
+/// ū_j = 0.
 ///    \[m\]
 ///
-/// Removes 3 freedoms. `x_i`, `y_i`, `z_i`: ū_i(t); `u_j`: local position in body j. Lecture, "Moving Point
-/// on Rigid Body".
+/// Removes 3 freedoms. `x_i`, `y_i`, `z_i`: ū_i(t); `u_j`: local position in body j. Lecture,
+/// "Moving Point on Rigid Body".
 ///
 /// Signs: the laws are coordinates in the frame of body i.
 #[constraint]
-pub fn moving_point(i: Spatial, j: Spatial, x_i: Law, y_i: Law, z_i: Law, u_j: Vec3, t: Time) -> Vec3 {
+pub fn moving_point(
+    i: Spatial,
+    j: Spatial,
+    x_i: Law,
+    y_i: Law,
+    z_i: Law,
+    u_j: Vec3,
+    t: Time,
+) -> Vec3 {
     i.point(vec3(x_i.at(t), y_i.at(t), z_i.at(t))) - j.point(u_j)
 }
 
-/// A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j = 0.
+/// A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j
+/// ū_j = 0.
 ///    \[m\]
 ///
 /// Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i`,
@@ -24,6 +34,14 @@ pub fn moving_point(i: Spatial, j: Spatial, x_i: Law, y_i: Law, z_i: Law, u_j: V
 ///
 /// Signs: the laws are coordinates in the frame of body i; `s` grows the way they run.
 #[constraint]
-pub fn point_on_path(i: Spatial, j: Spatial, s: Coord, x_i: Law, y_i: Law, z_i: Law, u_j: Vec3) -> Vec3 {
+pub fn point_on_path(
+    i: Spatial,
+    j: Spatial,
+    s: Coord,
+    x_i: Law,
+    y_i: Law,
+    z_i: Law,
+    u_j: Vec3,
+) -> Vec3 {
     i.point(vec3(x_i.at(s), y_i.at(s), z_i.at(s))) - j.point(u_j)
 }

@@ -6,8 +6,8 @@ use crate::numbers::algebra::{EulerParameters, Vec3};
 
 /// The norm of a body's Euler parameters: pᵀ p − 1 = 0.      \[–\]
 ///
-/// Removes 1 freedom that is none. Every spatial body gets this row by itself when its mechanism is built.
-/// Lecture, "Euler Parameters".
+/// Removes 1 freedom that is none. Every spatial body gets this row by itself when its mechanism is
+/// built. Lecture, "Euler Parameters".
 ///
 /// Signs: p and −p are one pose.
 #[constraint]
@@ -15,11 +15,11 @@ pub fn euler_norm(b: Spatial) -> f64 {
     b.p.norm_squared() - 1.0
 }
 
-/// The turn of a body about its own axis h, counted from the pose p₀ = `turn`, is held at zero: (p₀* p)·(0,
-/// h) = 0.    \[–\]
+/// The turn of a body about its own axis h, counted from the pose p₀ = `turn`, is held at zero:
+/// (p₀* p)·(0, h) = 0.   \[–\]
 ///
-/// Whatever else the body does, it does not turn about h: the twist of its rotation from p₀ vanishes. Removes
-/// 1 freedom, that of a rod between two balls which nothing depends on
+/// Whatever else the body does, it does not turn about h: the twist of its rotation from p₀
+/// vanishes. Removes 1 freedom, that of a rod between two balls which nothing depends on
 /// ([`crate::Mechanism::hold_idle_turns`]); depends on it only where h has been turned by 180°.
 ///
 /// P. Dobrowolski, *Swing-twist decomposition in Clifford algebra*, 2015.

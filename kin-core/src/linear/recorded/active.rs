@@ -1,5 +1,5 @@
-//! The active part of a matrix while its elimination is recorded: cells in rows and columns, and lines by how
-//! many cells they have.
+//! The active part of a matrix while its elimination is recorded: cells in rows and columns, and
+//! lines by how many cells they have.
 
 /// No cell, no term, no line.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -55,8 +55,10 @@ impl Active {
 
     /// A new cell, worth nothing yet.
     pub(crate) fn insert(&mut self, row: u32, column: u32) -> u32 {
-        let (id, [rows, columns]) = (self.cells.len() as u32, &mut self.lines);
-        let (row_list, column_list) = (&mut rows[row as usize], &mut columns[column as usize]);
+        let id = self.cells.len() as u32;
+        let [rows, columns] = &mut self.lines;
+        let row_list = &mut rows[row as usize];
+        let column_list = &mut columns[column as usize];
         let at = [row_list.len() as u32, column_list.len() as u32];
         row_list.push(id);
         column_list.push(id);
@@ -74,7 +76,8 @@ impl Active {
     fn detach(&mut self, side: Side, cell: u32) {
         let Cell { row, column, at, .. } = self.cells[cell as usize];
         let line = if side == Side::Row { row } else { column };
-        let (list, place) = (&mut self.lines[side as usize][line as usize], at[side as usize]);
+        let list = &mut self.lines[side as usize][line as usize];
+        let place = at[side as usize];
         list.swap_remove(place as usize);
         if let Some(&moved) = list.get(place as usize) {
             self.cells[moved as usize].at[side as usize] = place;
@@ -84,7 +87,8 @@ impl Active {
         }
     }
 
-    /// Takes the row and the column of a pivot out: the other cells of its column, and those of its row.
+    /// Takes the row and the column of a pivot out: the other cells of its column, and those of its
+    /// row.
     pub(crate) fn take_out(&mut self, pivot: u32) -> (Vec<u32>, Vec<u32>) {
         let Cell { row, column, .. } = self.cells[pivot as usize];
         self.counts[Side::Row as usize].remove(row);
@@ -161,7 +165,12 @@ pub(crate) struct Counts {
 
 impl Counts {
     fn new(n: usize) -> Self {
-        Counts { first: vec![NONE; n + 1], next: vec![NONE; n], previous: vec![NONE; n], list: vec![NONE; n] }
+        Counts {
+            first: vec![NONE; n + 1],
+            next: vec![NONE; n],
+            previous: vec![NONE; n],
+            list: vec![NONE; n],
+        }
     }
 
     pub(crate) fn first(&self, count: usize) -> u32 {
@@ -191,7 +200,8 @@ impl Counts {
         if list == NONE {
             return;
         }
-        let (next, previous) = (self.next[k], self.previous[k]);
+        let next = self.next[k];
+        let previous = self.previous[k];
         match previous {
             NONE => self.first[list as usize] = next,
             _ => self.next[previous as usize] = next,

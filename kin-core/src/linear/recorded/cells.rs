@@ -20,21 +20,26 @@ impl Recorder<'_> {
     /// Subtracts a product from a cell, by what is known of it for good.
     pub(crate) fn subtract(&mut self, cell: u32, l: Number, u: Number) {
         match (l, u) {
-            (Number::Constant(l), Number::Constant(u)) => self.active.cells[cell as usize].constant -= l * u,
+            (Number::Constant(l), Number::Constant(u)) => {
+                self.active.cells[cell as usize].constant -= l * u
+            }
             (Number::At(l), Number::At(u)) => self.add_term(cell, l, u),
-            (Number::Constant(c), Number::At(k)) | (Number::At(k), Number::Constant(c)) => match c {
-                1.0 => self.add_term(cell, k, MINUS),
-                -1.0 => self.add_term(cell, k, PLUS),
-                _ => {
-                    let constant = self.constant(c);
-                    self.add_term(cell, constant, k);
+            (Number::Constant(c), Number::At(k)) | (Number::At(k), Number::Constant(c)) => {
+                match c {
+                    1.0 => self.add_term(cell, k, MINUS),
+                    -1.0 => self.add_term(cell, k, PLUS),
+                    _ => {
+                        let constant = self.constant(c);
+                        self.add_term(cell, constant, k);
+                    }
                 }
-            },
+            }
         }
     }
 
     pub(crate) fn add_term(&mut self, cell: u32, a: u32, b: u32) {
-        let next = std::mem::replace(&mut self.active.cells[cell as usize].terms, self.terms.len() as u32);
+        let next =
+            std::mem::replace(&mut self.active.cells[cell as usize].terms, self.terms.len() as u32);
         self.terms.push(Term { a, b, next });
     }
 
@@ -88,7 +93,9 @@ impl Recorder<'_> {
     /// One over the number of a pivot.
     pub(crate) fn inverse(&mut self, id: u32) -> Inverse {
         let cell = &self.active.cells[id as usize];
-        let (row, column, constant) = (cell.row, cell.column, cell.constant);
+        let row = cell.row;
+        let column = cell.column;
+        let constant = cell.constant;
         if cell.terms != NONE {
             self.recording.watched.push((self.recording.factor.len() as u32, row, column));
             return Inverse::At(self.compute(id, Kind::Pivot, self.places.zero, 0.0));
@@ -120,7 +127,8 @@ impl Recorder<'_> {
     /// The operands of a cell, signs turned if it is to be negated; gives where it starts.
     pub(crate) fn gather(&mut self, id: u32, negated: bool) -> u32 {
         let cell = &self.active.cells[id as usize];
-        let (mut start, mut next) = (None, cell.terms);
+        let mut start = None;
+        let mut next = cell.terms;
         if cell.constant != 0.0 {
             start = Some(self.constant(cell.constant));
         }

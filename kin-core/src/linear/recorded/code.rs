@@ -1,16 +1,17 @@
 //! The code of a program and its interpreter: no search, no allocation, one memory for everything.
 //!
-//! Steps of one shape follow one another in runs ([`order`](super::order) sees to it), and the interpreter
-//! has a copy for each of the common shapes: so it asks seldom what to do next. A memory of at most 256
-//! numbers is addressed by bytes, which cannot leave it: there no access is checked.
+//! Steps of one shape follow one another in runs ([`order`](super::order) sees to it), and the
+//! interpreter has a copy for each of the common shapes: so it asks seldom what to do next. A
+//! memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access is
+//! checked.
 
 use super::program::{Kind, Operands, Step};
 
 /// Up to this many numbers a memory is addressed by bytes, and must have just this length.
 pub(crate) const SMALL: usize = 256;
 
-/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7 products alone:
-/// 40 for each kind of step.
+/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7
+/// products alone: 40 for each kind of step.
 const SHAPES: usize = 40;
 
 /// The opcode of steps with more operands.
@@ -46,7 +47,9 @@ impl Code {
     /// Runs all steps.
     pub(crate) fn run(&self, memory: &mut [f64]) {
         match self {
-            Code::Small(flat) => memory.first_chunk_mut().into_iter().for_each(|memory| flat.run(memory)),
+            Code::Small(flat) => {
+                memory.first_chunk_mut().into_iter().for_each(|memory| flat.run(memory))
+            }
             Code::Large(flat) => flat.run(memory),
         }
     }
@@ -155,9 +158,9 @@ impl Shape {
     }
 }
 
-/// Runs the copy of the interpreter for an opcode: of shapes that make up nearly all programs where it is
-/// asked for, of others behind a call. With all copies in one function a third of the time that LLVM takes
-/// for this crate went into it.
+/// Runs the copy of the interpreter for an opcode: of shapes that make up nearly all programs where
+/// it is asked for, of others behind a call. With all copies in one function a third of the time
+/// that LLVM takes for this crate went into it.
 macro_rules! by_opcode {
     ($run:expr, $shapes:expr, $places:expr, $memory:expr; common $($common:literal)*; rare $($rare:literal)*) => {
         match $run.opcode {
@@ -181,13 +184,15 @@ impl<P: PlaceWidth> Flat<P> {
         self.last = Some(shape);
         let scale = (step.kind == Kind::Scaled).then_some(step.scale);
         let all = [step.out, step.start].into_iter().chain(products.iter().flatten().copied());
-        self.places
-            .extend(all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new));
+        self.places.extend(
+            all.chain(plus.iter().copied()).chain(minus.iter().copied()).chain(scale).map(P::new),
+        );
     }
 
     #[rustfmt::skip]
     fn run(&self, memory: &mut P::Memory) {
-        let (mut places, mut shapes) = (&self.places[..], self.long.iter());
+        let mut places = &self.places[..];
+        let mut shapes = self.long.iter();
         for run in &self.runs {
             places = by_opcode!(run, shapes, places, memory;
                 common 0 1 2 3 36 37 38 39 40 41 44 45 46 80 81 82 83 116 117 118 119 120 121 122 123;
@@ -199,15 +204,16 @@ impl<P: PlaceWidth> Flat<P> {
     }
 }
 
-/// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after them.
+/// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after
+/// them.
 #[inline(always)]
 fn short<'a, P: PlaceWidth, const OPCODE: u8, const LENGTH: usize>(
     mut more: u32,
     mut places: &'a [P],
     memory: &mut P::Memory,
 ) -> &'a [P] {
-    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled, which costs
-    // more than it saves.
+    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled,
+    // which costs more than it saves.
     while let Some((own, rest)) = places.split_first_chunk::<LENGTH>() {
         compute(const { Shape::of(OPCODE) }, own, memory);
         places = rest;
@@ -229,7 +235,11 @@ fn rare<'a, P: PlaceWidth, const OPCODE: u8, const LENGTH: usize>(
 }
 
 #[inline(never)]
-fn long<'a, P: PlaceWidth>(run: Option<(Shape, u32)>, places: &'a [P], memory: &mut P::Memory) -> &'a [P] {
+fn long<'a, P: PlaceWidth>(
+    run: Option<(Shape, u32)>,
+    places: &'a [P],
+    memory: &mut P::Memory,
+) -> &'a [P] {
     let Some((shape, steps)) = run else { return places };
     let (own, rest) = places.split_at(shape.length() * steps as usize);
     own.chunks_exact(shape.length()).for_each(|own| compute(shape, own, memory));
@@ -245,9 +255,11 @@ fn compute<P: PlaceWidth>(shape: Shape, places: &[P], memory: &mut P::Memory) {
     // Two sums side by side: one alone would wait for each product to be added before the next.
     let mut sums = [if kind == Kind::Negated { -start } else { start }, 0.0];
     for (k, pair) in factors.chunks_exact(2).enumerate() {
-        let (a, b, turn) =
-            (pair[0].get(memory), pair[1].get(memory), usize::from(products > 2 && k % 2 == 1));
-        sums[turn] = if kind == Kind::Negated { sum(sums[turn], a, b) } else { sum(sums[turn], -a, b) };
+        let a = pair[0].get(memory);
+        let b = pair[1].get(memory);
+        let turn = usize::from(products > 2 && k % 2 == 1);
+        sums[turn] =
+            if kind == Kind::Negated { sum(sums[turn], a, b) } else { sum(sums[turn], -a, b) };
     }
     let mut x = if products > 2 { sums[0] + sums[1] } else { sums[0] };
     terms[..plus].iter().for_each(|k| x += k.get(memory));

@@ -1,5 +1,5 @@
-//! Sparse elimination recorded once, in an order for little work, and replayed as straight runs of a few
-//! operations.
+//! Sparse elimination recorded once, in an order for little work, and replayed as straight runs of
+//! a few operations.
 
 mod active;
 mod cells;

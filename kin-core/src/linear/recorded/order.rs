@@ -1,5 +1,5 @@
-//! The order in which the steps of a program run: any that keeps its results, chosen so that steps of one
-//! shape follow one another.
+//! The order in which the steps of a program run: any that keeps its results, chosen so that steps
+//! of one shape follow one another.
 
 use std::collections::HashMap;
 
@@ -14,12 +14,14 @@ pub(crate) struct Ordered {
     pub reads: Vec<u32>,
 }
 
-/// The numbers of the steps in the order in which they should run: among those that may run next one of the
-/// shape before, else one of the shape that most of them have.
+/// The numbers of the steps in the order in which they should run: among those that may run next
+/// one of the shape before, else one of the shape that most of them have.
 pub(crate) fn order(steps: &[Ordered]) -> Vec<u32> {
     let mut waiting = Waiting::new(steps);
     let mut ready = Ready::default();
-    (0..steps.len()).filter(|&k| waiting.counts[k] == 0).for_each(|k| ready.put(steps[k].shape, k as u32));
+    (0..steps.len())
+        .filter(|&k| waiting.counts[k] == 0)
+        .for_each(|k| ready.put(steps[k].shape, k as u32));
     let mut order = Vec::with_capacity(steps.len());
     while let Some(k) = ready.take() {
         order.push(k);
@@ -38,21 +40,29 @@ struct Waiting {
 }
 
 impl Waiting {
-    /// A step waits for the one that writes what it reads, and for all that have read or written before what
-    /// it writes.
+    /// A step waits for the one that writes what it reads, and for all that have read or written
+    /// before what it writes.
     fn new(steps: &[Ordered]) -> Self {
-        let mut waiting =
-            Waiting { counts: vec![0; steps.len()], first: vec![NONE; steps.len()], links: Vec::new() };
+        let mut waiting = Waiting {
+            counts: vec![0; steps.len()],
+            first: vec![NONE; steps.len()],
+            links: Vec::new(),
+        };
         let places = steps
             .iter()
             .flat_map(|step| step.reads.iter().chain([&step.out]))
             .max()
             .map_or(0, |last| *last as usize + 1);
         // By place: who has written it, and who has read that: linked lists of (step, next).
-        let (mut writer, mut readers, mut reads) =
-            (vec![NONE; places], vec![NONE; places], Vec::<(u32, u32)>::new());
+        let mut writer = vec![NONE; places];
+        let mut readers = vec![NONE; places];
+        let mut reads = Vec::<(u32, u32)>::new();
         for (k, step) in (0..).zip(steps) {
-            for place in step.reads.iter().map(|place| *place as usize).filter(|place| writer[*place] != NONE)
+            for place in step
+                .reads
+                .iter()
+                .map(|place| *place as usize)
+                .filter(|place| writer[*place] != NONE)
             {
                 waiting.wait(k, writer[place]);
             }

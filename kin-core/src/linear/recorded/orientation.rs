@@ -1,9 +1,11 @@
-//! The sign of the determinant, block by block: two solutions that meet at a singular position differ in it.
+//! The sign of the determinant, block by block: two solutions that meet at a singular position
+//! differ in it.
 //!
 //! C_q falls into diagonal blocks that follow one another (a crank, then each loop it drives); the
-//! determinant is the product of theirs. The sign of each is what rules out that one loop turns over while
-//! another does too. A block is found as a set of pivots that reach one another, row by row over the
-//! structure; whatever pivots a recording has chosen, its rows and columns are the same, and so is its sign.
+//! determinant is the product of theirs. The sign of each is what rules out that one loop turns
+//! over while another does too. A block is found as a set of pivots that reach one another, row by
+//! row over the structure; whatever pivots a recording has chosen, its rows and columns are the
+//! same, and so is its sign.
 
 use super::super::Linear;
 use super::record::{Inverse, Pivot};
@@ -13,16 +15,16 @@ use super::record::{Inverse, Pivot};
 pub(crate) struct Orientation {
     /// Where one over each pivot that is no constant stands, and the block it belongs to.
     pub pivots: Vec<(u32, u32)>,
-    /// True for each block with such pivots, in the order of their first rows, if the rest of its determinant
-    /// is negative.
+    /// True for each block with such pivots, in the order of their first rows, if the rest of its
+    /// determinant is negative.
     pub blocks: Vec<bool>,
     /// The same of the whole matrix.
     whole: bool,
 }
 
 impl Orientation {
-    /// Of pivots in the order of their choice; `constants` are row, column and value of those that never
-    /// change, `places` row and column of all cells.
+    /// Of pivots in the order of their choice; `constants` are row, column and value of those that
+    /// never change, `places` row and column of all cells.
     pub(crate) fn new(
         pivots: &[Pivot],
         constants: &[(u32, u32, f64)],
@@ -34,10 +36,13 @@ impl Orientation {
         pivots.iter().for_each(|pivot| column_of[pivot.row as usize] = pivot.column as usize);
         let moving = |pivot: &&Pivot| negative[pivot.row as usize].is_none();
         let odd = |rows: &[usize]| {
-            odd(rows, &column_of) ^ rows.iter().fold(false, |odd, row| odd ^ negative[*row].unwrap_or(false))
+            odd(rows, &column_of)
+                ^ rows.iter().fold(false, |odd, row| odd ^ negative[*row].unwrap_or(false))
         };
-        let mut found =
-            Orientation { whole: odd(&(0..pivots.len()).collect::<Vec<_>>()), ..Orientation::default() };
+        let mut found = Orientation {
+            whole: odd(&(0..pivots.len()).collect::<Vec<_>>()),
+            ..Orientation::default()
+        };
         if pivots.iter().filter(moving).count() == 0 {
             return found;
         }
@@ -64,7 +69,8 @@ fn odd(rows: &[usize], column_of: &[usize]) -> bool {
     let mut columns: Vec<usize> = rows.iter().map(|row| column_of[*row]).collect();
     columns.sort_unstable();
     let image = |k: usize| columns.partition_point(|column| *column < column_of[rows[k]]);
-    let (mut seen, mut odd) = (vec![false; rows.len()], false);
+    let mut seen = vec![false; rows.len()];
+    let mut odd = false;
     for first in 0..rows.len() {
         let mut k = first;
         while !std::mem::replace(&mut seen[k], true) {
@@ -76,19 +82,22 @@ fn odd(rows: &[usize], column_of: &[usize]) -> bool {
     odd
 }
 
-/// The sets of rows that reach one another, where a row leads to those whose pivots stand in its columns
-/// (Kosaraju).
+/// The sets of rows that reach one another, where a row leads to those whose pivots stand in its
+/// columns (Kosaraju).
 fn components(column_of: &[usize], places: impl Iterator<Item = (u32, u32)>) -> Vec<Vec<usize>> {
     let n = column_of.len();
     let mut row_of = vec![0; n];
     column_of.iter().enumerate().for_each(|(row, column)| row_of[*column] = row);
-    let (mut forward, mut back) = (vec![Vec::new(); n], vec![Vec::new(); n]);
+    let mut forward = vec![Vec::new(); n];
+    let mut back = vec![Vec::new(); n];
     for (row, column) in places {
-        let (from, to) = (row as usize, row_of[column as usize]);
+        let from = row as usize;
+        let to = row_of[column as usize];
         forward[from].push(to);
         back[to].push(from);
     }
-    let (mut order, mut seen) = (Vec::with_capacity(n), vec![false; n]);
+    let mut order = Vec::with_capacity(n);
+    let mut seen = vec![false; n];
     (0..n).for_each(|first| visit(first, &forward, &mut seen, &mut order));
     seen.fill(false);
     let mut found = Vec::new();
@@ -122,8 +131,8 @@ fn visit(first: usize, next: &[Vec<usize>], seen: &mut [bool], order: &mut Vec<u
 }
 
 impl Linear {
-    /// Writes into `negative`, for each block whose determinant can change its sign, whether it is negative
-    /// at the last factoring.
+    /// Writes into `negative`, for each block whose determinant can change its sign, whether it is
+    /// negative at the last factoring.
     pub(crate) fn orientation(&self, negative: &mut Vec<bool>) {
         negative.clear();
         let Some(recording) = &self.recording else { return };
@@ -149,7 +158,12 @@ mod tests {
     use crate::numbers::random::Random;
 
     /// A matrix of that pattern with random numbers, and the sign of its determinant by nalgebra.
-    fn signs(linear: &mut Linear, pattern: &[(usize, usize)], n: usize, random: &mut Random) -> bool {
+    fn signs(
+        linear: &mut Linear,
+        pattern: &[(usize, usize)],
+        n: usize,
+        random: &mut Random,
+    ) -> bool {
         let mut dense = nalgebra::DMatrix::zeros(n, n);
         for (place, value) in pattern.iter().zip(linear.values_mut()) {
             *value = random.number();
@@ -160,10 +174,12 @@ mod tests {
 
     #[test]
     fn signs_are_those_of_the_determinant_whatever_pivots_were_chosen() {
-        let pattern: Vec<(usize, usize)> =
-            (0..25).map(|k| (k / 5, k % 5)).filter(|(i, j)| (i + 2 * j) % 4 != 1 || i == j).collect();
-        let (mut replayed, mut random) =
-            (Linear::new(5, pattern.iter().copied().map(Some), &[]), Random::new(7));
+        let pattern: Vec<(usize, usize)> = (0..25)
+            .map(|k| (k / 5, k % 5))
+            .filter(|(i, j)| (i + 2 * j) % 4 != 1 || i == j)
+            .collect();
+        let mut replayed = Linear::new(5, pattern.iter().copied().map(Some), &[]);
+        let mut random = Random::new(7);
         let mut both = [0, 0];
         for _ in 0..200 {
             let negative = signs(&mut replayed, &pattern, 5, &mut random);
@@ -174,7 +190,8 @@ mod tests {
                 continue;
             }
             assert_eq!((replayed.is_negative(), fresh.is_negative()), (negative, negative));
-            let (mut one, mut other) = (Vec::new(), Vec::new());
+            let mut one = Vec::new();
+            let mut other = Vec::new();
             replayed.orientation(&mut one);
             fresh.orientation(&mut other);
             assert_eq!(one, other);
@@ -185,8 +202,10 @@ mod tests {
 
     #[test]
     fn blocks_that_turn_over_together_are_told_apart() {
-        // Two blocks of two behind one another; what stands between them has no part in any determinant.
-        let pattern = [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 3), (2, 2), (2, 3), (3, 2), (3, 3)];
+        // Two blocks of two behind one another; what stands between them has no part in any
+        // determinant.
+        let pattern =
+            [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 3), (2, 2), (2, 3), (3, 2), (3, 3)];
         let mut linear = Linear::new(4, pattern.map(Some), &[]);
         let mut of = |a: f64, b: f64| {
             linear.values_mut().copy_from_slice(&[1.0, a, 0.5, 1.0, 3.0, 4.0, 1.0, b, 0.5, 1.0]);

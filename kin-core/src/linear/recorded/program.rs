@@ -1,8 +1,8 @@
 //! The program of a recorded elimination: which number is computed from which, in what order.
 //!
-//! Each step writes one number that is a sum of products of numbers already there. The same program makes the
-//! factors, solves with them, and, backwards, solves with the transpose; [`code`](super::code) is the form in
-//! which it is replayed.
+//! Each step writes one number that is a sum of products of numbers already there. The same program
+//! makes the factors, solves with them, and, backwards, solves with the transpose;
+//! [`code`](super::code) is the form in which it is replayed.
 
 use super::code::{Code, Shape};
 use super::order::{Ordered, order};
@@ -61,8 +61,17 @@ impl Program {
         plus: &[u32],
         minus: &[u32],
     ) {
-        let [n_products, n_plus, n_minus] = [products.len(), plus.len(), minus.len()].map(|n| n as u32);
-        self.steps.push(Step { kind, out, start, scale, products: n_products, plus: n_plus, minus: n_minus });
+        let [n_products, n_plus, n_minus] =
+            [products.len(), plus.len(), minus.len()].map(|n| n as u32);
+        self.steps.push(Step {
+            kind,
+            out,
+            start,
+            scale,
+            products: n_products,
+            plus: n_plus,
+            minus: n_minus,
+        });
         self.products.extend_from_slice(products);
         self.terms.extend_from_slice(plus);
         self.terms.extend_from_slice(minus);
@@ -70,16 +79,22 @@ impl Program {
 
     /// Writes the code for a memory of that many numbers, to be called after the last step.
     pub(crate) fn finish(&mut self, memory: usize) {
-        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut products = &self.products[..];
+        let mut terms = &self.terms[..];
         let mut own = |step: &Step| Operands {
             products: take(&mut products, step.products),
             plus: take(&mut terms, step.plus),
             minus: take(&mut terms, step.minus),
         };
         let operands: Vec<Operands<'_>> = self.steps.iter().map(&mut own).collect();
-        let ordered: Vec<Ordered> =
-            self.steps.iter().zip(&operands).map(|(step, operands)| step.ordered(operands)).collect();
-        let (order, mut code) = (order(&ordered), Code::new(memory));
+        let ordered: Vec<Ordered> = self
+            .steps
+            .iter()
+            .zip(&operands)
+            .map(|(step, operands)| step.ordered(operands))
+            .collect();
+        let order = order(&ordered);
+        let mut code = Code::new(memory);
         order.iter().for_each(|&k| code.push(&self.steps[k as usize], &operands[k as usize]));
         (self.code, self.order) = (code, order);
     }
@@ -91,7 +106,10 @@ impl Program {
 
     /// Gives each number another place.
     pub(crate) fn rename(&mut self, places: &[u32]) {
-        let steps = self.steps.iter_mut().flat_map(|step| [&mut step.out, &mut step.start, &mut step.scale]);
+        let steps = self
+            .steps
+            .iter_mut()
+            .flat_map(|step| [&mut step.out, &mut step.start, &mut step.scale]);
         let operands = self.products.iter_mut().flatten().chain(&mut self.terms);
         steps.chain(operands).for_each(|place| *place = places[*place as usize]);
     }
@@ -106,10 +124,11 @@ impl Program {
         self.code.run(memory);
     }
 
-    /// The transpose of a program that is linear in its last factors and its starts: what was `out` comes in,
-    /// what was read comes out, in `adjoint`; `memory` gives the other factors.
+    /// The transpose of a program that is linear in its last factors and its starts: what was `out`
+    /// comes in, what was read comes out, in `adjoint`; `memory` gives the other factors.
     pub(crate) fn run_transposed(&self, memory: &[f64], adjoint: &mut [f64]) {
-        let (mut products, mut terms) = (&self.products[..], &self.terms[..]);
+        let mut products = &self.products[..];
+        let mut terms = &self.terms[..];
         for step in self.steps.iter().rev() {
             let minus = take_last(&mut terms, step.minus);
             let plus = take_last(&mut terms, step.plus);
@@ -143,7 +162,14 @@ impl Step {
     fn ordered(&self, operands: &Operands<'_>) -> Ordered {
         let scale = (self.kind == Kind::Scaled).then_some(self.scale);
         let terms = operands.plus.iter().chain(operands.minus).copied();
-        let reads = operands.products.iter().flatten().copied().chain(terms).chain([self.start]).chain(scale);
+        let reads = operands
+            .products
+            .iter()
+            .flatten()
+            .copied()
+            .chain(terms)
+            .chain([self.start])
+            .chain(scale);
         Ordered { shape: self.shape(), out: self.out, reads: reads.collect() }
     }
 }

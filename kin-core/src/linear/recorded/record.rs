@@ -1,10 +1,11 @@
-//! Records an elimination: chooses pivots at real numbers and writes down what each of them computes.
+//! Records an elimination: chooses pivots at real numbers and writes down what each of them
+//! computes.
 //!
-//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those that are
-//! not small against the largest of their row. A = L U with L as it comes and the rows of U divided by their
-//! pivots, where both have cells; a pivot alone in its column divides at the end of back substitution
-//! instead, and one alone in its row needs no back substitution. Cells that never change are computed here
-//! and never again.
+//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those
+//! that are not small against the largest of their row. A = L U with L as it comes and the rows of
+//! U divided by their pivots, where both have cells; a pivot alone in its column divides at the end
+//! of back substitution instead, and one alone in its row needs no back substitution. Cells that
+//! never change are computed here and never again.
 
 use std::collections::HashMap;
 
@@ -22,8 +23,8 @@ const THRESHOLD: f64 = 0.1;
 /// Lines with a possible pivot that are compared.
 const COMPARED: usize = 4;
 
-/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory of the
-/// program begins.
+/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory
+/// of the program begins.
 pub(crate) struct Input<'a> {
     pub n: usize,
     /// Row and column of each value; `None` for those that stand nowhere.
@@ -68,8 +69,8 @@ pub(crate) struct Recording {
     /// Row, column and value of the other pivots.
     pub constant: Vec<(u32, u32, f64)>,
     pub orientation: Orientation,
-    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours, and where
-    /// they end.
+    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours,
+    /// and where they end.
     pub factored: Factored,
 }
 
@@ -83,8 +84,8 @@ pub(crate) struct Factored {
 }
 
 impl Recording {
-    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where constants
-    /// begin.
+    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where
+    /// constants begin.
     fn arrange(&mut self, begin: usize, memory: &mut Vec<f64>) {
         let mut kinds = vec![None; memory.len()];
         self.factor.written().for_each(|(kind, out)| kinds[out as usize] = Some(kind));
@@ -104,7 +105,8 @@ impl Recording {
             first
         };
         let cells = place(|kind| matches!(kind, Kind::Plain | Kind::Negated));
-        let (multipliers, pivots) = (place(|kind| kind == Kind::Scaled), place(|kind| kind == Kind::Pivot));
+        let multipliers = place(|kind| kind == Kind::Scaled);
+        let pivots = place(|kind| kind == Kind::Pivot);
         self.factored = Factored { cells, multipliers, pivots, end: end.next_multiple_of(4) };
         memory.resize(self.factored.end, 0.0);
         memory[cells..].fill(0.0);
@@ -174,9 +176,13 @@ impl Lists {
     }
 }
 
-/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory holds the
-/// values.
-pub(crate) fn record(input: &Input<'_>, places: Places, memory: &mut Vec<f64>) -> Option<Recording> {
+/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory
+/// holds the values.
+pub(crate) fn record(
+    input: &Input<'_>,
+    places: Places,
+    memory: &mut Vec<f64>,
+) -> Option<Recording> {
     let mut recorder = Recorder {
         input,
         places,
@@ -213,8 +219,13 @@ impl Recorder<'_> {
         for &k in self.input.sorted {
             let Some((row, column)) = self.input.entries[k as usize] else { continue };
             let value = self.memory[k as usize];
-            let constant =
-                self.input.constants.get(k as usize).copied().flatten().filter(|constant| *constant == value);
+            let constant = self
+                .input
+                .constants
+                .get(k as usize)
+                .copied()
+                .flatten()
+                .filter(|constant| *constant == value);
             if constant == Some(0.0) {
                 continue;
             }
@@ -227,8 +238,9 @@ impl Recorder<'_> {
                 Some(constant) => self.active.cells[cell as usize].constant += constant,
                 None => self.add_term(cell, k, PLUS),
             }
-            self.active.cells[cell as usize].value +=
-                self.input.row_units[row as usize] * value * self.input.column_units[column as usize];
+            self.active.cells[cell as usize].value += self.input.row_units[row as usize]
+                * value
+                * self.input.column_units[column as usize];
         }
         for line in (0..self.input.n as u32).rev() {
             self.active.recount(Side::Row, line);
@@ -238,10 +250,12 @@ impl Recorder<'_> {
 
     /// The next pivot, if there is one.
     fn choose(&mut self) -> Option<u32> {
-        let (mut best, mut compared) = (Candidate::default(), 0);
+        let mut best = Candidate::default();
+        let mut compared = 0;
         for count in 1..=self.input.n {
             for side in [Side::Row, Side::Column] {
-                let bound = if side == Side::Row { (count - 1).pow(2) } else { (count - 1) * count };
+                let bound =
+                    if side == Side::Row { (count - 1).pow(2) } else { (count - 1) * count };
                 if best.cost <= bound {
                     return best.cell;
                 }
@@ -269,7 +283,9 @@ impl Recorder<'_> {
         for k in 0..count {
             let id = self.active.line(side, line)[k];
             let cell = &self.active.cells[id as usize];
-            let (row, column, size) = (cell.row, cell.column, cell.value.abs());
+            let row = cell.row;
+            let column = cell.column;
+            let size = cell.value.abs();
             let unit = cell.terms == NONE && cell.constant.abs() == 1.0;
             let alone = side == Side::Column && count == 1;
             let enough = if alone { 0.0 } else { THRESHOLD * self.active.top(row) };
@@ -277,8 +293,8 @@ impl Recorder<'_> {
                 continue;
             }
             found = true;
-            let (rows, columns) =
-                (self.active.line(Side::Column, column).len(), self.active.line(Side::Row, row).len());
+            let rows = self.active.line(Side::Column, column).len();
+            let columns = self.active.line(Side::Row, row).len();
             best.take(Candidate { cell: Some(id), cost: (rows - 1) * (columns - 1), unit, size });
         }
         found
@@ -292,7 +308,8 @@ impl Recorder<'_> {
         let inverse = self.inverse(pivot);
         let from = self.upper.len();
         for &id in &upper {
-            let number = if divided { self.multiplier(id, inverse, cell.column) } else { self.number(id) };
+            let number =
+                if divided { self.multiplier(id, inverse, cell.column) } else { self.number(id) };
             self.upper.push((self.active.cells[id as usize].column, number));
         }
         self.pivots.push(Pivot {
@@ -303,11 +320,19 @@ impl Recorder<'_> {
             upper: from..self.upper.len(),
         });
         for &id in &lower {
-            let (row, number) = (self.active.cells[id as usize].row, self.number(id));
-            let next = std::mem::replace(&mut self.lower_first[row as usize], self.lower.len() as u32);
+            let row = self.active.cells[id as usize].row;
+            let number = self.number(id);
+            let next =
+                std::mem::replace(&mut self.lower_first[row as usize], self.lower.len() as u32);
             self.lower.push((cell.column, number, next));
             if divided {
-                self.update(row, number, self.active.cells[id as usize].value / cell.value, from, &upper);
+                self.update(
+                    row,
+                    number,
+                    self.active.cells[id as usize].value / cell.value,
+                    from,
+                    &upper,
+                );
             }
         }
     }

@@ -6,8 +6,8 @@ use super::record::{Inverse, Number, Recorder};
 
 /// Writes the program: forward in the order of the pivots, then back.
 ///
-/// A pivot without cells in U is done after forward substitution, one without cells in L is done in one step
-/// on the way back.
+/// A pivot without cells in U is done after forward substitution, one without cells in L is done in
+/// one step on the way back.
 pub(crate) fn write(recorder: &mut Recorder<'_>) {
     for k in 0..recorder.pivots.len() {
         let pivot = &recorder.pivots[k];
@@ -22,17 +22,21 @@ pub(crate) fn write(recorder: &mut Recorder<'_>) {
             continue;
         }
         let whole = !pivot.has_lower;
-        let start =
-            if whole { recorder.places.rhs + pivot.row } else { recorder.places.solution + pivot.column };
+        let start = if whole {
+            recorder.places.rhs + pivot.row
+        } else {
+            recorder.places.solution + pivot.column
+        };
         step(recorder, k, start, whole, true);
     }
 }
 
-/// x_k = (start − Σ l x − Σ u x) / pivot, with those parts that are asked for; a row of U that is taken alone
-/// is divided already.
+/// x_k = (start − Σ l x − Σ u x) / pivot, with those parts that are asked for; a row of U that is
+/// taken alone is divided already.
 fn step(recorder: &mut Recorder<'_>, k: usize, start: u32, with_lower: bool, with_upper: bool) {
     recorder.lists.clear();
-    let (row, out) = (recorder.pivots[k].row, recorder.places.solution + recorder.pivots[k].column);
+    let row = recorder.pivots[k].row;
+    let out = recorder.places.solution + recorder.pivots[k].column;
     let mut next = if with_lower { recorder.lower_first[row as usize] } else { NONE };
     while next != NONE {
         let (column, number, after) = recorder.lower[next as usize];
@@ -55,7 +59,13 @@ fn step(recorder: &mut Recorder<'_>, k: usize, start: u32, with_lower: bool, wit
     if kind == Kind::Negated {
         std::mem::swap(&mut lists.plus, &mut lists.minus);
     }
-    recorder.recording.solve.push(kind, [out, start, scale], &lists.products, &lists.plus, &lists.minus);
+    recorder.recording.solve.push(
+        kind,
+        [out, start, scale],
+        &lists.products,
+        &lists.plus,
+        &lists.minus,
+    );
 }
 
 /// One more number times the solution at a column, to be subtracted.

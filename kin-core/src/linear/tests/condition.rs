@@ -12,13 +12,15 @@ fn conditions(a: &DMatrix<f64>) -> [f64; 2] {
     linear.values_mut().copy_from_slice(a.transpose().as_slice());
     linear.measure();
     assert!(linear.factor());
-    let measured = DMatrix::from_fn(n, n, |i, j| linear.row_units[i] * a[(i, j)] * linear.column_units[j]);
+    let measured =
+        DMatrix::from_fn(n, n, |i, j| linear.row_units[i] * a[(i, j)] * linear.column_units[j]);
     let values = measured.singular_values();
     [linear.condition(), values.max() / values.min()]
 }
 
-/// The largest singular value counts as the smallest does: of ones with a unit matrix added one is n + 1
-/// times the other, and it is the largest that is large; of the inverse it is the smallest that is small.
+/// The largest singular value counts as the smallest does: of ones with a unit matrix added one is
+/// n + 1 times the other, and it is the largest that is large; of the inverse it is the smallest
+/// that is small.
 #[test]
 fn large_and_small_singular_values_both_count() {
     for n in [4, 15, 60] {
@@ -48,33 +50,44 @@ fn condition_is_estimated_to_a_small_factor() {
             _ => 0.0,
         });
         let [estimate, exact] = conditions(&a);
-        assert!(estimate <= 1.001 * exact && estimate > exact / 3.0, "case {case}: {estimate} {exact}");
+        assert!(
+            estimate <= 1.001 * exact && estimate > exact / 3.0,
+            "case {case}: {estimate} {exact}"
+        );
     }
 }
 
-/// Vectors that nearly nothing is made of, and what is shown of a matrix whose two smallest singular values
-/// are near one another: more rounds are needed than for a verdict.
+/// Vectors that nearly nothing is made of, and what is shown of a matrix whose two smallest
+/// singular values are near one another: more rounds are needed than for a verdict.
 #[test]
 fn near_singular_values_are_told_apart() {
     let random = &mut Random::new(11);
     let n = 12;
     let mut turned = || DMatrix::from_fn(n, n, |_, _| random.number()).qr().q();
-    let (u, v) = (turned(), turned());
+    let u = turned();
+    let v = turned();
     let sizes = DMatrix::from_fn(n, n, |i, j| {
-        if i != j { 0.0 } else { [1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0101, 0.01][i] }
+        if i != j {
+            0.0
+        } else {
+            [1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0101, 0.01][i]
+        }
     });
     let a = u * sizes * v;
     let mut linear = Linear::new(n, (0..n * n).map(|k| Some((k / n, k % n))), &[]);
     linear.values_mut().copy_from_slice(a.transpose().as_slice());
     linear.measure();
     assert!(linear.factor());
-    let measured = DMatrix::from_fn(n, n, |i, j| linear.row_units[i] * a[(i, j)] * linear.column_units[j]);
+    let measured =
+        DMatrix::from_fn(n, n, |i, j| linear.row_units[i] * a[(i, j)] * linear.column_units[j]);
     let values = measured.singular_values();
     let [largest, smallest] = linear.singular_values();
     let mut sorted: Vec<f64> = values.iter().copied().collect();
     sorted.sort_by(f64::total_cmp);
     assert!(sorted[1] < 1.25 * sorted[0] && sorted[1] > 1.1 * sorted[0]);
-    assert!((largest / values.max() - 1.0).abs() < 1e-3 && (smallest / values.min() - 1.0).abs() < 1e-9);
+    assert!(
+        (largest / values.max() - 1.0).abs() < 1e-3 && (smallest / values.min() - 1.0).abs() < 1e-9
+    );
     linear.rhs_mut().fill(3.0);
     let (left, right, [_, estimate]) = linear.nearly_null();
     assert!(linear.rhs_mut().iter().all(|b| *b == 3.0), "a right side that waits is kept");

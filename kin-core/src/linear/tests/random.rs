@@ -65,7 +65,8 @@ impl Sparse {
         }
         let extra = if n == 1 { 0 } else { n * (1 + random.below(3)) };
         for _ in 0..extra {
-            let (i, j) = (random.below(n), random.below(n));
+            let i = random.below(n);
+            let j = random.below(n);
             match kind {
                 Kind::Hollow if i == j => {}
                 Kind::Permuted => a.add(rows[i.min(j)], i.max(j), random),
@@ -87,7 +88,8 @@ impl Sparse {
         let n = self.n;
         match kind {
             Kind::Scaled => {
-                let sizes: Vec<f64> = (0..2 * n).map(|_| 10.0_f64.powf(8.0 * random.number())).collect();
+                let sizes: Vec<f64> =
+                    (0..2 * n).map(|_| 10.0_f64.powf(8.0 * random.number())).collect();
                 self.constants.fill(None);
                 self.values
                     .iter_mut()
@@ -127,8 +129,10 @@ impl Sparse {
                 }),
             Kind::Structural if n > 2 => {
                 let kept = |(i, j): &(usize, usize)| *i == 0 || (*j != 1 && *j != 2);
-                for k in
-                    (0..self.entries.len()).rev().filter(|k| !kept(&self.entries[*k])).collect::<Vec<_>>()
+                for k in (0..self.entries.len())
+                    .rev()
+                    .filter(|k| !kept(&self.entries[*k]))
+                    .collect::<Vec<_>>()
                 {
                     self.entries.swap_remove(k);
                     self.values.swap_remove(k);
@@ -149,11 +153,15 @@ impl Sparse {
         a
     }
 
-    /// |b − A x| / (|A| |x| + |b|) in largest norms, rows and columns by the measures of the solver.
+    /// |b − A x| / (|A| |x| + |b|) in largest norms, rows and columns by the measures of the
+    /// solver.
     fn backward_error(&self, linear: &Linear, x: &[f64], b: &[f64]) -> f64 {
-        let mut r: Vec<f64> = b.iter().zip(linear.row_units.iter()).map(|(b, unit)| b * unit).collect();
-        let largest = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() });
-        let (b_norm, mut rows) = (largest(&r), vec![0.0; self.n]);
+        let mut r: Vec<f64> =
+            b.iter().zip(linear.row_units.iter()).map(|(b, unit)| b * unit).collect();
+        let largest =
+            |all: &[f64]| all.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() });
+        let b_norm = largest(&r);
+        let mut rows = vec![0.0; self.n];
         let x: Vec<f64> = x.iter().zip(&linear.column_units).map(|(x, unit)| x / unit).collect();
         for (&(i, j), value) in self.entries.iter().zip(&self.values) {
             let value = value * linear.row_units[i] * linear.column_units[j];
@@ -219,7 +227,8 @@ fn check_many(cases: usize, rare: usize) {
         let mut linear = a.linear();
         let what = format!("case {case}, n = {n}, {kind:?}");
         counts[usize::from(check(&a, &mut linear, random, &what))] += 1;
-        // The same pattern with numbers near these, by the same recording if it will do; then with any.
+        // The same pattern with numbers near these, by the same recording if it will do; then with
+        // any.
         for (value, constant) in a.values.iter_mut().zip(&a.constants) {
             *value = constant.unwrap_or(*value * (1.0 + 0.3 * random.number()));
         }
@@ -229,7 +238,9 @@ fn check_many(cases: usize, rare: usize) {
                 .iter_mut()
                 .zip(&a.constants)
                 .for_each(|(value, constant)| *value = constant.unwrap_or(random.number()));
-            counts[usize::from(check(&a, &mut linear, random, &format!("{what}, other numbers")))] += 1;
+            counts
+                [usize::from(check(&a, &mut linear, random, &format!("{what}, other numbers")))] +=
+                1;
         }
     }
     assert!(counts.iter().all(|count| *count > cases / 2), "{counts:?}");

@@ -1,13 +1,16 @@
-//! Demands on a replay: it restores constants, notices that it no longer fits, and stays flat and linear.
+//! Demands on a replay: it restores constants, notices that it no longer fits, and stays flat and
+//! linear.
 
 use super::*;
 use crate::numbers::random::Random;
 
-/// C_q of a four-bar in absolute coordinates (pins O, A, B, C, then the driver) at its angles; links a, b, c
-/// and ground d.
+/// C_q of a four-bar in absolute coordinates (pins O, A, B, C, then the driver) at its angles;
+/// links a, b, c and ground d.
 fn four_bar([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3]) -> Vec<f64> {
     let lever = |l: f64, t: f64| [-0.5 * l * t.sin(), 0.5 * l * t.cos()];
-    let (a, b, c) = (lever(a, t2), lever(b, t3), lever(c, t4));
+    let a = lever(a, t2);
+    let b = lever(b, t3);
+    let c = lever(c, t4);
     let rows = (0..2).map(|k| vec![1.0, -a[k]]);
     let rows = rows.chain((0..2).map(|k| vec![1.0, a[k], -1.0, b[k]]));
     let rows = rows.chain((0..2).map(|k| vec![1.0, b[k], -1.0, -c[k]]));
@@ -41,25 +44,30 @@ fn four_bar_pattern() -> Pattern {
 
 /// Angles of coupler and rocker over the crank's, open branch.
 fn angles([a, b, c, d]: [f64; 4], t2: f64) -> [f64; 3] {
-    let (x, y) = (a * t2.cos(), a * t2.sin());
-    let (dx, dy) = (d - x, -y);
+    let x = a * t2.cos();
+    let y = a * t2.sin();
+    let dx = d - x;
+    let dy = -y;
     let r = dx.hypot(dy);
     let e = (b * b - c * c + r * r) / (2.0 * r);
     let h = (b * b - e * e).sqrt();
-    let (px, py) = ((e * dx - h * dy) / r, (e * dy + h * dx) / r);
+    let px = (e * dx - h * dy) / r;
+    let py = (e * dy + h * dx) / r;
     [t2, py.atan2(px), (y + py).atan2(x + px - d)]
 }
 
-/// Its crank turns right round, and so do coupler and rocker: every lever passes through zero, C_q stays
-/// regular.
+/// Its crank turns right round, and so do coupler and rocker: every lever passes through zero, C_q
+/// stays regular.
 #[test]
 fn drag_link_four_bar_is_recorded_anew_where_a_pivot_fades() {
     let links = [2.5, 2.0, 2.5, 1.0];
     let (pattern, constants) = four_bar_pattern();
     let mut linear = Linear::new(9, pattern.iter().copied(), &constants);
-    let (steps, mut worst) = (20_000, 0.0_f64);
+    let steps = 20_000;
+    let mut worst = 0.0_f64;
     for k in 0..3 * steps {
-        let values = four_bar(links, angles(links, std::f64::consts::TAU * k as f64 / steps as f64));
+        let values =
+            four_bar(links, angles(links, std::f64::consts::TAU * k as f64 / steps as f64));
         linear.values_mut().copy_from_slice(&values);
         linear.measure();
         assert!(linear.factor());
@@ -77,8 +85,21 @@ fn drag_link_four_bar_is_recorded_anew_where_a_pivot_fades() {
 fn constants_that_elimination_changes_are_restored() {
     // Row 2 starts at constants only, and elimination of x_0 and x_1 writes into it.
     let pattern =
-        [(0, 0), (0, 2), (1, 1), (1, 2), (1, 3), (2, 0), (2, 1), (2, 2), (3, 2), (3, 3), (0, 3)].map(Some);
-    let known = [Some(1.0), None, Some(-1.0), None, None, Some(1.0), Some(1.0), Some(1.0), None, None, None];
+        [(0, 0), (0, 2), (1, 1), (1, 2), (1, 3), (2, 0), (2, 1), (2, 2), (3, 2), (3, 3), (0, 3)]
+            .map(Some);
+    let known = [
+        Some(1.0),
+        None,
+        Some(-1.0),
+        None,
+        None,
+        Some(1.0),
+        Some(1.0),
+        Some(1.0),
+        None,
+        None,
+        None,
+    ];
     let mut linear = Linear::new(4, pattern, &known);
     let random = &mut Random::new(7);
     for round in 0..200 {
@@ -127,7 +148,8 @@ fn work_is_linear_in_the_size_of_a_band() {
         let mut linear = banded(n);
         assert!(linear.factor());
         let recording = linear.recording.as_ref().unwrap();
-        let (work, solving) = (recording.factor.size(), recording.solve.size());
+        let work = recording.factor.size();
+        let solving = recording.solve.size();
         (
             linear.memory.len() as f64 / n as f64,
             (work.0 + work.1) as f64 / n as f64,
@@ -135,7 +157,8 @@ fn work_is_linear_in_the_size_of_a_band() {
         )
     });
     for pair in sizes.windows(2) {
-        let (a, b) = (pair[0], pair[1]);
+        let a = pair[0];
+        let b = pair[1];
         assert!(b.0 < 1.05 * a.0 && b.1 < 1.05 * a.1 && b.2 < 1.05 * a.2, "{sizes:?}");
     }
     assert!(sizes[2].0 < 12.0 && sizes[2].1 < 16.0 && sizes[2].2 < 16.0, "{sizes:?}");

@@ -32,8 +32,8 @@ pub struct Source {
 pub struct Culprit {
     /// The expression with its place and its part; `None` where only the constraint is known.
     pub found: Option<Found>,
-    /// The coordinates (`slider.R_x`), parameters (`slot.k`) and the time (`t`) that it is computed from;
-    /// where the expression is not known, all of the constraint's coordinates.
+    /// The coordinates (`slider.R_x`), parameters (`slot.k`) and the time (`t`) that it is computed
+    /// from; where the expression is not known, all of the constraint's coordinates.
     pub inputs: Vec<(String, f64)>,
 }
 
@@ -61,11 +61,13 @@ impl fmt::Display for Source {
     }
 }
 
-/// The end of a sentence that has said what is not finite: why, where, with which values, and what to do.
+/// The end of a sentence that has said what is not finite: why, where, with which values, and what
+/// to do.
 impl fmt::Display for Culprit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let values =
-            list(self.inputs.iter().map(|(name, value)| format!("{name} = {}", short(*value))).collect());
+        let values = list(
+            self.inputs.iter().map(|(name, value)| format!("{name} = {}", short(*value))).collect(),
+        );
         let Some(found) = &self.found else {
             return if values.is_empty() { f.write_str(".") } else { write!(f, ", at {values}.") };
         };
@@ -76,10 +78,14 @@ impl fmt::Display for Culprit {
         };
         let expression = &found.expression;
         match found.part {
-            Part::Value if found.value.is_nan() => write!(f, ": `{expression}` is not a number{operands}.")?,
+            Part::Value if found.value.is_nan() => {
+                write!(f, ": `{expression}` is not a number{operands}.")?
+            }
             Part::Value => write!(f, ": `{expression}` is {}{operands}.", short(found.value))?,
             Part::Slope => write!(f, ": `{expression}` has no finite slope{operands}.")?,
-            Part::Curvature => write!(f, ": `{expression}` has no finite second derivative{operands}.")?,
+            Part::Curvature => {
+                write!(f, ": `{expression}` has no finite second derivative{operands}.")?
+            }
         }
         let place = found.source.map(|source| source.to_string());
         let told: Vec<String> =

@@ -1,4 +1,5 @@
-//! A formula once more, with derivatives, and from the row that failed back to the node where it began.
+//! A formula once more, with derivatives, and from the row that failed back to the node where it
+//! began.
 
 use std::collections::BTreeSet;
 
@@ -11,14 +12,24 @@ use crate::numbers::real::Dual3_64;
 
 impl Table {
     /// The expression that made a term not finite; `parameters` are the values of the parameters.
-    pub(crate) fn blame(&self, asked: &Asked<'_>, parameters: &[f64], outside: Outside<'_>) -> Option<Blame> {
+    pub(crate) fn blame(
+        &self,
+        asked: &Asked<'_>,
+        parameters: &[f64],
+        outside: Outside<'_>,
+    ) -> Option<Blame> {
         let formula = self.formula();
         let row = *formula.rows.get(asked.row)?;
         let part = asked.term.part();
         asked.directions().into_iter().find_map(|direction| {
-            let source = Source { q: asked.q, t: asked.t, parameters, direction: &direction, outside };
-            let run =
-                Run { table: self, formula, jets: evaluate(&formula.graph, &[row], &source), parameters };
+            let source =
+                Source { q: asked.q, t: asked.t, parameters, direction: &direction, outside };
+            let run = Run {
+                table: self,
+                formula,
+                jets: evaluate(&formula.graph, &[row], &source),
+                parameters,
+            };
             let (node, part) = run.origin(row, part)?;
             Some(run.blame_at(node, part))
         })
@@ -36,10 +47,13 @@ struct Run<'a> {
 impl Run<'_> {
     /// Back from a result that is not finite to the node all of whose operands are.
     fn origin(&self, row: Node, last: Part) -> Option<(Node, Part)> {
-        let (mut node, mut part) = (row, self.fault(row, last)?);
+        let mut node = row;
+        let mut part = self.fault(row, last)?;
         // Operands come before what is made of them: so going back ends.
-        while let Some(next) =
-            self.operands(node).into_iter().find_map(|operand| Some((operand, self.fault(operand, part)?)))
+        while let Some(next) = self
+            .operands(node)
+            .into_iter()
+            .find_map(|operand| Some((operand, self.fault(operand, part)?)))
         {
             (node, part) = next;
         }
@@ -60,14 +74,19 @@ impl Run<'_> {
     fn blame_at(&self, node: Node, part: Part) -> Blame {
         let expression = self.formula.expression(node);
         let name = match self.formula.graph.op(node) {
-            Op::Input(kin_graph::Input::Parameter(k)) => self.formula.parameters.get(k).map(String::as_str),
+            Op::Input(kin_graph::Input::Parameter(k)) => {
+                self.formula.parameters.get(k).map(String::as_str)
+            }
             _ => None,
         };
-        let text = name.or(expression.map(|expression| expression.text.as_str())).unwrap_or_default();
+        let text =
+            name.or(expression.map(|expression| expression.text.as_str())).unwrap_or_default();
         let value = |node: &Node| self.jets.number(*node).map_or(f64::NAN, |jet| jet.value);
         Blame {
             expression: text.to_string(),
-            source: expression.filter(|_| name.is_none()).map(|expression| self.table.source(expression)),
+            source: expression
+                .filter(|_| name.is_none())
+                .map(|expression| self.table.source(expression)),
             part,
             value: value(&node),
             operands: self.operands(node).iter().map(value).collect(),
@@ -77,13 +96,16 @@ impl Run<'_> {
 
     /// The coordinates, parameters and the time behind a result: coordinates first, the time last.
     fn inputs(&self, node: Node) -> Vec<Input> {
-        let (mut seen, mut open) = (BTreeSet::new(), vec![node]);
+        let mut seen = BTreeSet::new();
+        let mut open = vec![node];
         while let Some(node) = open.pop() {
             if seen.insert(node) {
                 open.extend(self.operands(node));
             }
         }
-        let (mut columns, mut named, mut time) = (BTreeSet::new(), Vec::new(), None);
+        let mut columns = BTreeSet::new();
+        let mut named = Vec::new();
+        let mut time = None;
         for node in seen {
             match self.formula.graph.op(node) {
                 Op::Input(kin_graph::Input::Column(k)) => drop(columns.insert(k)),
@@ -135,10 +157,11 @@ impl kin_graph::Source<Jet> for Source<'_> {
         x.chain([f, f1, f2])
     }
 
-    /// The user's own function: its derivatives by each of its arguments, and the second one along the
-    /// direction.
+    /// The user's own function: its derivatives by each of its arguments, and the second one along
+    /// the direction.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Jet>) -> Jet {
-        let call = |operands: Vec<Dual3_64>| Given::by(self.outside, number, &operands).number(component);
+        let call =
+            |operands: Vec<Dual3_64>| Given::by(self.outside, number, &operands).number(component);
         let still = |operand: &Jet| Dual3_64::from_re(operand.value);
         let value = call(operands.iter().map(still).collect()).re;
         if operands.iter().all(|operand| operand.slopes.is_none()) {
@@ -152,7 +175,8 @@ impl kin_graph::Source<Jet> for Source<'_> {
             first += call(seeded).v1 * rate;
         }
         let along = |operand: &Jet| {
-            let moved = |[first, second]: [f64; 2]| Dual3_64::new(operand.value, first, second, 0.0);
+            let moved =
+                |[first, second]: [f64; 2]| Dual3_64::new(operand.value, first, second, 0.0);
             operand.slopes.map_or(still(operand), moved)
         };
         let second = call(operands.iter().map(along).collect()).v2;

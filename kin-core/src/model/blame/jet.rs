@@ -1,5 +1,6 @@
-//! Value and derivatives along one direction, where a derivative that vanishes by its structure is told from
-//! one that happens to be zero: √(x² + y²) has no slope at (0, 0), though x² + y² has the slope 0 there.
+//! Value and derivatives along one direction, where a derivative that vanishes by its structure is
+//! told from one that happens to be zero: √(x² + y²) has no slope at (0, 0), though x² + y² has the
+//! slope 0 there.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -49,8 +50,8 @@ impl Jet {
         Jet { value: y.re, slopes, growth: y.marks() }
     }
 
-    /// f(self, other): Σ f_k x_k′ and Σ f_kl x_k′ x_l′ + f_k x_k″, partial derivatives by those that depend
-    /// on s only.
+    /// f(self, other): Σ f_k x_k′ and Σ f_kl x_k′ x_l′ + f_k x_k″, partial derivatives by those
+    /// that depend on s only.
     fn with(self, other: Jet, f: impl Fn(Real<Dual2_64>, Real<Dual2_64>) -> Real<Dual2_64>) -> Jet {
         let at = |a: f64, b: f64| f(Real(self.along(a)), Real(other.along(b))).0;
         let tangent = |jet: &Jet| if jet.slopes.is_some() { 1.0 } else { 0.0 };
@@ -61,7 +62,8 @@ impl Jet {
             (Some(_), None) => self.chain([moved.re, moved.v1, moved.v2]).slopes,
             (None, Some(_)) => other.chain([moved.re, moved.v1, moved.v2]).slopes,
             (Some([a1, a2]), Some([b1, b2])) => {
-                let (by_a, by_b) = (at(1.0, 0.0), at(0.0, 1.0));
+                let by_a = at(1.0, 0.0);
+                let by_b = at(0.0, 1.0);
                 let mixed = 0.5 * (moved.v2 - by_a.v2 - by_b.v2);
                 let second = by_a.v2 * a1 * a1
                     + 2.0 * mixed * a1 * b1
@@ -87,8 +89,9 @@ impl Jet {
     /// Its numbers as a dual number has them.
     #[cfg(test)]
     pub(super) fn dual(self) -> Dual2_64 {
-        self.slopes
-            .map_or(Dual2_64::from_re(self.value), |[first, second]| Dual2_64::new(self.value, first, second))
+        self.slopes.map_or(Dual2_64::from_re(self.value), |[first, second]| {
+            Dual2_64::new(self.value, first, second)
+        })
     }
 }
 
@@ -157,14 +160,19 @@ mod tests {
 
     #[test]
     fn chain_of_two_is_that_of_second_order_dual_numbers() {
-        let (a, b) = (Jet::moving(0.7, [0.3, -0.2]), Jet::moving(1.9, [-1.1, 0.4]));
-        let (x, y) = (Real(a.dual()), Real(b.dual()));
-        let functions =
-            [Function2::Powf, Function2::Atan2, Function2::Hypot].map(|f| (a.call2(f, b), x.call2(f, y)));
-        for (f, (ours, dual)) in
-            functions.into_iter().chain([(a * b, x * y), (a / b, x / y), (a - b, x - y)]).enumerate()
+        let a = Jet::moving(0.7, [0.3, -0.2]);
+        let b = Jet::moving(1.9, [-1.1, 0.4]);
+        let x = Real(a.dual());
+        let y = Real(b.dual());
+        let functions = [Function2::Powf, Function2::Atan2, Function2::Hypot]
+            .map(|f| (a.call2(f, b), x.call2(f, y)));
+        for (f, (ours, dual)) in functions
+            .into_iter()
+            .chain([(a * b, x * y), (a / b, x / y), (a - b, x - y)])
+            .enumerate()
         {
-            let (ours, dual) = (ours.dual(), dual.0);
+            let ours = ours.dual();
+            let dual = dual.0;
             assert_eq!(ours.re, dual.re);
             assert!(
                 (ours.v1 - dual.v1).abs() < 1e-14 && (ours.v2 - dual.v2).abs() < 1e-13,
@@ -176,6 +184,9 @@ mod tests {
     #[test]
     fn second_derivative_alone_can_fail() {
         let power = X.call2(Function2::Powf, Jet::still(1.5));
-        assert_eq!((power.fault(Part::Slope), power.fault(Part::Curvature)), (None, Some(Part::Curvature)));
+        assert_eq!(
+            (power.fault(Part::Slope), power.fault(Part::Curvature)),
+            (None, Some(Part::Curvature))
+        );
     }
 }

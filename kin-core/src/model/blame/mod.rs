@@ -1,10 +1,10 @@
-//! Culprits where a term of a constraint is infinite or not a number: the sub-expression as the user wrote
-//! it, its place, and the values that went into it. Looked for when a run has failed and never before, so
-//! that kernels pay nothing for it.
+//! Culprits where a term of a constraint is infinite or not a number: the sub-expression as the
+//! user wrote it, its place, and the values that went into it. Looked for when a run has failed and
+//! never before, so that kernels pay nothing for it.
 //!
-//! On the symbolic route the equation is kept as a formula (`formula.rs`) and evaluated with second-order
-//! jets; on the dual route the user's body runs once more with numbers that know where they went wrong
-//! (`trace.rs`).
+//! On the symbolic route the equation is kept as a formula (`formula.rs`) and evaluated with
+//! second-order jets; on the dual route the user's body runs once more with numbers that know where
+//! they went wrong (`trace.rs`).
 
 mod culprit;
 mod interpret;
@@ -54,7 +54,8 @@ pub enum Input {
     Time,
 }
 
-/// A constraint's answer: the first expression that is not finite though everything it is made of is.
+/// A constraint's answer: the first expression that is not finite though everything it is made of
+/// is.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Blame {
@@ -102,8 +103,8 @@ pub(crate) struct Direction {
 }
 
 impl Asked<'_> {
-    /// The directions to look into: that of each coordinate for C_q, that of t for C_t, the motion for Q_d;
-    /// for C any that takes in all.
+    /// The directions to look into: that of each coordinate for C_q, that of t for C_t, the motion
+    /// for Q_d; for C any that takes in all.
     fn directions(&self) -> Vec<Direction> {
         let n = self.moves.len();
         match self.term {

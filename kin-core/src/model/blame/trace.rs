@@ -8,8 +8,8 @@ use crate::numbers::real::{Fault, Real, TIME, Traced, fault_of};
 /// An expression of the user's: as it is written, line and column, both counted from 1.
 pub type Expression = (&'static str, u32, u32);
 
-/// The expressions of a body that runs on dual numbers: the file they stand in, and each as it is written
-/// with line and column.
+/// The expressions of a body that runs on dual numbers: the file they stand in, and each as it is
+/// written with line and column.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
     /// The file that the expressions stand in.
@@ -43,7 +43,9 @@ fn blame_of(constraint: &dyn Constraint, fault: &Fault, body: Body, columns: usi
     let coordinates = (0..columns).filter(|&k| behind((k as u32).min(TIME))).map(Input::Column);
     let time = behind(TIME).then_some(Input::Time);
     Blame {
-        expression: expression.map_or(constraint.facts().kind, |expression| expression.0).to_string(),
+        expression: expression
+            .map_or(constraint.facts().kind, |expression| expression.0)
+            .to_string(),
         source: expression.map(|&(_, line, column)| Source { file: body.file, line, column }),
         part: [Part::Value, Part::Slope, Part::Curvature][fault.part.min(2)],
         value: fault.value,

@@ -9,14 +9,15 @@ pub trait Parameters {
     /// Shows each numeric parameter with its name (`k`, `u_i.x`, `c[2]`).
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64));
 
-    /// Sets one numeric parameter by the name [`Parameters::parameters`] gives it; false if there is none of
-    /// that name.
+    /// Sets one numeric parameter by the name [`Parameters::parameters`] gives it; false if there
+    /// is none of that name.
     fn set_parameter(&mut self, name: &str, value: f64) -> bool;
 
-    /// Sets one numeric parameter by its number in the order of [`Parameters::parameters`]; false if there is
-    /// none. The default goes by name; emitted constraints do not.
+    /// Sets one numeric parameter by its number in the order of [`Parameters::parameters`]; false
+    /// if there is none. The default goes by name; emitted constraints do not.
     fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
-        let (mut number, mut wanted) = (0, None);
+        let mut number = 0;
+        let mut wanted = None;
         self.parameters(&mut |name, _| {
             if number == index {
                 wanted = Some(name.to_string());
@@ -26,14 +27,15 @@ pub trait Parameters {
         wanted.is_some_and(|name| self.set_parameter(&name, value))
     }
 
-    /// The ends of the range of measure k of [`super::Facts::measures`], if it has any: those of a slot.
+    /// The ends of the range of measure k of [`super::Facts::measures`], if it has any: those of a
+    /// slot.
     fn ends(&self, k: usize) -> Option<[f64; 2]> {
         let _ = k;
         None
     }
 
-    /// The reason why the parameters make no sense, if so: a mechanism refuses the constraint with these
-    /// words.
+    /// The reason why the parameters make no sense, if so: a mechanism refuses the constraint with
+    /// these words.
     fn refusal(&self) -> Option<String> {
         None
     }
@@ -43,14 +45,15 @@ pub trait Parameters {
         Bindings::NONE
     }
 
-    /// Tells each parameter under its name, so that the constraint can be written as data and made anew;
-    /// refuses where it cannot be (default).
+    /// Tells each parameter under its name, so that the constraint can be written as data and made
+    /// anew; refuses where it cannot be (default).
     fn describe(&self, to: &mut Describer) {
         to.refuse(UNKNOWN);
     }
 }
 
-const UNKNOWN: &str = "it is written by hand, not made from a function, so its parameters are not known";
+const UNKNOWN: &str =
+    "it is written by hand, not made from a function, so its parameters are not known";
 
 /// The parameters of any constraint; one that shows none has none.
 impl dyn Constraint + '_ {

@@ -32,8 +32,9 @@ impl fmt::Display for Route {
 pub enum RouteReason {
     /// [`Route::Symbolic`]: the compiler has read the whole body.
     Read,
-    /// [`Route::Symbolic`]: the compiler has read the body but for what stands outside of it: the program's
-    /// own functions, whose values and derivatives come from dual numbers, and its constants.
+    /// [`Route::Symbolic`]: the compiler has read the body but for what stands outside of it: the
+    /// program's own functions, whose values and derivatives come from dual numbers, and its
+    /// constants.
     ReadBut {
         /// Each function and constant with the token where it stands.
         outside: &'static [(&'static str, Source)],
@@ -47,8 +48,8 @@ pub enum RouteReason {
     },
     /// [`Route::Dual`]: the program asks for it.
     Asked {
-        /// The word `dual` of `#[constraint(dual)]`; `None` where `by_dual` asks, or an implementation by
-        /// hand.
+        /// The word `dual` of `#[constraint(dual)]`; `None` where `by_dual` asks, or an
+        /// implementation by hand.
         source: Option<Source>,
     },
     /// [`Route::Hand`]: an `impl Constraint` without the macro.
@@ -60,7 +61,8 @@ pub trait Routed {
     /// How its derivatives are obtained.
     fn route(&self) -> Route;
 
-    /// Why it takes that route; on the dual one where the token stands that the compiler cannot read.
+    /// Why it takes that route; on the dual one where the token stands that the compiler cannot
+    /// read.
     fn explain_route(&self) -> RouteReason;
 }
 
@@ -101,7 +103,9 @@ impl fmt::Display for RouteReason {
                 write!(f, "dual: `#[constraint(dual)]` asks for it at {source}")
             }
             RouteReason::Asked { source: None } => f.write_str("dual: the program asks for it"),
-            RouteReason::Hand => f.write_str("hand-written: an `impl Constraint` without the macro"),
+            RouteReason::Hand => {
+                f.write_str("hand-written: an `impl Constraint` without the macro")
+            }
         }
     }
 }

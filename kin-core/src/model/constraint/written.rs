@@ -1,5 +1,5 @@
-//! The equation of a constraint as it was written: its formula as data, its points, and the expression that
-//! fails.
+//! The equation of a constraint as it was written: its formula as data, its points, and the
+//! expression that fails.
 
 use super::Constraint;
 use crate::model::blame::{Asked, Blame};
@@ -31,21 +31,22 @@ pub enum Attached {
 
 /// The equation as it was written. [`Constraint::parts`] shows it; emitted constraints have it.
 pub trait Written {
-    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and `b.direction(h)`
-    /// with nothing that moves inside: for drawings and messages. Empty where that is not known (default).
+    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and
+    /// `b.direction(h)` with nothing that moves inside: for drawings and messages. Empty where that
+    /// is not known (default).
     fn attachments(&self) -> Vec<Attachment> {
         Vec::new()
     }
 
-    /// The reason why a term is not finite: the sub-expression that made it so, as the user wrote it. Asked
-    /// only when a run has failed; `None` where that is not known.
+    /// The reason why a term is not finite: the sub-expression that made it so, as the user wrote
+    /// it. Asked only when a run has failed; `None` where that is not known.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         let (table, parameters) = self.table()?;
         table.blame(asked, &parameters, &|number, x, to| self.outside(number, x, to))
     }
 
-    /// Shows each law that the equation asks, with its name and where it is asked; on the dual route that is
-    /// not known.
+    /// Shows each law that the equation asks, with its name and where it is asked; on the dual
+    /// route that is not known.
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         let _ = (at, visit);
     }
@@ -56,8 +57,8 @@ pub trait Written {
         None
     }
 
-    /// A value that the formula cannot say and only the user's program can compute, by its number; default
-    /// nothing. Emitted with the formula.
+    /// A value that the formula cannot say and only the user's program can compute, by its number;
+    /// default nothing. Emitted with the formula.
     #[doc(hidden)]
     fn outside(&self, number: usize, x: &[Dual3_64], to: &mut Given) {
         let _ = (number, x, to);
@@ -76,9 +77,12 @@ impl dyn Constraint + '_ {
         self.parts().written?.blame(asked)
     }
 
-    /// Hands its formula over, with the values of the parameters and what computes the rest; `None` where
-    /// there is no formula.
-    pub(crate) fn formula<T>(&self, with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T) -> Option<T> {
+    /// Hands its formula over, with the values of the parameters and what computes the rest; `None`
+    /// where there is no formula.
+    pub(crate) fn formula<T>(
+        &self,
+        with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T,
+    ) -> Option<T> {
         self.parts().written?.formula(with)
     }
 
@@ -92,7 +96,10 @@ impl dyn Constraint + '_ {
 
 impl dyn Written + '_ {
     /// The formula of [`Written::table`].
-    pub(super) fn formula<T>(&self, with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T) -> Option<T> {
+    pub(super) fn formula<T>(
+        &self,
+        with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T,
+    ) -> Option<T> {
         let (table, parameters) = self.table()?;
         Some(with(table, &parameters, &|number, x, to| self.outside(number, x, to)))
     }

@@ -1,13 +1,13 @@
-//! Traits of the bodies, coordinates and axes that a constructor of a constraint takes. Each takes what
-//! converts into the handle; the traits are here, and not `Into` itself, for what rustc says where something
-//! else is given.
+//! Traits of the bodies, coordinates and axes that a constructor of a constraint takes. Each takes
+//! what converts into the handle; the traits are here, and not `Into` itself, for what rustc says
+//! where something else is given.
 
 use super::{Coordinate, PlanarBody, SpatialBody};
 use crate::model::dimension::{Bindings, Dimension, IntoNumber};
 use crate::numbers::algebra::{Axis, Components, Vec3};
 
-/// Anything that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything that is
-/// `Into<PlanarBody>`.
+/// Anything that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything
+/// that is `Into<PlanarBody>`.
 #[diagnostic::on_unimplemented(
     message = "a planar body is wanted here, but this is `{Self}`",
     label = "not a planar body",
@@ -26,8 +26,8 @@ impl<T: Into<PlanarBody>> IntoPlanarBody for T {
     }
 }
 
-/// Anything that names a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, anything that
-/// is `Into<SpatialBody>`.
+/// Anything that names a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground,
+/// anything that is `Into<SpatialBody>`.
 #[diagnostic::on_unimplemented(
     message = "a spatial body is wanted here, but this is `{Self}`",
     label = "not a spatial body",
@@ -64,15 +64,16 @@ impl<T: Into<Coordinate>> IntoCoordinate for T {
     }
 }
 
-/// Anything that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is `Into<Axis>`; the
-/// same made of [`Dimension`]s.
+/// Anything that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is
+/// `Into<Axis>`; the same made of [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "an axis is wanted here, but this is `{Self}`",
     label = "not an axis",
     note = "an axis of a spatial body is a vector along it, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector across it"
 )]
 pub trait IntoAxis {
-    /// The axis; the directions that it was given by are noted under its name if they hang on dimensions.
+    /// The axis; the directions that it was given by are noted under its name if they hang on
+    /// dimensions.
     fn into_axis(self, name: &str, to: &mut Bindings) -> Axis;
 }
 

@@ -1,4 +1,5 @@
-//! Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of them.
+//! Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of
+//! them.
 
 mod given;
 
@@ -6,20 +7,20 @@ use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 
 pub use given::{IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody};
 
-/// Marker in the signature of a `#[constraint]` function: the state of a planar body. The constructor takes a
-/// [`PlanarBody`].
+/// Marker in the signature of a `#[constraint]` function: the state of a planar body. The
+/// constructor takes a [`PlanarBody`].
 pub enum Planar {}
-/// Marker in the signature of a `#[constraint]` function: the state of a spatial body. The constructor takes
-/// a [`SpatialBody`].
+/// Marker in the signature of a `#[constraint]` function: the state of a spatial body. The
+/// constructor takes a [`SpatialBody`].
 pub enum Spatial {}
-/// Marker in the signature of a `#[constraint]` function: a bare generalized coordinate. The constructor
-/// takes a [`Coordinate`].
+/// Marker in the signature of a `#[constraint]` function: a bare generalized coordinate. The
+/// constructor takes a [`Coordinate`].
 pub enum Coord {}
-/// Marker in the signature of a `#[constraint]` function: the time t.   \[s\] It is no argument of the
-/// constructor.
+/// Marker in the signature of a `#[constraint]` function: the time t.   \[s\] It is no argument of
+/// the constructor.
 pub enum Time {}
-/// Marker in the signature of a `#[force]` function: the rate of the length or angle that the force acts
-/// along.   \[m/s, rad/s\] It is no argument of the constructor.
+/// Marker in the signature of a `#[force]` function: the rate of the length or angle that the force
+/// acts along.   \[m/s, rad/s\] It is no argument of the constructor.
 pub enum Rate {}
 
 /// Which mechanism a handle belongs to. Handles of the ground and placeholders belong to all.
@@ -57,7 +58,8 @@ pub struct SpatialBody {
 /// A bare generalized coordinate: one of its own, or one of a body's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Coordinate {
-    /// A coordinate declared on its own ([`crate::Mechanism::angle`], [`crate::Mechanism::length`]).
+    /// A coordinate declared on its own ([`crate::Mechanism::angle`],
+    /// [`crate::Mechanism::length`]).
     Own {
         #[doc(hidden)]
         mechanism: MechanismId,
@@ -74,16 +76,16 @@ pub enum Coordinate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ground;
 
-/// A planar body between two pins, frame at the middle, x-axis from start to end. Its length is a number, or
-/// a [`crate::Dimension`], of which its pins then are expressions.
+/// A planar body between two pins, frame at the middle, x-axis from start to end. Its length is a
+/// number, or a [`crate::Dimension`], of which its pins then are expressions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link<L = f64> {
     pub(crate) body: PlanarBody,
     pub(crate) length: L,
 }
 
-/// A spatial body between two joints, frame at the middle, x-axis from start to end. Its length is a number,
-/// or a [`crate::Dimension`], of which its joints then are expressions.
+/// A spatial body between two joints, frame at the middle, x-axis from start to end. Its length is
+/// a number, or a [`crate::Dimension`], of which its joints then are expressions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialLink<L = f64> {
     pub(crate) body: SpatialBody,
@@ -207,17 +209,20 @@ impl From<Ground> for SpatialBody {
     }
 }
 
-/// A planar body of no mechanism, for checking a constraint on its own; each call gives another one.
+/// A planar body of no mechanism, for checking a constraint on its own; each call gives another
+/// one.
 pub fn any_planar() -> PlanarBody {
     PlanarBody { mechanism: MechanismId::ANY, index: Some(placeholder()) }
 }
 
-/// A spatial body of no mechanism, for checking a constraint on its own; each call gives another one.
+/// A spatial body of no mechanism, for checking a constraint on its own; each call gives another
+/// one.
 pub fn any_spatial() -> SpatialBody {
     SpatialBody { mechanism: MechanismId::ANY, index: Some(placeholder()) }
 }
 
-/// A bare coordinate of no mechanism, for checking a constraint on its own; each call gives another one.
+/// A bare coordinate of no mechanism, for checking a constraint on its own; each call gives another
+/// one.
 pub fn any_coord() -> Coordinate {
     Coordinate::Own { mechanism: MechanismId::ANY, index: placeholder() }
 }

@@ -12,7 +12,11 @@ use crate::numbers::real::{assign, by_ref};
 
 impl Dimension {
     /// The number `value` that an operation makes of some numbers.
-    fn made<const N: usize>(value: f64, from: [Dimension; N], op: impl FnOnce([Node; N]) -> Op) -> Self {
+    fn made<const N: usize>(
+        value: f64,
+        from: [Dimension; N],
+        op: impl FnOnce([Node; N]) -> Op,
+    ) -> Self {
         let mut of = Of::Nothing;
         for one in from {
             of = match (of, one.of) {
@@ -46,7 +50,9 @@ impl Dimension {
     }
 
     pub(crate) fn call2(self, f: Function2, other: Self) -> Self {
-        Dimension::made(f.value()(self.value, other.value), [self, other], |[a, b]| Op::Call2(f, a, b))
+        Dimension::made(f.value()(self.value, other.value), [self, other], |[a, b]| {
+            Op::Call2(f, a, b)
+        })
     }
 
     /// xⁿ
@@ -103,18 +109,26 @@ macro_rules! operator {
     };
 }
 
-operator!(Add::add, AddAssign::add_assign, |a, b| Dimension::made(a.value + b.value, [a, b], |[a, b]| {
-    Op::Add(a, b)
-}));
-operator!(Sub::sub, SubAssign::sub_assign, |a, b| Dimension::made(a.value - b.value, [a, b], |[a, b]| {
-    Op::Sub(a, b)
-}));
-operator!(Mul::mul, MulAssign::mul_assign, |a, b| Dimension::made(a.value * b.value, [a, b], |[a, b]| {
-    Op::Mul(a, b)
-}));
-operator!(Div::div, DivAssign::div_assign, |a, b| Dimension::made(a.value / b.value, [a, b], |[a, b]| {
-    Op::Div(a, b)
-}));
+operator!(Add::add, AddAssign::add_assign, |a, b| Dimension::made(
+    a.value + b.value,
+    [a, b],
+    |[a, b]| { Op::Add(a, b) }
+));
+operator!(Sub::sub, SubAssign::sub_assign, |a, b| Dimension::made(
+    a.value - b.value,
+    [a, b],
+    |[a, b]| { Op::Sub(a, b) }
+));
+operator!(Mul::mul, MulAssign::mul_assign, |a, b| Dimension::made(
+    a.value * b.value,
+    [a, b],
+    |[a, b]| { Op::Mul(a, b) }
+));
+operator!(Div::div, DivAssign::div_assign, |a, b| Dimension::made(
+    a.value / b.value,
+    [a, b],
+    |[a, b]| { Op::Div(a, b) }
+));
 by_ref!([] Rem::rem, Dimension, Dimension => Dimension, |a, b| a.call2(Function2::Rem, b));
 by_ref!([] Rem::rem, Dimension, f64 => Dimension, |a, b| a.call2(Function2::Rem, b.into()));
 

@@ -26,8 +26,9 @@ impl fmt::Display for Name<'_> {
     }
 }
 
-/// The numbers of one constraint that are expressions of dimensions, each by the name of its parameter. None
-/// is the rule, and takes nothing from the heap: [`crate::Mechanism::add`] takes them out.
+/// The numbers of one constraint that are expressions of dimensions, each by the name of its
+/// parameter. None is the rule, and takes nothing from the heap: [`crate::Mechanism::add`] takes
+/// them out.
 #[derive(Clone, Default)]
 pub struct Bindings(Vec<(String, Dimension)>);
 
@@ -48,13 +49,16 @@ impl Bindings {
         self.note(&Name::Own(name), number.into_number())
     }
 
-    /// The vector of these components, noted as `NAME.x`, `NAME.y` and `NAME.z` if they hang on dimensions.
+    /// The vector of these components, noted as `NAME.x`, `NAME.y` and `NAME.z` if they hang on
+    /// dimensions.
     pub(crate) fn vector(&mut self, name: &str, components: [Dimension; 3]) -> [f64; 3] {
         let mut names = ["x", "y", "z"].into_iter();
-        components.map(|x| self.note(&Name::Field(&Name::Own(name), names.next().unwrap_or_default()), x))
+        components
+            .map(|x| self.note(&Name::Field(&Name::Own(name), names.next().unwrap_or_default()), x))
     }
 
-    /// The values of the parameters `name[first]`, `name[first + 1]`, …, noted if they hang on dimensions.
+    /// The values of the parameters `name[first]`, `name[first + 1]`, …, noted if they hang on
+    /// dimensions.
     pub fn list(
         &mut self,
         name: &str,
@@ -63,14 +67,19 @@ impl Bindings {
     ) -> Vec<f64> {
         let own = Name::Own(name);
         let numbers = numbers.enumerate();
-        numbers.map(|(k, number)| self.note(&Name::Index(&own, first + k), number.into_number())).collect()
+        numbers
+            .map(|(k, number)| self.note(&Name::Index(&own, first + k), number.into_number()))
+            .collect()
     }
 
-    /// The axis that is given by the components of its direction, after which those of a second one may
-    /// follow. They are noted if any of them hangs on dimensions, each as `NAME.h.x`, …, `NAME.f.z`.
+    /// The axis that is given by the components of its direction, after which those of a second one
+    /// may follow. They are noted if any of them hangs on dimensions, each as `NAME.h.x`, …,
+    /// `NAME.f.z`.
     pub fn axis(&mut self, name: &str, given: &[Dimension]) -> Axis {
         if given.iter().any(|number| number.of() != Of::Nothing) {
-            self.0.extend((0..).zip(given).map(|(part, number)| (Axis::name_of(name, part), *number)));
+            self.0.extend(
+                (0..).zip(given).map(|(part, number)| (Axis::name_of(name, part), *number)),
+            );
         }
         Axis::given(&given.iter().map(|number| number.value()).collect::<Vec<f64>>())
     }

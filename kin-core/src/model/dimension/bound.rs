@@ -9,14 +9,15 @@ pub(crate) enum Bound {
     Guess(usize),
     /// The length of a link, by its number among those that have one.
     Length(usize),
-    /// A component of the direction that an axis was given by, and after three of those one of the second
-    /// direction. The axis is worked out of all of them together.
+    /// A component of the direction that an axis was given by, and after three of those one of the
+    /// second direction. The axis is worked out of all of them together.
     Axis { of: Holder, name: String, part: usize },
-    /// A component of the first point that a spatial body is drawn between, and after three of those one of
-    /// the second. The guess of the body, whose coordinates begin there, is worked out of all of them.
+    /// A component of the first point that a spatial body is drawn between, and after three of
+    /// those one of the second. The guess of the body, whose coordinates begin there, is worked out
+    /// of all of them.
     Between { first: usize, part: usize },
-    /// A component of the origin of a spatial body that is drawn facing a direction, and after three of those
-    /// those of one or two directions. Its guess is worked out of all of them.
+    /// A component of the origin of a spatial body that is drawn facing a direction, and after
+    /// three of those those of one or two directions. Its guess is worked out of all of them.
     Facing { first: usize, part: usize },
     /// The preferred value of a coordinate, which is its guess too.
     Preferred(usize),
@@ -26,8 +27,8 @@ pub(crate) enum Bound {
     Beside { of: Beside, name: String },
 }
 
-/// A constraint of the mechanism, or one that is no equation: what has mass and what acts is told by
-/// constraints too.
+/// A constraint of the mechanism, or one that is no equation: what has mass and what acts is told
+/// by constraints too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Holder {
     /// Constraint of that number.
@@ -60,7 +61,9 @@ impl Bound {
     pub(crate) fn is_beside(&self) -> bool {
         match self {
             Bound::Beside { .. } => true,
-            Bound::Parameter { of, .. } | Bound::Axis { of, .. } => !matches!(of, Holder::Constraint(_)),
+            Bound::Parameter { of, .. } | Bound::Axis { of, .. } => {
+                !matches!(of, Holder::Constraint(_))
+            }
             _ => false,
         }
     }
@@ -85,7 +88,9 @@ impl Bound {
     /// True if both are numbers of one axis, or of one pose.
     pub(super) fn is_with(&self, other: &Bound) -> bool {
         match (self, other) {
-            (Bound::Axis { of, name, .. }, Bound::Axis { of: o, name: n, .. }) => (of, name) == (o, n),
+            (Bound::Axis { of, name, .. }, Bound::Axis { of: o, name: n, .. }) => {
+                (of, name) == (o, n)
+            }
             (Bound::Between { first, .. }, Bound::Between { first: other, .. }) => first == other,
             (Bound::Facing { first, .. }, Bound::Facing { first: other, .. }) => first == other,
             _ => false,

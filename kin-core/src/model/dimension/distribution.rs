@@ -28,7 +28,8 @@ impl Distribution {
         let [density, inside] = AT_THREE;
         match self {
             Distribution::Normal => [1.0 / 9.0, 3.0 / 81.0],
-            // By parts from −a to a: E(x²) = 1 − 2 a φ(a)/Z, E(x⁴) = 3 − 2 (a³ + 3 a) φ(a)/Z, a = 3.
+            // By parts from −a to a: E(x²) = 1 − 2 a φ(a)/Z, E(x⁴) = 3 − 2 (a³ + 3 a) φ(a)/Z,
+            // a = 3.
             Distribution::TruncatedNormal => {
                 [(1.0 - 6.0 * density / inside) / 9.0, (3.0 - 72.0 * density / inside) / 81.0]
             }
@@ -37,7 +38,8 @@ impl Distribution {
         }
     }
 
-    /// The standard deviation of a dimension that may be off by ± `tolerance`.   \[unit of the dimension\]
+    /// The standard deviation of a dimension that may be off by ± `tolerance`.   \[unit of the
+    /// dimension\]
     pub fn sigma(self, tolerance: f64) -> f64 {
         self.moments()[0].sqrt() * tolerance
     }
@@ -53,7 +55,8 @@ mod tests {
         let sums = |density: &dyn Fn(f64) -> f64, reach: f64| {
             let n = 200_000;
             let at = |k: i32| reach * (f64::from(k) + 0.5) / f64::from(n);
-            let sum = |power: i32| -> f64 { (-n..n).map(|k| density(at(k)) * at(k).powi(power)).sum() };
+            let sum =
+                |power: i32| -> f64 { (-n..n).map(|k| density(at(k)) * at(k).powi(power)).sum() };
             [sum(2) / sum(0), sum(4) / sum(0)]
         };
         let normal = |x: f64| (-4.5 * x * x).exp();

@@ -31,8 +31,8 @@ impl IntoNumber for Dimension {
     }
 }
 
-/// Anything that gives a parameter of the type `T` of a constraint or law: a `T`, or the same made of
-/// [`Dimension`]s.
+/// Anything that gives a parameter of the type `T` of a constraint or law: a `T`, or the same made
+/// of [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "a `{T}` is wanted here, but this is `{Self}`",
     label = "not a `{T}`",
@@ -127,8 +127,8 @@ impl<S: IntoNumber> IntoParameter<Mat3> for [[S; 3]; 3] {
     }
 }
 
-/// Anything that gives a vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array, a tuple, made of
-/// numbers or of [`Dimension`]s.
+/// Anything that gives a vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array, a tuple,
+/// made of numbers or of [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "a `{V}` is wanted here, but this is `{Self}`",
     label = "not a `{V}`",
@@ -183,11 +183,9 @@ pub fn vector<V: From<[f64; N]>, const N: usize>(
     to: &mut Bindings,
 ) -> V {
     let mut names = ["x", "y", "z"].into_iter();
-    V::from(
-        components
-            .components()
-            .map(|one| to.note(&Name::Field(name, names.next().unwrap_or_default()), one.into_number())),
-    )
+    V::from(components.components().map(|one| {
+        to.note(&Name::Field(name, names.next().unwrap_or_default()), one.into_number())
+    }))
 }
 
 /// Pairs and triples of constants and dimensions.

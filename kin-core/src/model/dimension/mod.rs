@@ -24,10 +24,10 @@ pub(crate) use snapshot::{Hung, Snapshot};
 pub(crate) use store::{Entry, Shared};
 pub(crate) use text::text_of;
 
-/// A named number that others hang on ([`crate::Mechanism::dimension`]), or an expression of such numbers:
-/// `a / 2.0`, `a + b`, `dx.hypot(dy)`, `angle.sin()`. It is copied freely, and is accepted wherever a
-/// parameter of a constraint, a length of a link, a coefficient of a law, a guess, a mass or a number of a
-/// load is a number.
+/// A named number that others hang on ([`crate::Mechanism::dimension`]), or an expression of such
+/// numbers: `a / 2.0`, `a + b`, `dx.hypot(dy)`, `angle.sin()`. It is copied freely, and is accepted
+/// wherever a parameter of a constraint, a length of a link, a coefficient of a law, a guess, a
+/// mass or a number of a load is a number.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -46,8 +46,8 @@ pub(crate) use text::text_of;
 /// # }
 /// ```
 ///
-/// It compares with other numbers by its value where it was made. Its arithmetic is written down, not done:
-/// [`crate::System::set`] does it again.
+/// It compares with other numbers by its value where it was made. Its arithmetic is written down,
+/// not done: [`crate::System::set`] does it again.
 #[derive(Clone, Copy)]
 pub struct Dimension {
     value: f64,
@@ -79,20 +79,21 @@ impl Dimension {
         Dimension { value, of: Of::Expression(mechanism, node) }
     }
 
-    /// The range that [`crate::System::set`] keeps to, both ends included. One that excludes the nominal
-    /// value is told when the mechanism is built.
+    /// The range that [`crate::System::set`] keeps to, both ends included. One that excludes the
+    /// nominal value is told when the mechanism is built.
     pub fn within(self, from: f64, to: f64) -> Self {
         self.describe(|entry| entry.range = Some([from, to]))
     }
 
-    /// How far the shop may be off: the value is within ± `tolerance` of the nominal one. One that is
-    /// negative or not finite is told when the mechanism is built.
+    /// How far the shop may be off: the value is within ± `tolerance` of the nominal one. One that
+    /// is negative or not finite is told when the mechanism is built.
     pub fn tolerance(self, tolerance: f64) -> Self {
         self.describe(|entry| entry.tolerance = Some(tolerance))
     }
 
-    /// How it is distributed where it has a tolerance; normal if nothing is said. [`Distribution::Disc`] is
-    /// that of clearances alone: of another dimension it is told when the mechanism is built.
+    /// How it is distributed where it has a tolerance; normal if nothing is said.
+    /// [`Distribution::Disc`] is that of clearances alone: of another dimension it is told when the
+    /// mechanism is built.
     pub fn distributed(self, distribution: Distribution) -> Self {
         self.describe(|entry| entry.distribution = Some(distribution))
     }
@@ -104,14 +105,17 @@ impl Dimension {
 
     /// One of the two dimensions of a clearance.
     pub(crate) fn in_clearance(self, name: &str) -> Self {
-        self.distributed(Distribution::Disc).describe(|entry| entry.clearance = Some(name.to_string()))
+        self.distributed(Distribution::Disc)
+            .describe(|entry| entry.clearance = Some(name.to_string()))
     }
 
     /// Writes down what is known of a named dimension; of anything else it is told at build.
     fn describe(self, write: impl FnOnce(&mut Entry)) -> Self {
-        store::with(self.of, |store, node| match store.entries.iter_mut().find(|entry| entry.node == node) {
-            Some(entry) if !entry.is_derived => write(entry),
-            _ => store.misplaced = store.misplaced.or(Some(node)),
+        store::with(self.of, |store, node| {
+            match store.entries.iter_mut().find(|entry| entry.node == node) {
+                Some(entry) if !entry.is_derived => write(entry),
+                _ => store.misplaced = store.misplaced.or(Some(node)),
+            }
         });
         self
     }

@@ -1,6 +1,6 @@
-//! The dimensions of one mechanism while it is described. Expressions are written into its graph by operators
-//! that see no mechanism, only handles that can be copied: so that the graph is found by the mechanism's
-//! number, among those of all mechanisms that have dimensions and still exist.
+//! The dimensions of one mechanism while it is described. Expressions are written into its graph by
+//! operators that see no mechanism, only handles that can be copied: so that the graph is found by
+//! the mechanism's number, among those of all mechanisms that have dimensions and still exist.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
@@ -62,7 +62,8 @@ impl Drop for Shared {
     }
 }
 
-/// The result of `act` with the store and the node of an expression; `None` if there is no store any more.
+/// The result of `act` with the store and the node of an expression; `None` if there is no store
+/// any more.
 pub(super) fn with<T>(of: Of, act: impl FnOnce(&mut Store, Node) -> T) -> Option<T> {
     let Of::Expression(mechanism, node) = of else { return None };
     let shared = lock(&STORES).get(&mechanism.0).and_then(Weak::upgrade)?;

@@ -1,4 +1,5 @@
-//! The data that errors of a failing run carry: the motion before it and the diagnosis of the mechanism.
+//! The data that errors of a failing run carry: the motion before it and the diagnosis of the
+//! mechanism.
 
 use super::Error;
 use crate::model::motion::Motion;
@@ -7,7 +8,8 @@ use crate::model::verdict::Diagnosis;
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The motion that an error carries, shared or mutable as the error is; `None` where it carries none.
+/// The motion that an error carries, shared or mutable as the error is; `None` where it carries
+/// none.
 macro_rules! carried {
     ($error:expr) => {
         match $error {
@@ -26,7 +28,8 @@ macro_rules! carried {
 }
 
 impl Error {
-    /// The part of the motion that a failing run had computed; `None` for errors of other operations.
+    /// The part of the motion that a failing run had computed; `None` for errors of other
+    /// operations.
     pub fn motion(&self) -> Option<&Motion> {
         carried!(self)?.as_deref()
     }

@@ -1,4 +1,5 @@
-//! Errors, in the words of the field: where (time, constraint by name), the fault, and the cure to try.
+//! Errors, in the words of the field: where (time, constraint by name), the fault, and the cure to
+//! try.
 
 use std::path::PathBuf;
 
@@ -15,7 +16,8 @@ pub use other_motion::OtherMotion;
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A mechanism that cannot be driven, whatever its pose: equations are missing or contradictory.
+    /// A mechanism that cannot be driven, whatever its pose: equations are missing or
+    /// contradictory.
     #[error("{diagnosis}{}", text::computed_before(.motion))]
     CannotBeDriven {
         /// The diagnosis, by name.
@@ -73,7 +75,8 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-    /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate there.
+    /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate
+    /// there.
     #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
         text::toggle(.movable, .dependent, .diagnosis), text::computed_before(.motion))]
     Toggle {
@@ -104,7 +107,8 @@ pub enum Error {
         /// The motion computed before.
         motion: Option<Box<Motion>>,
     },
-    /// A position that closes, but not as it is meant: the equations hold for an axis turned by 180° too.
+    /// A position that closes, but not as it is meant: the equations hold for an axis turned by
+    /// 180° too.
     #[error("{}", text::wrong_branch(&words::at(*.t, .units), [constraint, kind, reason], .motion))]
     WrongBranch {
         /// Time.   \[s\]
@@ -151,7 +155,8 @@ pub enum Error {
         row: String,
         /// `C`, `C_q`, `C_t`, `Q_d`, or `q'`, `q''` where only the solution overflows.
         quantity: &'static str,
-        /// The sub-expression that made it so, as the user wrote it, and the values that went into it.
+        /// The sub-expression that made it so, as the user wrote it, and the values that went into
+        /// it.
         culprit: Box<Culprit>,
         /// The motion computed before.
         motion: Option<Box<Motion>>,
@@ -292,7 +297,8 @@ pub enum Error {
         reason: String,
     },
 
-    /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been computed.
+    /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been
+    /// computed.
     #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
     NeedsMemory {
         /// How many motions there are at once: one for each thread of a sweep.
@@ -318,7 +324,8 @@ pub enum Error {
         value: f64,
     },
 
-    /// A sweep or run that was told to stop ([`crate::Sweep::stop_when`], [`crate::System::run_watched`]).
+    /// A sweep or run that was told to stop ([`crate::Sweep::stop_when`],
+    /// [`crate::System::run_watched`]).
     #[error("{}{}", text::stopped([*.done, *.all], .motion), text::computed_before(.motion))]
     Stopped {
         /// Cases or times that were done.
@@ -354,7 +361,8 @@ pub enum Error {
     /// Routes to a derivative that do not agree ([`crate::ask::check::compare`]).
     #[error(transparent)]
     Mismatch(#[from] Box<crate::model::mismatch::Mismatch>),
-    /// A derivative by a parameter that does not exist, or is not known ([`crate::System::sensitivities`]).
+    /// A derivative by a parameter that does not exist, or is not known
+    /// ([`crate::System::sensitivities`]).
     #[error(transparent)]
     NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
     /// A force that redundant constraints share ([`crate::Forces`]).

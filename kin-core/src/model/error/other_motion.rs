@@ -3,8 +3,8 @@
 use crate::model::units::Units;
 use crate::model::words;
 
-/// A motion of another system, or of one that has been changed since: at one of its times an equation does
-/// not hold.
+/// A motion of another system, or of one that has been changed since: at one of its times an
+/// equation does not hold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the motion is not one of \"{system}\" as it is now: at t = {} `{equation}` is {} off. Run it again after what was \

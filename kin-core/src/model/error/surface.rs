@@ -1,9 +1,10 @@
-//! Where messages are read: advice names a call of Rust, a keyword of Python or a flag of the command.
+//! Where messages are read: advice names a call of Rust, a keyword of Python or a flag of the
+//! command.
 
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// Where messages are read. A program keeps [`Surface::Rust`]; the wheel and the command choose theirs once,
-/// when they start ([`Surface::choose`]).
+/// Where messages are read. A program keeps [`Surface::Rust`]; the wheel and the command choose
+/// theirs once, when they start ([`Surface::choose`]).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Surface {
@@ -45,8 +46,12 @@ impl Surface {
     /// Where the motion before a failure is.
     pub(crate) fn motion_before(self, until: &str) -> String {
         match self {
-            Surface::Rust => format!("The motion up to t = {until} is in this error: `error.motion()`."),
-            Surface::Python => format!("The motion up to t = {until} is in this error: `error.motion`."),
+            Surface::Rust => {
+                format!("The motion up to t = {until} is in this error: `error.motion()`.")
+            }
+            Surface::Python => {
+                format!("The motion up to t = {until} is in this error: `error.motion`.")
+            }
             Surface::Command => format!("The files hold the motion up to t = {until}."),
         }
     }
@@ -70,8 +75,8 @@ impl Surface {
         }
     }
 
-    /// The way to go on without proof that the run stays on its branch, after the reasons; the command has
-    /// none.
+    /// The way to go on without proof that the run stays on its branch, after the reasons; the
+    /// command has none.
     pub(crate) fn unchecked(self) -> &'static str {
         match self {
             Surface::Rust => "; `Follow::Unchecked` goes on without asking",
@@ -116,7 +121,9 @@ impl Surface {
     /// How a user writes a law of which bounds are known, before another cure.
     pub(crate) fn readable_law(self) -> &'static str {
         match self {
-            Surface::Rust => "write it with `#[law]`, without a loop or call that only Rust can read, or ",
+            Surface::Rust => {
+                "write it with `#[law]`, without a loop or call that only Rust can read, or "
+            }
             Surface::Python => "write it with `@kin.law`, or ",
             Surface::Command => "",
         }
@@ -156,8 +163,12 @@ mod tests {
 
     #[test]
     fn each_surface_has_its_words() {
-        let words = [Surface::Rust, Surface::Python, Surface::Command].map(|surface| surface.closure(3e-8));
-        assert_eq!(words, ["`Options::closure(3e-8)`", "`run(times, closure=3e-8)`", "`--closure 3e-8`"]);
+        let words =
+            [Surface::Rust, Surface::Python, Surface::Command].map(|surface| surface.closure(3e-8));
+        assert_eq!(
+            words,
+            ["`Options::closure(3e-8)`", "`run(times, closure=3e-8)`", "`--closure 3e-8`"]
+        );
     }
 
     /// Nothing that is said to a user of the wheel or of the command names a path of Rust.
@@ -179,9 +190,13 @@ mod tests {
                 surface.no_jerk().to_string(),
                 surface.many_times().to_string(),
             ];
-            let of_rust = |text: &&String| ["::", "#[", "()`"].iter().any(|mark| text.contains(mark));
+            let of_rust =
+                |text: &&String| ["::", "#[", "()`"].iter().any(|mark| text.contains(mark));
             let told = all.iter().filter(of_rust).count();
-            assert!(if surface == Surface::Rust { told >= 8 } else { told == 0 }, "{surface:?}: {all:?}");
+            assert!(
+                if surface == Surface::Rust { told >= 8 } else { told == 0 },
+                "{surface:?}: {all:?}"
+            );
         }
     }
 }

@@ -31,7 +31,9 @@ fn no_convergence_names_the_row_and_the_last_time() {
     };
     let text = error.to_string();
     assert!(
-        text.starts_with("t = 0.31 s: no convergence in 20 iterations; worst is `B` row y: |C| = 4.0e-2."),
+        text.starts_with(
+            "t = 0.31 s: no convergence in 20 iterations; worst is `B` row y: |C| = 4.0e-2."
+        ),
         "{text}"
     );
     assert!(text.contains("t = 0.3 s"), "{text}");

@@ -23,15 +23,19 @@ pub(super) fn no_convergence(
                 computed_before(motion)
             )
         }
-        Some(t) => format!("\n  Nearest solved t = {}.{found}{}", at(t, units), computed_before(motion)),
+        Some(t) => {
+            format!("\n  Nearest solved t = {}.{found}{}", at(t, units), computed_before(motion))
+        }
         None if found.is_empty() => {
-            "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close.".to_string()
+            "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close."
+                .to_string()
         }
         None => found,
     }
 }
 
-/// Message of a position that does not exist, where the diagnosis has found why; else that of the solver.
+/// Message of a position that does not exist, where the diagnosis has found why; else that of the
+/// solver.
 pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
     let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
     found.map_or_else(solver, |diagnosis| {
@@ -50,7 +54,8 @@ pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() ->
     found.map_or_else(solver, |diagnosis| diagnosis.to_string())
 }
 
-/// Message of a singular C_q: the coordinates that can move, and the equations that depend on one another.
+/// Message of a singular C_q: the coordinates that can move, and the equations that depend on one
+/// another.
 pub(super) fn singular(
     at: &str,
     [rank, n]: [usize; 2],
@@ -58,8 +63,13 @@ pub(super) fn singular(
     [movable, dependent]: [&[String]; 2],
     unmet: &Option<Box<str>>,
 ) -> String {
-    let rank = if rank < n { format!("has rank {rank}") } else { "is singular but for rounding".to_string() };
-    let mut text = format!("t = {at}: C_q ({n} x {n}) {rank}; smallest relative pivot {pivot:.1e}.");
+    let rank = if rank < n {
+        format!("has rank {rank}")
+    } else {
+        "is singular but for rounding".to_string()
+    };
+    let mut text =
+        format!("t = {at}: C_q ({n} x {n}) {rank}; smallest relative pivot {pivot:.1e}.");
     if !movable.is_empty() {
         text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
     }
@@ -85,8 +95,13 @@ pub(super) fn drawn(drawn: bool) -> &'static str {
     }
 }
 
-/// The message of a position beyond a toggle: why it cannot be reached, and what can move at the toggle.
-pub(super) fn toggle(movable: &[String], dependent: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
+/// The message of a position beyond a toggle: why it cannot be reached, and what can move at the
+/// toggle.
+pub(super) fn toggle(
+    movable: &[String],
+    dependent: &[String],
+    diagnosis: &Option<Box<Diagnosis>>,
+) -> String {
     let all = format!(
         "There {} can move although what drives stands still, and {} depend on one another.",
         list(movable),
@@ -140,10 +155,11 @@ pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
 }
 
 impl Error {
-    /// The message without its last line, which says where the motion before the failure is: for a page that
-    /// shows that motion.
+    /// The message without its last line, which says where the motion before the failure is: for a
+    /// page that shows that motion.
     pub fn reason(&self) -> String {
-        let (text, line) = (self.to_string(), self.motion().map(motion_before).unwrap_or_default());
+        let text = self.to_string();
+        let line = self.motion().map(motion_before).unwrap_or_default();
         text.strip_suffix(&line).unwrap_or(&text).to_string()
     }
 }
@@ -179,12 +195,16 @@ pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64
 pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
     let surface = Surface::chosen();
     let (all, cure) = if motions > 1 {
-        (format!("{motions} motions at once of "), "Run the sweep on fewer threads, ask for fewer times")
+        (
+            format!("{motions} motions at once of "),
+            "Run the sweep on fewer threads, ask for fewer times",
+        )
     } else {
         (String::new(), surface.fewer_times())
     };
     let [needed, allowed] = sizes.map(bytes);
-    let (times, coordinates) = (count(times, "time"), count(coordinates, "coordinate"));
+    let times = count(times, "time");
+    let coordinates = count(coordinates, "coordinate");
     let (limit, more) = surface.memory();
     format!("{all}{times} of {coordinates} need {needed}; {limit} {allowed}.\n  {cure}{more}.")
 }

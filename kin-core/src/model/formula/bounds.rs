@@ -23,7 +23,9 @@ impl Source<Series> for Inputs<'_> {
         let given = match input {
             Input::Column(k) => self.columns.get(k).copied(),
             Input::Time => Some(self.t),
-            Input::Parameter(k) => self.parameters.get(k).map(|x| Series::constant(Interval::from(*x))),
+            Input::Parameter(k) => {
+                self.parameters.get(k).map(|x| Series::constant(Interval::from(*x)))
+            }
             _ => None,
         };
         given.unwrap_or(UNKNOWN)
@@ -33,9 +35,9 @@ impl Source<Series> for Inputs<'_> {
         Given::by(self.outside, law, &[]).law().map_or(UNKNOWN, |law| law_of(law, x, order))
     }
 
-    /// Bounds of a function that only the user's program can compute, of parameters alone: the number that it
-    /// gives. Its operands are known up to rounding, so it is evaluated at both ends and in the middle of
-    /// their intervals; a jump between these three is not seen.
+    /// Bounds of a function that only the user's program can compute, of parameters alone: the
+    /// number that it gives. Its operands are known up to rounding, so it is evaluated at both ends
+    /// and in the middle of their intervals; a jump between these three is not seen.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Series>) -> Series {
         if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
             return UNKNOWN;
@@ -161,8 +163,8 @@ pub(crate) fn trusted(formula: &Formula, outside: Outside<'_>) -> Vec<String> {
 }
 
 impl Table {
-    /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a row are
-    /// known.
+    /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a
+    /// row are known.
     pub(crate) fn unknown(
         &self,
         row: usize,
@@ -173,7 +175,8 @@ impl Table {
         let known = |node: &Node| results.number(*node).is_some_and(|y| y.len() >= len);
         let holds = |node: Node| results.condition(node).is_some_and(|condition| !condition.never);
         let mut node = *formula.rows.get(row)?;
-        while let Some(next) = formula.graph.numbers_behind(node, holds).into_iter().find(|node| !known(node))
+        while let Some(next) =
+            formula.graph.numbers_behind(node, holds).into_iter().find(|node| !known(node))
         {
             node = next;
         }
@@ -198,14 +201,16 @@ fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
     }
 }
 
-/// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law makes of
-/// it: nothing, unless it repeats.
+/// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law
+/// makes of it: nothing, unless it repeats.
 fn law_of(law: &Law, x: Series, order: u8) -> Series {
-    let f = law.over(&Series::variable(x.value(), ONE, ORDER + 1).up_to(x.turns())).unwrap_or(UNKNOWN);
+    let f =
+        law.over(&Series::variable(x.value(), ONE, ORDER + 1).up_to(x.turns())).unwrap_or(UNKNOWN);
     if order == 0 {
         return x.compose(f.known()).up_to(f.turns());
     }
     let slope: Vec<Interval> = (1..f.len()).map(|k| Interval::from(k as f64) * f.at(k)).collect();
-    // the last coefficient that is known may jump: a slope that is the last one is no continuous function
+    // the last coefficient that is known may jump: a slope that is the last one is no continuous
+    // function
     if slope.len() < 2 { UNKNOWN } else { x.compose(&slope) }
 }

@@ -1,5 +1,5 @@
-//! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its own for
-//! every constraint would be a quarter of all that is compiled.
+//! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its
+//! own for every constraint would be a quarter of all that is compiled.
 
 use kin_graph::{Formula, Input, LeafUse, Node, Source, evaluate};
 
@@ -15,8 +15,8 @@ type Number = Real<Dual3_64>;
 /// The same numbers, whose exponents know no bounds.
 type Unbounded = WithRate<WithRate<WithRate<Wide>>>;
 
-/// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula is
-/// evaluated with.
+/// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula
+/// is evaluated with.
 pub(crate) struct Along<'a> {
     columns: Vec<Number>,
     t: Number,
@@ -36,7 +36,9 @@ impl<'a> Along<'a> {
         let mut columns = Vec::new();
         for (k, n) in arguments.iter().map(|argument| argument.target.columns()).enumerate() {
             let rate = |rates: Option<&Rates<'_>>, column: usize| {
-                rates.map_or(0.0, |rates| rates.columns(k, n).get(column).copied().unwrap_or(f64::NAN))
+                rates.map_or(0.0, |rates| {
+                    rates.columns(k, n).get(column).copied().unwrap_or(f64::NAN)
+                })
             };
             let moving = at.coordinates(k, n).iter().enumerate().map(|(column, q)| {
                 Real(Dual3_64::new(*q, rate(qd, column), rate(qdd, column), rate(qddd, column)))
@@ -88,9 +90,9 @@ impl<'a> Along<'a> {
             .unwrap_or(y)
     }
 
-    /// The values of nodes, each with its first three derivatives by s, by numbers whose exponents know no
-    /// bounds: the tangents of an exponential may be too large for an f64 though it is not itself, and what
-    /// is made of it is small.
+    /// The values of nodes, each with its first three derivatives by s, by numbers whose exponents
+    /// know no bounds: the tangents of an exponential may be too large for an f64 though it is not
+    /// itself, and what is made of it is small.
     #[cold]
     fn unbounded(&self, formula: &Formula, nodes: &[Node]) -> Vec<[f64; 4]> {
         let results = evaluate::<Unbounded>(&formula.graph, nodes, self);
@@ -186,7 +188,11 @@ impl Source<Unbounded> for Along<'_> {
     fn opaque(&self, number: usize, component: usize, operands: Vec<Unbounded>) -> Unbounded {
         let narrow = |x: &Unbounded| {
             let [re, v1, v2, v3] = jet(x);
-            Real(if x.rate.is_some() { Dual3_64::new(re, v1, v2, v3) } else { Dual3_64::from_re(re) })
+            Real(if x.rate.is_some() {
+                Dual3_64::new(re, v1, v2, v3)
+            } else {
+                Dual3_64::from_re(re)
+            })
         };
         let operands: Vec<Number> = operands.iter().map(narrow).collect();
         widened(Source::<Number>::opaque(self, number, component, operands))

@@ -1,5 +1,5 @@
-//! A law as a formula of column 0: its derivatives, its bounds, itself within another graph, and how it
-//! changes with a parameter.
+//! A law as a formula of column 0: its derivatives, its bounds, itself within another graph, and
+//! how it changes with a parameter.
 
 use super::bounds::{self, Inputs, opaque, row};
 use super::jerk::Along;
@@ -49,31 +49,33 @@ impl Table {
         })
     }
 
-    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` where that is not known, and where f
-    /// may switch from one side to another: at such a place there is no derivative.
+    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` where that is not known, and
+    /// where f may switch from one side to another: at such a place there is no derivative.
     pub fn law_by(&self, name: &str, parameters: &[f64], outside: Outside<'_>) -> Option<Law> {
         let formula = self.formula();
         if self.may_switch() {
             return None;
         }
-        let (row, number) =
-            (*formula.rows.first()?, formula.parameters.iter().position(|known| known == name)?);
+        let row = *formula.rows.first()?;
+        let number = formula.parameters.iter().position(|known| known == name)?;
         let value = *parameters.get(number)?;
         // A graph is differentiated by its column 0: p stands there, and x in column 1.
         let mut graph = Graph::default();
-        let f = copied(&formula.graph, row, &mut graph, outside, &mut |graph, input| match input {
-            Input::Column(0) => Some(graph.input(Input::Column(1))),
-            Input::Parameter(k) if k == number => Some(graph.input(Input::Column(0))),
-            Input::Parameter(k) => parameters.get(k).map(|value| graph.constant(*value)),
-            _ => None,
-        })?;
+        let f =
+            copied(&formula.graph, row, &mut graph, outside, &mut |graph, input| match input {
+                Input::Column(0) => Some(graph.input(Input::Column(1))),
+                Input::Parameter(k) if k == number => Some(graph.input(Input::Column(0))),
+                Input::Parameter(k) => parameters.get(k).map(|value| graph.constant(*value)),
+                _ => None,
+            })?;
         let slope = Partial::by_variable().of(&mut graph, f);
         let mut found = Formula::default();
-        let row = copied(&graph, slope, &mut found.graph, outside, &mut |graph, input| match input {
-            Input::Column(1) => Some(graph.input(Input::Column(0))),
-            Input::Column(0) => Some(graph.constant(value)),
-            _ => None,
-        })?;
+        let row =
+            copied(&graph, slope, &mut found.graph, outside, &mut |graph, input| match input {
+                Input::Column(1) => Some(graph.input(Input::Column(0))),
+                Input::Column(0) => Some(graph.constant(value)),
+                _ => None,
+            })?;
         found.rows.push(row);
         Some(Law::new(Slope(Table::read(found))))
     }
@@ -94,7 +96,8 @@ pub(crate) fn copied(
             Op::Input(read) => input(to, read)?,
             Op::Decimal(k) => to.constant(from.decimals.get(k)?.nearest),
             Op::Opaque(number, component) => {
-                let operands = from.opaques.get(number)?.iter().map(|operand| to.known_value(of(*operand)));
+                let operands =
+                    from.opaques.get(number)?.iter().map(|operand| to.known_value(of(*operand)));
                 let operands: Vec<Dual3_64> =
                     operands.map(|x| x.map(Dual3_64::from_re)).collect::<Option<_>>()?;
                 to.constant(Given::by(outside, number, &operands).number(component).re)

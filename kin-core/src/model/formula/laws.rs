@@ -9,8 +9,9 @@ use crate::numbers::real::{Dual3_64, Real};
 
 pub(crate) use lengths::lengths;
 
-/// The laws of time in a formula, each by its number with its node, in the order of their numbers. `None`
-/// where one of them is asked at several times, or for a derivative: then no row follows its value alone.
+/// The laws of time in a formula, each by its number with its node, in the order of their numbers.
+/// `None` where one of them is asked at several times, or for a derivative: then no row follows its
+/// value alone.
 pub(crate) fn of_time(formula: &Formula) -> Option<Vec<(usize, Node)>> {
     let mut laws: Vec<(usize, Node)> = Vec::new();
     for node in formula.graph.reachable(&formula.rows) {
@@ -39,13 +40,21 @@ pub(crate) fn are_rows(formula: &Formula, laws: &[(usize, Node)]) -> bool {
 }
 
 /// ∂C/∂f of each of these laws, row by row, at coordinates and a time that stand still.
-pub(crate) fn slopes(formula: &Formula, laws: &[(usize, Node)], still: &Along<'_>) -> Vec<Vec<f64>> {
+pub(crate) fn slopes(
+    formula: &Formula,
+    laws: &[(usize, Node)],
+    still: &Along<'_>,
+) -> Vec<Vec<f64>> {
     let known = evaluate(&formula.graph, &formula.rows, still);
     let along = |(_, law): &(usize, Node)| {
         let value = known.number(*law).map_or(f64::NAN, |value: Real<Dual3_64>| value.0.re);
         let moving = |node: Node| (node == *law).then(|| Real(Dual3_64::new(value, 1.0, 0.0, 0.0)));
         let moved = evaluate_beyond(&formula.graph, &formula.rows, moving, &known, still);
-        formula.rows.iter().map(|row| moved.number(*row).map_or(f64::NAN, |slope| slope.0.v1)).collect()
+        formula
+            .rows
+            .iter()
+            .map(|row| moved.number(*row).map_or(f64::NAN, |slope| slope.0.v1))
+            .collect()
     };
     laws.iter().map(along).collect()
 }

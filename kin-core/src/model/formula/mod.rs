@@ -1,5 +1,6 @@
-//! The formula of an equation as emitted code holds it: one text, which costs nothing to compile and is read
-//! when somebody first asks for it; and beside it what only the user's program can compute.
+//! The formula of an equation as emitted code holds it: one text, which costs nothing to compile
+//! and is read when somebody first asks for it; and beside it what only the user's program can
+//! compute.
 
 pub(crate) mod bounds;
 pub(crate) mod jerk;
@@ -35,7 +36,12 @@ pub struct Table {
 impl Table {
     /// The formula as text, and the file that its expressions stand in.
     pub const fn new(file: &'static str, text: &'static str) -> Self {
-        Table { file, text: Cow::Borrowed(text), formula: OnceLock::new(), switches: OnceLock::new() }
+        Table {
+            file,
+            text: Cow::Borrowed(text),
+            formula: OnceLock::new(),
+            switches: OnceLock::new(),
+        }
     }
 
     /// A formula that was read while the program runs.
@@ -49,8 +55,8 @@ impl Table {
         Some((self, parameters.to_vec()))
     }
 
-    /// The value of row 0 at q and t with its first three derivatives along the rates; without rates the
-    /// value alone is of use.
+    /// The value of row 0 at q and t with its first three derivatives along the rates; without
+    /// rates the value alone is of use.
     pub fn measured(
         &self,
         arguments: &[Argument],
@@ -68,8 +74,8 @@ impl Table {
         self.formula.get_or_init(|| self.text.parse().unwrap_or_default())
     }
 
-    /// True if an operation in it may switch from one side to another. The words of its text tell that,
-    /// without reading the formula.
+    /// True if an operation in it may switch from one side to another. The words of its text tell
+    /// that, without reading the formula.
     pub(crate) fn may_switch(&self) -> bool {
         const WORDS: [&str; 5] = ["Select", "Abs", "Signum", "Max", "Min"];
         *self.switches.get_or_init(|| WORDS.iter().any(|word| self.text.contains(word)))
@@ -81,8 +87,8 @@ impl Table {
     }
 }
 
-/// Computes what only the user's program can: its number, the numbers it is made of, and where to put the
-/// results.
+/// Computes what only the user's program can: its number, the numbers it is made of, and where to
+/// put the results.
 pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
 /// Results that only the user's program can compute: numbers, or the law that stands there.
@@ -116,7 +122,8 @@ impl Given {
     }
 }
 
-/// Derivative number `order` of a law at x, with the three that follow; what is not known is not a number.
+/// Derivative number `order` of a law at x, with the three that follow; what is not known is not a
+/// number.
 pub(crate) fn jet_of_law(outside: Outside<'_>, number: usize, x: f64, order: u8) -> [f64; 4] {
     let Some(law) = Given::by(outside, number, &[]).law else { return [f64::NAN; 4] };
     let [f, f1, f2, f3] = law.jet(x);

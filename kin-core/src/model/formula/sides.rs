@@ -1,9 +1,11 @@
-//! The branches that a formula takes at a position: which conditions hold, and which whole numbers its steps
-//! have come to.
+//! The branches that a formula takes at a position: which conditions hold, and which whole numbers
+//! its steps have come to.
 //!
 //! Newton's method, programs and events all use this one list of what can jump.
 
-use kin_graph::{Formula, Function, Function2, Graph, Input, LeafUse, Node, Op, Results, Source, evaluate};
+use kin_graph::{
+    Formula, Function, Function2, Graph, Input, LeafUse, Node, Op, Results, Source, evaluate,
+};
 
 use super::{Given, Outside, jet_of_law};
 use crate::numbers::real::Dual3_64;
@@ -58,7 +60,8 @@ impl Choice {
             Choice::Own(node) => match graph.op(node) {
                 Op::Call(Function::Signum, x) => vec![x],
                 Op::Call(Function::Round, x) => {
-                    let (below, half) = (graph.call(Function::Floor, x), graph.constant(0.5));
+                    let below = graph.call(Function::Floor, x);
+                    let half = graph.constant(0.5);
                     let above = graph.sub(x, below);
                     vec![graph.sub(above, half)]
                 }
@@ -68,11 +71,12 @@ impl Choice {
                     of_whole_number(graph, quotient)
                 }
                 _ => {
-                    let compared =
-                        graph.reachable(&[node]).into_iter().filter_map(|node| match graph.op(node) {
+                    let compared = graph.reachable(&[node]).into_iter().filter_map(|node| {
+                        match graph.op(node) {
                             Op::Compare(_, a, b) => Some((a, b)),
                             _ => None,
-                        });
+                        }
+                    });
                     let compared: Vec<(Node, Node)> = compared.collect();
                     compared.into_iter().map(|(a, b)| graph.sub(a, b)).collect()
                 }
@@ -104,8 +108,11 @@ impl Choice {
 pub(crate) fn choices(formula: &Formula, at: &Numbers<'_>, to: &mut Vec<f64>) {
     let graph = &formula.graph;
     let results = evaluate(graph, &formula.rows, at);
-    let moving = graph.reachable(&formula.rows).into_iter().filter(|node| graph.depends(*node).on_q);
-    to.extend(moving.filter_map(|node| Choice::of(graph, node)).map(|choice| choice.number(&results)));
+    let moving =
+        graph.reachable(&formula.rows).into_iter().filter(|node| graph.depends(*node).on_q);
+    to.extend(
+        moving.filter_map(|node| Choice::of(graph, node)).map(|choice| choice.number(&results)),
+    );
 }
 
 /// The arguments of one evaluation of a formula in plain numbers.

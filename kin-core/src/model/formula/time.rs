@@ -1,5 +1,5 @@
-//! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows follow
-//! them.
+//! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows
+//! follow them.
 
 use kin_graph::{Formula, Node, Op, evaluate, evaluate_beyond};
 
@@ -8,8 +8,8 @@ use crate::model::formula::Outside;
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 
-/// The nodes that move with time alone and are read by what moves with coordinates too, or are rows: all that
-/// time does is done by them.
+/// The nodes that move with time alone and are read by what moves with coordinates too, or are
+/// rows: all that time does is done by them.
 pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
     let graph = &formula.graph;
     let needed = graph.reachable(&formula.rows);
@@ -30,7 +30,10 @@ pub(crate) fn can_jump(formula: &Formula) -> bool {
         op => matches!(op, Op::Select(..) | Op::Opaque(..) | Op::Leaf(_)),
     };
     let graph = &formula.graph;
-    graph.reachable(&formula.rows).into_iter().any(|node| graph.depends(node).on_q && jumps(graph.op(node)))
+    graph
+        .reachable(&formula.rows)
+        .into_iter()
+        .any(|node| graph.depends(node).on_q && jumps(graph.op(node)))
 }
 
 /// Signals as functions of time; a condition that may change is not known.
@@ -45,14 +48,15 @@ pub(crate) fn over_time(
     let results = evaluate(graph, signals, &Inputs { columns: &[], t, parameters, outside });
     let known = |node: &Node| {
         let y = results.number(*node)?;
-        let is_condition = matches!(graph.op(*node), Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_));
+        let is_condition =
+            matches!(graph.op(*node), Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_));
         (!y.is_open() && (!is_condition || y.value().is_thin())).then_some(y)
     };
     signals.iter().map(|node| known(node).unwrap_or(UNKNOWN)).collect()
 }
 
-/// The slopes of all rows along each of the signals, at coordinates and a time; not numbers where they are
-/// not known.
+/// The slopes of all rows along each of the signals, at coordinates and a time; not numbers where
+/// they are not known.
 pub(crate) fn slopes(
     formula: &Formula,
     signals: &[Node],

@@ -11,7 +11,11 @@ use crate::numbers::enclosure::Series;
 impl Law {
     /// f(x) = c.
     pub fn constant(c: impl IntoNumber) -> Law {
-        Law::hanging(|to| Polynomial { kind: "constant", names: &["c"], c: vec![to.number("c", c)] })
+        Law::hanging(|to| Polynomial {
+            kind: "constant",
+            names: &["c"],
+            c: vec![to.number("c", c)],
+        })
     }
 
     /// f(x) = rate · x.
@@ -39,7 +43,8 @@ impl Law {
     /// f(x) = mean + amplitude · sin x.
     pub fn harmonic(mean: impl IntoNumber, amplitude: impl IntoNumber) -> Law {
         Law::hanging(|to| {
-            let (mean, amplitude) = (to.number("mean", mean), to.number("amplitude", amplitude));
+            let mean = to.number("mean", mean);
+            let amplitude = to.number("amplitude", amplitude);
             Sine { kind: "harmonic", mean, amplitude, omega: 1.0, phase: 0.0 }
         })
     }
@@ -47,16 +52,22 @@ impl Law {
     /// f(x) = amplitude · sin(omega · x + phase).
     pub fn sine(amplitude: impl IntoNumber, omega: impl IntoNumber, phase: impl IntoNumber) -> Law {
         Law::hanging(|to| {
-            let (amplitude, omega) = (to.number("amplitude", amplitude), to.number("omega", omega));
+            let amplitude = to.number("amplitude", amplitude);
+            let omega = to.number("omega", omega);
             Sine { kind: "sine", mean: 0.0, amplitude, omega, phase: to.number("phase", phase) }
         })
     }
 
-    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs (a_k,
-    /// b_k).
-    pub fn fourier<N: IntoNumber>(mean: impl IntoNumber, omega: impl IntoNumber, pairs: &[(N, N)]) -> Law {
+    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs
+    /// (a_k, b_k).
+    pub fn fourier<N: IntoNumber>(
+        mean: impl IntoNumber,
+        omega: impl IntoNumber,
+        pairs: &[(N, N)],
+    ) -> Law {
         Law::hanging(|to| {
-            let (mean, omega) = (to.number("mean", mean), to.number("omega", omega));
+            let mean = to.number("mean", mean);
+            let omega = to.number("omega", omega);
             let a = to.list("a", 1, pairs.iter().map(|pair| pair.0));
             let b = to.list("b", 1, pairs.iter().map(|pair| pair.1));
             Fourier { mean, omega, pairs: a.into_iter().zip(b).collect() }
@@ -145,7 +156,8 @@ impl LawFunction for Polynomial {
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
         let zero = graph.zero();
         let step = |sum, c: &f64| {
-            let (product, c) = (graph.mul(sum, x), graph.constant(*c));
+            let product = graph.mul(sum, x);
+            let c = graph.constant(*c);
             graph.add(product, c)
         };
         Some(self.c.iter().rev().fold(zero, step))
@@ -207,7 +219,8 @@ impl LawFunction for Sine {
     fn jet(&self, x: f64) -> [f64; 4] {
         let w = self.omega;
         let (s, c) = (w * x + self.phase).sin_cos();
-        let (s, c) = (self.amplitude * s, self.amplitude * c);
+        let s = self.amplitude * s;
+        let c = self.amplitude * c;
         [self.mean + s, w * c, -w * w * s, -w * w * w * c]
     }
 
@@ -294,7 +307,8 @@ impl Fourier {
         for (k, (a, b)) in (1..).zip(&self.pairs) {
             let w = f64::from(k) * self.omega;
             let (sin, cos) = (w * x).sin_cos();
-            let (even, odd) = (a * cos + b * sin, b * cos - a * sin);
+            let even = a * cos + b * sin;
+            let odd = b * cos - a * sin;
             let terms = [even, w * odd, -w * w * even, -w * w * w * odd, w.powi(4) * even];
             all.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
         }
@@ -348,7 +362,8 @@ impl LawFunction for Fourier {
             "mean" => &mut changed.mean,
             "omega" => &mut changed.omega,
             _ => {
-                let k = (0..self.pairs.len()).find(|k| name.get(1..) == Some(&format!("[{}]", k + 1)))?;
+                let k = (0..self.pairs.len())
+                    .find(|k| name.get(1..) == Some(&format!("[{}]", k + 1)))?;
                 let (a, b) = &mut changed.pairs[k];
                 match name.as_bytes().first()? {
                     b'a' => a,

@@ -5,20 +5,20 @@ use super::{Break, Law};
 /// Breaks that one question is answered with at most: laws that repeat have any number of them.
 pub(crate) const MOST_BREAKS: usize = 10_000;
 
-/// Largest difference of two values that meet, beside the largest value of either part: parts are written
-/// with nine digits or more.
+/// Largest difference of two values that meet, beside the largest value of either part: parts are
+/// written with nine digits or more.
 const MEETS: f64 = 1e-9;
 
 /// The same of two derivatives that do not jump, beside the largest of that derivative.
 const AGREES: f64 = 1e-7;
 
-/// Rounding error of a derivative, beside the largest that the other derivatives could make of it over the
-/// length.
+/// Rounding error of a derivative, beside the largest that the other derivatives could make of it
+/// over the length.
 const ROUNDING: f64 = 1e-13;
 
-/// The largest |f|, |f′|, … |f⁗| of a law over 0 ≤ x ≤ length, as far as 34 places show it. Each derivative
-/// has a size of its own: a fast and small vibration has a large f‴, beside which every jump of the value
-/// would be small.
+/// The largest |f|, |f′|, … |f⁗| of a law over 0 ≤ x ≤ length, as far as 34 places show it. Each
+/// derivative has a size of its own: a fast and small vibration has a large f‴, beside which every
+/// jump of the value would be small.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sizes([f64; 5]);
 
@@ -36,16 +36,16 @@ impl Sizes {
         Sizes(std::array::from_fn(|k| self.0[k].max(other.0[k])))
     }
 
-    /// How far before an end its left side is looked at: near beside the length and beside what the law needs
-    /// to change, far beside rounding.
+    /// How far before an end its left side is looked at: near beside the length and beside what the
+    /// law needs to change, far beside rounding.
     fn step(&self, length: f64) -> f64 {
         let change = 1e-4 * self.0[0] / self.0[1];
         let near = if change > 0.0 { change.min(1e-9 * length) } else { 1e-9 * length };
         near.max(64.0 * f64::EPSILON * length)
     }
 
-    /// The difference that two jets may have in derivative k though nothing jumps, one of them carried on
-    /// from `step` before, over about `length`.
+    /// The difference that two jets may have in derivative k though nothing jumps, one of them
+    /// carried on from `step` before, over about `length`.
     fn allowed(&self, k: usize, step: f64, length: f64) -> f64 {
         let Sizes(size) = self;
         let next = size[k + 1];
@@ -109,14 +109,16 @@ impl Seam {
 /// The jet of a law just before x, from `step` before it.
 pub(super) fn left_jet(law: &Law, x: f64, step: f64) -> [f64; 4] {
     // The derivatives are carried on to x by Taylor's formula.
-    let (h, [f, f1, f2, f3], f4) = (step, law.jet(x - step), law.fourth(x - step));
+    let h = step;
+    let [f, f1, f2, f3] = law.jet(x - step);
+    let f4 = law.fourth(x - step);
     let f4 = if f4.is_finite() { f4 } else { 0.0 };
     let first = f1 + h * (f2 + 0.5 * h * f3);
     [f + h * (f1 + 0.5 * h * (f2 + h / 3.0 * f3)), first, f2 + h * (f3 + 0.5 * h * f4), f3 + h * f4]
 }
 
-/// All in one list, in order, the first [`MOST_BREAKS`] of them; of two breaks at one place the lower order
-/// counts.
+/// All in one list, in order, the first [`MOST_BREAKS`] of them; of two breaks at one place the
+/// lower order counts.
 pub(super) fn merged(mut all: Vec<Break>) -> Vec<Break> {
     all.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.order.cmp(&b.order)));
     let mut kept: Vec<Break> = Vec::with_capacity(all.len());
@@ -132,8 +134,8 @@ pub(super) fn merged(mut all: Vec<Break>) -> Vec<Break> {
     kept
 }
 
-/// Breaks of one period that begins at `start`, over and over between two places: the first [`MOST_BREAKS`]
-/// of them.
+/// Breaks of one period that begins at `start`, over and over between two places: the first
+/// [`MOST_BREAKS`] of them.
 pub(super) fn repeated(one: &[Break], start: f64, period: f64, from: f64, to: f64) -> Vec<Break> {
     if one.is_empty() || period <= 0.0 {
         return Vec::new();
@@ -172,24 +174,27 @@ pub(super) struct Samples<'a> {
 impl<'a> Samples<'a> {
     pub(super) fn between(law: &'a Law, from: f64, to: f64) -> Self {
         const GAPS: u32 = 64;
-        let place = |k: u32| if k == GAPS { to } else { from + (to - from) * f64::from(k) / f64::from(GAPS) };
+        let place = |k: u32| {
+            if k == GAPS { to } else { from + (to - from) * f64::from(k) / f64::from(GAPS) }
+        };
         Samples { law, places: (0..=GAPS).map(place).map(|x| (x, law.at(x))).collect() }
     }
 
     /// The lowest and the highest of them.
     pub(super) fn range(&self) -> (f64, f64) {
-        self.places
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, y)| (low.min(*y), high.max(*y)))
+        self.places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, y)| {
+            (low.min(*y), high.max(*y))
+        })
     }
 
-    /// Where the law takes the value `y`, no break of its own being between the two places, as far as the
-    /// samples show it.
+    /// Where the law takes the value `y`, no break of its own being between the two places, as far
+    /// as the samples show it.
     pub(super) fn preimages(&self, y: f64) -> Vec<f64> {
         let mut found: Vec<f64> =
             self.places.iter().filter(|(_, value)| *value == y).map(|(x, _)| *x).collect();
         let crosses = |pair: &&[(f64, f64)]| {
-            let (p, q) = (pair[0].1 - y, pair[1].1 - y);
+            let p = pair[0].1 - y;
+            let q = pair[1].1 - y;
             (p < 0.0 && q > 0.0) || (p > 0.0 && q < 0.0)
         };
         found.extend(
@@ -202,8 +207,8 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// The first place between a and b that is beyond where f crosses zero: there a law has the derivatives of
-/// its right side.
+/// The first place between a and b that is beyond where f crosses zero: there a law has the
+/// derivatives of its right side.
 fn bisected(f: &dyn Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     let sign = f(a).signum();
     let mut middle = a + 0.5 * (b - a);

@@ -81,7 +81,11 @@ macro_rules! two_parts {
         }
 
         fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
-            sharpest([&self.$first, &self.$second].into_iter().filter_map(|law| law.sharpest_break(from, to)))
+            sharpest(
+                [&self.$first, &self.$second]
+                    .into_iter()
+                    .filter_map(|law| law.sharpest_break(from, to)),
+            )
         }
 
         fn is_smooth(&self) -> bool {
@@ -115,12 +119,14 @@ struct Sum {
 
 impl LawFunction for Sum {
     fn jet(&self, x: f64) -> [f64; 4] {
-        let (f, g) = (self.first.jet(x), self.second.jet(x));
+        let f = self.first.jet(x);
+        let g = self.second.jet(x);
         std::array::from_fn(|k| f[k] + g[k])
     }
 
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
-        let (first, second) = (self.first.written(graph, x)?, self.second.written(graph, x)?);
+        let first = self.first.written(graph, x)?;
+        let second = self.second.written(graph, x)?;
         Some(graph.add(first, second))
     }
 
@@ -151,7 +157,8 @@ impl LawFunction for Sum {
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
-        let (mut first, mut second) = (self.first.clone(), self.second.clone());
+        let mut first = self.first.clone();
+        let mut second = self.second.clone();
         (set(&mut first, "first", name, value) || set(&mut second, "second", name, value))
             .then(|| first + second)
     }
@@ -166,12 +173,19 @@ struct Product {
 impl LawFunction for Product {
     /// Leibniz's rule.
     fn jet(&self, x: f64) -> [f64; 4] {
-        let ([f, f1, f2, f3], [g, g1, g2, g3]) = (self.first.jet(x), self.second.jet(x));
-        [f * g, f1 * g + f * g1, f2 * g + 2.0 * f1 * g1 + f * g2, f3 * g + 3.0 * (f2 * g1 + f1 * g2) + f * g3]
+        let [f, f1, f2, f3] = self.first.jet(x);
+        let [g, g1, g2, g3] = self.second.jet(x);
+        [
+            f * g,
+            f1 * g + f * g1,
+            f2 * g + 2.0 * f1 * g1 + f * g2,
+            f3 * g + 3.0 * (f2 * g1 + f1 * g2) + f * g3,
+        ]
     }
 
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
-        let (first, second) = (self.first.written(graph, x)?, self.second.written(graph, x)?);
+        let first = self.first.written(graph, x)?;
+        let second = self.second.written(graph, x)?;
         Some(graph.mul(first, second))
     }
 
@@ -192,8 +206,12 @@ impl LawFunction for Product {
     }
 
     fn fourth(&self, x: f64) -> f64 {
-        let ([f, f1, f2, f3], [g, g1, g2, g3]) = (self.first.jet(x), self.second.jet(x));
-        self.first.fourth(x) * g + 4.0 * (f3 * g1 + f1 * g3) + 6.0 * f2 * g2 + f * self.second.fourth(x)
+        let [f, f1, f2, f3] = self.first.jet(x);
+        let [g, g1, g2, g3] = self.second.jet(x);
+        self.first.fourth(x) * g
+            + 4.0 * (f3 * g1 + f1 * g3)
+            + 6.0 * f2 * g2
+            + f * self.second.fourth(x)
     }
 
     two_parts!(first, second);
@@ -204,7 +222,8 @@ impl LawFunction for Product {
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
-        let (mut first, mut second) = (self.first.clone(), self.second.clone());
+        let mut first = self.first.clone();
+        let mut second = self.second.clone();
         (set(&mut first, "first", name, value) || set(&mut second, "second", name, value))
             .then(|| first * second)
     }
@@ -222,7 +241,8 @@ impl LawFunction for Multiple {
     }
 
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
-        let (factor, law) = (graph.constant(self.factor), self.law.written(graph, x)?);
+        let factor = graph.constant(self.factor);
+        let law = self.law.written(graph, x)?;
         Some(graph.mul(factor, law))
     }
 

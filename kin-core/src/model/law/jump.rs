@@ -1,19 +1,19 @@
 //! Where a derivative of a law jumps, and where a table or a sequence ends.
 
-/// Where a derivative of a law jumps. At the break itself the law has the derivatives of its right side, at
-/// the end of its range ([`LawRange`]) those of its left side.
+/// Where a derivative of a law jumps. At the break itself the law has the derivatives of its right
+/// side, at the end of its range ([`LawRange`]) those of its left side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Break {
     /// The argument at which the law jumps.
     pub x: f64,
-    /// The lowest derivative that jumps: 0 the value itself, 1 the slope, 2 the second, 3 the third. A law
-    /// with breaks of order 2 is C¹.
+    /// The lowest derivative that jumps: 0 the value itself, 1 the slope, 2 the second, 3 the
+    /// third. A law with breaks of order 2 is C¹.
     pub order: usize,
 }
 
-/// The arguments that a law is made for: those of a table, of the parts of a sequence. Beyond them the law
-/// goes on as `beyond` says. A run that goes beyond a table, where the law is a straight line, reports so
-/// ([`crate::EventKind::BeyondRange`]).
+/// The arguments that a law is made for: those of a table, of the parts of a sequence. Beyond them
+/// the law goes on as `beyond` says. A run that goes beyond a table, where the law is a straight
+/// line, reports so ([`crate::EventKind::BeyondRange`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawRange {
     /// The first argument.

@@ -1,5 +1,5 @@
-//! Laws: functions of one variable with their derivatives, for motors, cam profiles and other prescribed
-//! curves.
+//! Laws: functions of one variable with their derivatives, for motors, cam profiles and other
+//! prescribed curves.
 
 mod basic;
 mod breaks;
@@ -27,8 +27,8 @@ use crate::model::dimension::{Bindings, Dimension};
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual, Real};
 
-/// A function f of one variable that knows its derivatives; implement it for a law of one's own, then wrap it
-/// with [`Law::new`].
+/// A function f of one variable that knows its derivatives; implement it for a law of one's own,
+/// then wrap it with [`Law::new`].
 pub trait LawFunction: Send + Sync {
     /// \[f, f′, f″, f‴\] at x, in the unit of f per powers of the unit of x.
     fn jet(&self, x: f64) -> [f64; 4];
@@ -43,29 +43,29 @@ pub trait LawFunction: Send + Sync {
         ""
     }
 
-    /// Its function as text in Kin's language, `fn lift(x: f64, h: f64) -> f64 { … }`, where that is all it
-    /// is: mechanism files carry it, for readers that do not know its kind.
+    /// Its function as text in Kin's language, `fn lift(x: f64, h: f64) -> f64 { … }`, where that
+    /// is all it is: mechanism files carry it, for readers that do not know its kind.
     fn text(&self) -> Option<&str> {
         None
     }
 
-    /// f⁗(x), where it is known; not a number where it is not. Only the jerk of an equation that reads a
-    /// law's slope asks for it.
+    /// f⁗(x), where it is known; not a number where it is not. Only the jerk of an equation that
+    /// reads a law's slope asks for it.
     fn fourth(&self, x: f64) -> f64 {
         let _ = x;
         f64::NAN
     }
 
-    /// The breaks between `from` and `to`, both included, in increasing order of x; none by default: a smooth
-    /// law. Of more than ten thousand the laws of the library give as many: one that repeats has any number
-    /// of them.
+    /// The breaks between `from` and `to`, both included, in increasing order of x; none by
+    /// default: a smooth law. Of more than ten thousand the laws of the library give as many: one
+    /// that repeats has any number of them.
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let _ = (from, to);
         Vec::new()
     }
 
-    /// The break between `from` and `to` in which the lowest derivative jumps, also where there are too many
-    /// to list them.
+    /// The break between `from` and `to` in which the lowest derivative jumps, also where there are
+    /// too many to list them.
     fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
         breaks::sharpest(self.breaks(from, to))
     }
@@ -80,8 +80,9 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
-    /// The arguments of the tables in it, beyond which a table goes on as a straight line: a run that goes
-    /// beyond them reports a warning. `None` (default) where there is no table, or where tables repeat.
+    /// The arguments of the tables in it, beyond which a table goes on as a straight line: a run
+    /// that goes beyond them reports a warning. `None` (default) where there is no table, or where
+    /// tables repeat.
     fn table_range(&self) -> Option<LawRange> {
         None
     }
@@ -91,8 +92,8 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
-    /// Shows each numeric parameter with its name; a value that is not finite is refused where the law is
-    /// used.
+    /// Shows each numeric parameter with its name; a value that is not finite is refused where the
+    /// law is used.
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let _ = visit;
     }
@@ -102,17 +103,19 @@ pub trait LawFunction: Send + Sync {
         Vec::new()
     }
 
-    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a
+    /// table stand.
     fn fixed_numbers(&self) -> Vec<(String, f64)> {
         Vec::new()
     }
 
-    /// The law of a function of which bounds are known, for [`crate::System::prove`]; `None` (default) where
-    /// those of the law are not: then nothing can be proved of a motion that it drives.
+    /// The law of a function of which bounds are known, for [`crate::System::prove`]; `None`
+    /// (default) where those of the law are not: then nothing can be proved of a motion that it
+    /// drives.
     ///
-    /// Either the formula once more, on [`Series`] instead of numbers, or bounds of the derivatives through
-    /// [`Series::chain`]. These bounds are taken for true, and a proof says so; [`crate::ask::check::law`]
-    /// tries them at random.
+    /// Either the formula once more, on [`Series`] instead of numbers, or bounds of the derivatives
+    /// through [`Series::chain`]. These bounds are taken for true, and a proof says so;
+    /// [`crate::ask::check::law`] tries them at random.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -134,22 +137,23 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
-    /// Itself at x as nodes of a graph, so that a program computes it with all else; `None` (default) where
-    /// it has to be asked.
+    /// Itself at x as nodes of a graph, so that a program computes it with all else; `None`
+    /// (default) where it has to be asked.
     #[doc(hidden)]
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
         let _ = (graph, x);
         None
     }
 
-    /// The laws on whose word its bounds rest, by their kinds: itself, unless Kin knows its formula.
+    /// The laws on whose word its bounds rest, by their kinds: itself, unless Kin knows its
+    /// formula.
     #[doc(hidden)]
     fn trusted(&self) -> Vec<String> {
         vec![self.kind().to_string()]
     }
 
-    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` (default) where it is not known: then
-    /// sensitivities by that parameter are refused by name.
+    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` (default) where it is not
+    /// known: then sensitivities by that parameter are refused by name.
     fn by_parameter(&self, name: &str) -> Option<Law> {
         let _ = name;
         None
@@ -162,12 +166,12 @@ pub trait LawFunction: Send + Sync {
     }
 }
 
-/// A function of one variable with its derivatives up to the third: cheap to clone, the same for everyone who
-/// holds it.
+/// A function of one variable with its derivatives up to the third: cheap to clone, the same for
+/// everyone who holds it.
 ///
-/// Constructors give laws, not results: what makes no sense (a parameter that is not finite, a table that
-/// does not increase, parts that do not meet) is told by [`Law::refusal`], and refused by name where a
-/// mechanism is to use the law.
+/// Constructors give laws, not results: what makes no sense (a parameter that is not finite, a
+/// table that does not increase, parts that do not meet) is told by [`Law::refusal`], and refused
+/// by name where a mechanism is to use the law.
 #[derive(Clone)]
 pub struct Law(Arc<dyn LawFunction>, Bound);
 
@@ -262,8 +266,8 @@ impl Law {
         self.0.text()
     }
 
-    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing order of
-    /// x; of more than ten thousand places as many.
+    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing
+    /// order of x; of more than ten thousand places as many.
     pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         self.0.breaks(from.min(to), to.max(from))
     }
@@ -278,7 +282,8 @@ impl Law {
         self.0.is_smooth()
     }
 
-    /// The arguments that the law is made for, such as those of its table; `None` where it is made for all.
+    /// The arguments that the law is made for, such as those of its table; `None` where it is made
+    /// for all.
     pub fn range(&self) -> Option<LawRange> {
         self.0.range()
     }
@@ -299,13 +304,16 @@ impl Law {
         bad.or_else(|| self.0.refusal())
     }
 
-    /// True if f(x + period) = f(x) for all that can be seen: values and first three derivatives at 24
-    /// places, each to nine digits of the largest of its kind.
+    /// True if f(x + period) = f(x) for all that can be seen: values and first three derivatives at
+    /// 24 places, each to nine digits of the largest of its kind.
     pub fn is_periodic(&self, period: f64) -> bool {
         let places = || (0..24).map(|k| period * (f64::from(k) * 0.618_033_988_749_894_9).fract());
-        let jets: Vec<[[f64; 4]; 2]> = places().map(|x| [self.jet(x), self.jet(x + period)]).collect();
+        let jets: Vec<[[f64; 4]; 2]> =
+            places().map(|x| [self.jet(x), self.jet(x + period)]).collect();
         let size = |k: usize| {
-            jets.iter().flatten().fold(0.0_f64, |size, jet| size.max(jet.get(k).map_or(0.0, |f| f.abs())))
+            jets.iter()
+                .flatten()
+                .fold(0.0_f64, |size, jet| size.max(jet.get(k).map_or(0.0, |f| f.abs())))
         };
         (0..4).all(|k| {
             // x is rounded, and with a steep law so is f.
@@ -319,24 +327,26 @@ impl Law {
         })
     }
 
-    /// Shows each numeric parameter with its name; the parts of a combined law are told apart by `first.`,
-    /// `second.`, `outer.`, `inner.`.
+    /// Shows each numeric parameter with its name; the parts of a combined law are told apart by
+    /// `first.`, `second.`, `outer.`, `inner.`.
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
     }
 
-    /// The laws that it is made of, by the names that their parameters begin with: `first`, `second`.
+    /// The laws that it is made of, by the names that their parameters begin with: `first`,
+    /// `second`.
     pub fn parts(&self) -> Vec<(String, Law)> {
         self.0.parts()
     }
 
-    /// Numbers that make it the law it is but are no parameters, such as where the points of a table stand.
+    /// Numbers that make it the law it is but are no parameters, such as where the points of a
+    /// table stand.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         self.0.fixed_numbers()
     }
 
-    /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none of that
-    /// name, or the law is fixed. Clones made before keep the old value.
+    /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none
+    /// of that name, or the law is fixed. Clones made before keep the old value.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         match self.0.with_parameter(name, value) {
             Some(law) => {

@@ -5,23 +5,26 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
-    /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the speed, then
-    /// constant speed, then as it came; without the middle part where the distance is too short. 0 before x =
-    /// 0, the distance after. Its acceleration jumps. A negative distance is a way back.
+    /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the
+    /// speed, then constant speed, then as it came; without the middle part where the distance is
+    /// too short. 0 before x = 0, the distance after. Its acceleration jumps. A negative distance
+    /// is a way back.
     pub fn trapezoidal(
         distance: impl IntoNumber,
         speed: impl IntoNumber,
         acceleration: impl IntoNumber,
     ) -> Law {
         Law::hanging(|to| {
-            let (distance, speed) = (to.number("distance", distance), to.number("speed", speed));
+            let distance = to.number("distance", distance);
+            let speed = to.number("speed", speed);
             Move::new(distance, speed, to.number("acceleration", acceleration), None)
         })
     }
 
-    /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an acceleration and a
-    /// jerk; pieces that do not fit into a short distance fall away. 0 before x = 0, the distance after. Its
-    /// jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
+    /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an
+    /// acceleration and a jerk; pieces that do not fit into a short distance fall away. 0 before
+    /// x = 0, the distance after. Its jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*,
+    /// section 3.4.
     pub fn s_curve(
         distance: impl IntoNumber,
         speed: impl IntoNumber,
@@ -29,8 +32,10 @@ impl Law {
         jerk: impl IntoNumber,
     ) -> Law {
         Law::hanging(|to| {
-            let (distance, speed) = (to.number("distance", distance), to.number("speed", speed));
-            let (acceleration, jerk) = (to.number("acceleration", acceleration), to.number("jerk", jerk));
+            let distance = to.number("distance", distance);
+            let speed = to.number("speed", speed);
+            let acceleration = to.number("acceleration", acceleration);
+            let jerk = to.number("jerk", jerk);
             Move::new(distance, speed, acceleration, Some(jerk))
         })
     }
@@ -80,14 +85,19 @@ impl Move {
     }
 
     fn trapezoid(&mut self) {
-        let (d, v, a) = (self.distance.abs(), self.speed, self.acceleration);
-        let (ramp, cruise) = if d * a > v * v { (v / a, d / v - v / a) } else { ((d / a).sqrt(), 0.0) };
+        let d = self.distance.abs();
+        let v = self.speed;
+        let a = self.acceleration;
+        let (ramp, cruise) =
+            if d * a > v * v { (v / a, d / v - v / a) } else { ((d / a).sqrt(), 0.0) };
         let sign = self.distance.signum();
         self.fill(&[(ramp, sign * a, 0.0), (cruise, 0.0, 0.0), (ramp, -sign * a, 0.0)]);
     }
 
     fn seven_pieces(&mut self, jerk: f64) {
-        let (d, v, a) = (self.distance.abs(), self.speed, self.acceleration);
+        let d = self.distance.abs();
+        let v = self.speed;
+        let a = self.acceleration;
         // the ramp to full speed: t_j of jerk at either end
         let (mut t_j, mut ramp) = if v * jerk >= a * a {
             (a / jerk, a / jerk + v / a)
@@ -104,14 +114,15 @@ impl Move {
                 (t_j, 2.0 * t_j)
             };
         }
-        let (j, flat) = (self.distance.signum() * jerk, ramp - 2.0 * t_j);
+        let j = self.distance.signum() * jerk;
+        let flat = ramp - 2.0 * t_j;
         let up = [(t_j, 0.0, j), (flat, 0.0, 0.0), (t_j, 0.0, -j)];
         let down = [(t_j, 0.0, -j), (flat, 0.0, 0.0), (t_j, 0.0, j)];
         self.fill(&[up.as_slice(), &[(cruise, 0.0, 0.0)], &down].concat());
     }
 
-    /// Pieces of (duration, jump of acceleration where jerk has no limit, jerk), one after the other; those
-    /// without duration are left out.
+    /// Pieces of (duration, jump of acceleration where jerk has no limit, jerk), one after the
+    /// other; those without duration are left out.
     fn fill(&mut self, parts: &[(f64, f64, f64)]) {
         let mut next = Piece { start: 0.0, s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
         for &(duration, a, j) in parts.iter().filter(|part| part.0 > 0.0) {
@@ -129,7 +140,8 @@ impl Move {
 
 impl Piece {
     fn jet(&self, x: f64) -> [f64; 4] {
-        let (t, Piece { s, v, a, j, .. }) = (x - self.start, *self);
+        let t = x - self.start;
+        let Piece { s, v, a, j, .. } = *self;
         [s + t * (v + t * (a / 2.0 + t * j / 6.0)), v + t * (a + t * j / 2.0), a + t * j, j]
     }
 }
@@ -163,16 +175,21 @@ impl LawFunction for Move {
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
-        let seams: Vec<f64> = self.pieces.iter().map(|piece| piece.start).chain([self.end]).collect();
+        let seams: Vec<f64> =
+            self.pieces.iter().map(|piece| piece.start).chain([self.end]).collect();
         piecewise(x, &seams, &|k, x| {
             let Some(before) = k.checked_sub(1) else { return Some(x.times(0.0)) };
-            let Some(piece) = self.pieces.get(before) else { return Some(x.times(0.0).plus(self.distance)) };
-            // begun where the piece before has ended, but for rounding; at rest, or with no acceleration,
-            // exactly so
-            let near =
-                |x: f64, size: f64| Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }));
-            let (s, v, a) =
-                (near(piece.s, self.distance), near(piece.v, self.speed), near(piece.a, self.acceleration));
+            let Some(piece) = self.pieces.get(before) else {
+                return Some(x.times(0.0).plus(self.distance));
+            };
+            // begun where the piece before has ended, but for rounding; at rest, or with no
+            // acceleration, exactly so
+            let near = |x: f64, size: f64| {
+                Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }))
+            };
+            let s = near(piece.s, self.distance);
+            let v = near(piece.v, self.speed);
+            let a = near(piece.a, self.acceleration);
             let t = x.plus(-piece.start);
             Some(
                 s + t
@@ -189,8 +206,11 @@ impl LawFunction for Move {
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let order = if self.jerk.is_some() { 3 } else { 2 };
-        let places =
-            self.pieces.iter().map(|piece| piece.start).chain((!self.pieces.is_empty()).then_some(self.end));
+        let places = self
+            .pieces
+            .iter()
+            .map(|piece| piece.start)
+            .chain((!self.pieces.is_empty()).then_some(self.end));
         places.filter(|x| (from..=to).contains(x)).map(|x| Break { x, order }).collect()
     }
 
@@ -222,7 +242,9 @@ impl LawFunction for Move {
             ("distance", j) => changed([value, self.speed, self.acceleration], j),
             ("speed", j) => changed([self.distance, value, self.acceleration], j),
             ("acceleration", j) => changed([self.distance, self.speed, value], j),
-            ("jerk", Some(_)) => changed([self.distance, self.speed, self.acceleration], Some(value)),
+            ("jerk", Some(_)) => {
+                changed([self.distance, self.speed, self.acceleration], Some(value))
+            }
             _ => None,
         }
     }

@@ -1,4 +1,5 @@
-//! The parts of laws that are made of laws: their parameters; and the operators that need nothing else.
+//! The parts of laws that are made of laws: their parameters; and the operators that need nothing
+//! else.
 
 use std::ops::{Mul, Neg, Sub};
 
@@ -28,8 +29,8 @@ pub(super) fn slope(law: &Law) -> Law {
     Law::new(Slope(law.clone()))
 }
 
-/// A range of f(g(x)), f being the outer law: that of g, and where g is a straight line the arguments that it
-/// takes into that of f.
+/// A range of f(g(x)), f being the outer law: that of g, and where g is a straight line the
+/// arguments that it takes into that of f.
 pub(super) fn range_of_composed(
     [outer, inner]: [&Law; 2],
     range: impl Fn(&Law) -> Option<LawRange>,

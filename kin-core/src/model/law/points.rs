@@ -39,7 +39,8 @@ impl Points {
 
     /// Width of interval k, and the rise over it.
     pub fn step(&self, k: usize) -> (f64, f64) {
-        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+        let (x0, y0) = self.table[k];
+        let (x1, y1) = self.table[k + 1];
         (x1 - x0, y1 - y0)
     }
 
@@ -51,16 +52,19 @@ impl Points {
 
     /// The first and the last x of a table that does not repeat.
     pub fn range(&self) -> Option<LawRange> {
-        let ((from, _), (to, _)) = (self.table.first()?, self.table.last()?);
+        let (from, _) = self.table.first()?;
+        let (to, _) = self.table.last()?;
         let range = LawRange { from: *from, to: *to, beyond: Beyond::Line };
         (self.ends != Ends::Periodic).then_some(range)
     }
 
-    /// x brought into the table, and where it is there: interval, or outside of it. The last x is in the last
-    /// interval.
+    /// x brought into the table, and where it is there: interval, or outside of it. The last x is
+    /// in the last interval.
     pub fn place(&self, x: f64) -> (f64, usize) {
-        let (first, last) = (self.table[0].0, self.table[self.table.len() - 1].0);
-        let turned = || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
+        let first = self.table[0].0;
+        let last = self.table[self.table.len() - 1].0;
+        let turned =
+            || Some(first + within(x - first, last - first)).filter(|x| *x < last).unwrap_or(first);
         let x = if self.ends == Ends::Periodic { turned() } else { x };
         let after = self.table.partition_point(|(knot, _)| *knot <= x);
         (x, if x == last { self.table.len() - 1 } else { after })
@@ -70,7 +74,10 @@ impl Points {
     pub fn refusal(&self, kind: &str) -> Option<String> {
         let least = if self.ends == Ends::Periodic { 3 } else { 2 };
         if self.table.len() < least {
-            return Some(format!("{kind}: the table has {} points; it needs {least}", self.table.len()));
+            return Some(format!(
+                "{kind}: the table has {} points; it needs {least}",
+                self.table.len()
+            ));
         }
         if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
             return Some(format!(
@@ -81,13 +88,15 @@ impl Points {
             ));
         }
         if let Some(k) = self.table.windows(2).position(|pair| pair[1].0 <= pair[0].0) {
-            let (before, after) = (self.table[k].0, self.table[k + 1].0);
+            let before = self.table[k].0;
+            let after = self.table[k + 1].0;
             return Some(format!(
                 "{kind}: the table does not increase: x = {before} is followed by {after} (point {})",
                 k + 2
             ));
         }
-        let (first, last) = (self.table[0].1, self.table[self.table.len() - 1].1);
+        let first = self.table[0].1;
+        let last = self.table[self.table.len() - 1].1;
         let size = self.table.iter().fold(0.0_f64, |m, (_, y)| m.max(y.abs()));
         (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size).then(|| {
             format!(
@@ -96,15 +105,22 @@ impl Points {
         })
     }
 
-    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are the slopes
-    /// where they are given.
+    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are
+    /// the slopes where they are given.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         let ends = match self.ends {
             Ends::Natural => vec![],
-            Ends::Clamped { start, end } => vec![("start".to_string(), start), ("end".to_string(), end)],
+            Ends::Clamped { start, end } => {
+                vec![("start".to_string(), start), ("end".to_string(), end)]
+            }
             Ends::Periodic => vec![("periodic".to_string(), 1.0)],
         };
-        self.table.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).chain(ends).collect()
+        self.table
+            .iter()
+            .enumerate()
+            .map(|(k, (x, _))| (format!("x[{k}]"), *x))
+            .chain(ends)
+            .collect()
     }
 
     /// Each y by its name.
@@ -114,7 +130,8 @@ impl Points {
         }
     }
 
-    /// The same with one y changed, if there is one of that name; both ends of a table that repeats.
+    /// The same with one y changed, if there is one of that name; both ends of a table that
+    /// repeats.
     pub fn with_parameter(&self, name: &str, value: f64) -> Option<Points> {
         let k = (0..self.table.len()).find(|k| name == format!("y[{k}]"))?;
         let mut table = self.table.clone();
@@ -130,8 +147,11 @@ impl Points {
 /// A law through the first two columns of a CSV file; a first line that is no numbers is a header.
 pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Result<Law> {
     let fail = |reason: String| Error::Table { path: path.to_path_buf(), reason };
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_path(path);
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_path(path);
     let reader = reader.as_mut().map_err(|error| fail(error.to_string()))?;
     let mut table = Vec::new();
     for (k, record) in reader.records().enumerate() {

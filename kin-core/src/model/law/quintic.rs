@@ -11,19 +11,20 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// A quintic spline through the points (x, y), x increasing, at least two (three to be periodic): C⁴
-    /// between the ends, so that acceleration and jerk of what it moves are smooth; closed
-    /// ([`Ends::Periodic`]) it is C⁴ everywhere, as the profile of a cam or a closed path should be. At other
-    /// ends it has no curvature and goes on as a line, with the slope that is given or, for
-    /// [`Ends::Natural`], with the one of least bending (f⁗ = 0).
+    /// A quintic spline through the points (x, y), x increasing, at least two (three to be
+    /// periodic): C⁴ between the ends, so that acceleration and jerk of what it moves are smooth;
+    /// closed ([`Ends::Periodic`]) it is C⁴ everywhere, as the profile of a cam or a closed path
+    /// should be. At other ends it has no curvature and goes on as a line, with the slope that is
+    /// given or, for [`Ends::Natural`], with the one of least bending (f⁗ = 0).
     ///
-    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is
-    /// to use the law. C. de Boor, *A Practical Guide to Splines*.
+    /// A table that does not increase, or does not repeat though it should, is refused where a
+    /// mechanism is to use the law. C. de Boor, *A Practical Guide to Splines*.
     pub fn quintic_spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
         Law::hanging(|to| Quintic::new(Points::new(table, ends, to)))
     }
 
-    /// The same through the first two columns of a CSV file; a first line that is no numbers is a header.
+    /// The same through the first two columns of a CSV file; a first line that is no numbers is a
+    /// header.
     ///
     /// Errors: those of [`Law::spline_from_csv`].
     pub fn quintic_spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
@@ -47,7 +48,8 @@ impl Quintic {
     /// Width of interval k, and its polynomial in u = (x − x_k)/h from 0 to 1.
     fn piece(&self, k: usize) -> (f64, [f64; 6]) {
         let (h, rise) = self.points.step(k);
-        let ([v0, a0], [v1, a1]) = (self.slopes[k], self.slopes[k + 1]);
+        let [v0, a0] = self.slopes[k];
+        let [v1, a1] = self.slopes[k + 1];
         (h, hermite(self.points.table[k].1, rise, [h * v0, h * v1], [h * h * a0, h * h * a1]))
     }
 
@@ -80,21 +82,26 @@ impl Quintic {
         }
     }
 
-    /// The polynomial of interval k, with bounds. The slopes as they were found are those of the law: with
-    /// them all pieces meet in value, slope and curvature whatever rounding there was, and nothing has to be
-    /// known of how it spread.
+    /// The polynomial of interval k, with bounds. The slopes as they were found are those of the
+    /// law: with them all pieces meet in value, slope and curvature whatever rounding there was,
+    /// and nothing has to be known of how it spread.
     fn bounded(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
-        let ((x0, y0), (x1, y1)) = (self.points.table[k], self.points.table[k + 1]);
-        let [[v0, a0], [v1, a1]] = [self.slopes[k], self.slopes[k + 1]].map(|slopes| slopes.map(number));
-        let (h, rise) = (number(x1) - number(x0), number(y1) - number(y0));
+        let (x0, y0) = self.points.table[k];
+        let (x1, y1) = self.points.table[k + 1];
+        let [[v0, a0], [v1, a1]] =
+            [self.slopes[k], self.slopes[k + 1]].map(|slopes| slopes.map(number));
+        let h = number(x1) - number(x0);
+        let rise = number(y1) - number(y0);
         let u = x.plus(-x0) * Series::constant(number(1.0) / h);
         let w = (-u).plus(1.0);
         let times = |c: Interval, p: Series| Series::constant(c) * p;
-        let (square, cube) = (u * u, u * u * u);
-        let (rest, rest_cube) = (w * w, w * w * w);
-        // Each number once, with the polynomial that it is multiplied by in factors: so rounding and ranges
-        // are least.
+        let square = u * u;
+        let cube = u * u * u;
+        let rest = w * w;
+        let rest_cube = w * w * w;
+        // Each number once, with the polynomial that it is multiplied by in factors: so rounding
+        // and ranges are least.
         Series::constant(number(y0))
             + times(rise, cube * (u * (times(number(6.0), u).plus(-15.0))).plus(10.0))
             + times(v0 * h, u * rest_cube * times(number(3.0), u).plus(1.0))
@@ -109,11 +116,20 @@ impl Quintic {
     }
 }
 
-/// The polynomial of fifth degree in u with value y at 0, y + rise at 1, and these slopes and second slopes
-/// at both ends (by u).
+/// The polynomial of fifth degree in u with value y at 0, y + rise at 1, and these slopes and
+/// second slopes at both ends (by u).
 fn hermite(y: f64, rise: f64, [v0, v1]: [f64; 2], [a0, a1]: [f64; 2]) -> [f64; 6] {
-    let (x, v, a) = (rise - v0 - 0.5 * a0, v1 - v0 - a0, a1 - a0);
-    [y, v0, 0.5 * a0, 10.0 * x - 4.0 * v + 0.5 * a, 7.0 * v - 15.0 * x - a, 6.0 * x - 3.0 * v + 0.5 * a]
+    let x = rise - v0 - 0.5 * a0;
+    let v = v1 - v0 - a0;
+    let a = a1 - a0;
+    [
+        y,
+        v0,
+        0.5 * a0,
+        10.0 * x - 4.0 * v + 0.5 * a,
+        7.0 * v - 15.0 * x - a,
+        6.0 * x - 3.0 * v + 0.5 * a,
+    ]
 }
 
 /// Two conditions on (f′, f″) of a knot and of its neighbours.
@@ -125,14 +141,16 @@ struct Row {
     right: Vector2<f64>,
 }
 
-/// f′ and f″ at the knots, from continuity of f‴ and f⁗. With widths p before and n after a knot these are, Δ
-/// being the rises,
+/// f′ and f″ at the knots, from continuity of f‴ and f⁗. With widths p before and n after a knot
+/// these are, Δ being the rises,
 ///
-/// −24 v₋/p² − 3 a₋/p + 36 (1/n² − 1/p²) v + 9 (1/n + 1/p) a + 24 v₊/n² − 3 a₊/n = 60 (Δn/n³ − Δp/p³), 168
-/// v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² = 360 (Δn/n⁴ + Δp/p⁴).
+/// −24 v₋/p² − 3 a₋/p + 36 (1/n² − 1/p²) v + 9 (1/n + 1/p) a + 24 v₊/n² − 3 a₊/n = 60 (Δn/n³ −
+/// Δp/p³), 168 v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² =
+/// 360 (Δn/n⁴ + Δp/p⁴).
 fn slopes(points: &Points) -> Vec<[f64; 2]> {
     let last = points.table.len() - 1;
-    let inner = |k: usize| row(Some(points.step((k + last - 1) % last)), Some(points.step(k % last)));
+    let inner =
+        |k: usize| row(Some(points.step((k + last - 1) % last)), Some(points.step(k % last)));
     let rows: Vec<Row> = match points.ends {
         Ends::Periodic => (0..last).map(inner).collect(),
         _ => {
@@ -146,10 +164,13 @@ fn slopes(points: &Points) -> Vec<[f64; 2]> {
     (0..=last).map(|k| found[k % found.len()]).map(|x| [x.x, x.y]).collect()
 }
 
-/// The conditions of a knot between two intervals as (width, rise); at an end only one of them is there.
+/// The conditions of a knot between two intervals as (width, rise); at an end only one of them is
+/// there.
 fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
-    let (mut below, mut diagonal, mut above, mut right) =
-        (Matrix2::zeros(), Matrix2::zeros(), Matrix2::zeros(), Vector2::zeros());
+    let mut below = Matrix2::zeros();
+    let mut diagonal = Matrix2::zeros();
+    let mut above = Matrix2::zeros();
+    let mut right = Vector2::zeros();
     if let Some((p, rise)) = before {
         // The first row in units of 1/p², the second of 1/p³.
         below += Matrix2::new(-24.0 / (p * p), -3.0 / p, 168.0 / p.powi(3), 24.0 / (p * p));
@@ -164,11 +185,12 @@ fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
     Row { below, diagonal, above, right }
 }
 
-/// An end without curvature: with the slope that is given, or with f⁗ = 0, which is the second condition
-/// there.
+/// An end without curvature: with the slope that is given, or with f⁗ = 0, which is the second
+/// condition there.
 fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
     let mut row = row;
-    let (mut first, mut value) = ([0.0, 1.0], 0.0);
+    let mut first = [0.0, 1.0];
+    let mut value = 0.0;
     if let Ends::Clamped { start, end } = points.ends {
         (first, value) = ([1.0, 0.0], slope((start, end)));
         row.diagonal.set_row(1, &nalgebra::RowVector2::new(0.0, 1.0));
@@ -181,9 +203,9 @@ fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
     row
 }
 
-/// Solves block rows in a circle: what stands below the first and above the last multiplies the last and the
-/// first unknown (zero where the spline is not closed). The first unknown is set apart; all others are what
-/// they are without it plus their share of it.
+/// Solves block rows in a circle: what stands below the first and above the last multiplies the
+/// last and the first unknown (zero where the spline is not closed). The first unknown is set
+/// apart; all others are what they are without it plus their share of it.
 fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
     let with = |v: Vector2<f64>, m: Matrix2<f64>| {
         Matrix2x3::from_columns(&[v, m.column(0).into(), m.column(1).into()])
@@ -213,7 +235,8 @@ fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
         }
         rights[k] = inverse(pivots[k]) * rights[k];
     }
-    let (mut own, mut right) = (first.diagonal, first.right);
+    let mut own = first.diagonal;
+    let mut right = first.right;
     for (factor, neighbour) in [(first.below, rights.last()), (first.above, rights.first())] {
         if let Some(neighbour) = neighbour {
             own += factor * neighbour.fixed_columns::<2>(1);
@@ -245,7 +268,8 @@ impl LawFunction for Quintic {
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
-        let (first, last) = (self.points.table.first()?.0, self.points.table.last()?.0);
+        let first = self.points.table.first()?.0;
+        let last = self.points.table.last()?.0;
         let knots: Vec<f64> = self.points.table.iter().map(|(x, _)| *x).collect();
         let at = |x: f64| Series::variable(Interval::from(x), ONE, 2);
         match self.points.ends {
@@ -274,11 +298,14 @@ impl LawFunction for Quintic {
             return Vec::new();
         }
         let last = self.points.table.len() - 1;
-        let size = (0..last).map(|k| self.inside(k, self.points.table[k].0)[3].abs()).fold(0.0, f64::max);
-        let ends = [(0, 0), (last - 1, last)]
-            .map(|(k, knot)| (self.points.table[knot].0, self.inside(k, self.points.table[knot].0)[3]));
-        let jumps =
-            ends.into_iter().filter(|(x, third)| (from..=to).contains(x) && third.abs() > 1e-9 * size);
+        let size =
+            (0..last).map(|k| self.inside(k, self.points.table[k].0)[3].abs()).fold(0.0, f64::max);
+        let ends = [(0, 0), (last - 1, last)].map(|(k, knot)| {
+            (self.points.table[knot].0, self.inside(k, self.points.table[knot].0)[3])
+        });
+        let jumps = ends
+            .into_iter()
+            .filter(|(x, third)| (from..=to).contains(x) && third.abs() > 1e-9 * size);
         jumps.map(|(x, _)| Break { x, order: 3 }).collect()
     }
 
@@ -329,7 +356,8 @@ mod tests {
             bounded(&law, &points, 1.0);
             // all up to the fourth go on at each point inside
             for (x, y) in &TABLE[1..5] {
-                let (left, right) = (x.next_down(), *x);
+                let left = x.next_down();
+                let right = *x;
                 near(law.at(right), *y, 1e-12);
                 law.jet(left)
                     .into_iter()
@@ -339,7 +367,15 @@ mod tests {
             }
             bounded(
                 &law,
-                &[(0.6, 0.61), (1.2, 1.3), (-0.6, -0.4), (3.9, 4.1), (-3.0, -2.0), (5.0, 6.0), (2.1, 2.2)],
+                &[
+                    (0.6, 0.61),
+                    (1.2, 1.3),
+                    (-0.6, -0.4),
+                    (3.9, 4.1),
+                    (-3.0, -2.0),
+                    (5.0, 6.0),
+                    (2.1, 2.2),
+                ],
                 1e6,
             );
             assert_eq!(
@@ -354,15 +390,23 @@ mod tests {
                 && refused.jet(0.0).iter().all(|f| f.is_nan())
                 && listed(&refused, -9.0, 9.0).is_empty()
         );
-        assert!(Law::quintic_spline(&[(0.0, 0.0); 0], Ends::Natural).over(&Series::number(0.0)).is_none());
+        assert!(
+            Law::quintic_spline(&[(0.0, 0.0); 0], Ends::Natural)
+                .over(&Series::number(0.0))
+                .is_none()
+        );
     }
 
-    /// Where it becomes a line its third derivative jumps, unless that is nothing beside the others.
+    /// Where it becomes a line its third derivative jumps, unless that is nothing beside the
+    /// others.
     #[test]
     fn breaks_at_the_ends() {
         let ends = |law: &Law| listed(law, -9.0, 9.0);
         assert_eq!(
-            (ends(&Law::quintic_spline(&TABLE, Ends::Natural)), ends(&Law::quintic_spline(&TABLE, CLAMPED))),
+            (
+                ends(&Law::quintic_spline(&TABLE, Ends::Natural)),
+                ends(&Law::quintic_spline(&TABLE, CLAMPED))
+            ),
             (vec![(-0.5, 3), (4.0, 3)], vec![(-0.5, 3), (4.0, 3)])
         );
         assert_eq!(
@@ -374,12 +418,16 @@ mod tests {
         );
         for ends in [Ends::Natural, Ends::Clamped { start: 0.0, end: 0.0 }] {
             assert_eq!(
-                listed(&Law::quintic_spline(&[(0.0, 1.0), (1.0, 1.0), (3.0, 1.0)], ends), -9.0, 9.0),
+                listed(
+                    &Law::quintic_spline(&[(0.0, 1.0), (1.0, 1.0), (3.0, 1.0)], ends),
+                    -9.0,
+                    9.0
+                ),
                 []
             );
         }
-        // The third derivative at the beginning is linear in the point in the middle: it is made a share of
-        // that in the middle.
+        // The third derivative at the beginning is linear in the point in the middle: it is made a
+        // share of that in the middle.
         for sign in [1.0, -1.0] {
             let law = |y: f64| {
                 Law::quintic_spline(

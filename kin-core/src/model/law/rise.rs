@@ -1,5 +1,5 @@
-//! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of machines that
-//! index.
+//! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of
+//! machines that index.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,25 +19,26 @@ impl Law {
         rise(Shape::Cycloidal, height, length)
     }
 
-    /// 3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and h after.
+    /// 3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and
+    /// h after.
     pub fn polynomial_345(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Polynomial345, height, length)
     }
 
-    /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before
-    /// and h after. No derivative up to the third jumps.
+    /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0
+    /// before and h after. No derivative up to the third jumps.
     pub fn polynomial_4567(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Polynomial4567, height, length)
     }
 
-    /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period 3β/2, then
-    /// the sine again; 0 before and h after. Largest acceleration 5.528 h/β².
+    /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period
+    /// 3β/2, then the sine again; 0 before and h after. Largest acceleration 5.528 h/β².
     pub fn modified_sine(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::ModifiedSine, height, length)
     }
 
-    /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an eighth of β
-    /// long; 0 before and h after. Largest acceleration 4.888 h/β².
+    /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an
+    /// eighth of β long; 0 before and h after. Largest acceleration 4.888 h/β².
     pub fn modified_trapezoid(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::ModifiedTrapezoid, height, length)
     }
@@ -171,8 +172,8 @@ fn cosine(tau: f64, a: f64, w: f64, [s0, v0]: [f64; 2]) -> [f64; 5] {
     [s0 + v0 * tau + a * (1.0 - c) / (w * w), v0 + a * s / w, a * c, -a * w * s, -a * w * w * c]
 }
 
-/// Norton, *Cam Design and Manufacturing Handbook*: s″ = a sin 4πξ to 1/8, then a cos(4π(ξ − 1/8)/3); a =
-/// 4π²/(π + 4).
+/// Norton, *Cam Design and Manufacturing Handbook*: s″ = a sin 4πξ to 1/8, then a cos(4π(ξ −
+/// 1/8)/3); a = 4π²/(π + 4).
 fn modified_sine(x: f64) -> [f64; 5] {
     let a = 4.0 * PI * PI / (PI + 4.0);
     if x < 0.125 {
@@ -209,7 +210,8 @@ impl LawFunction for Rise {
         let Some([s, s1, s2, s3, _]) = self.inside(x) else {
             return [if x.is_sign_negative() { 0.0 } else { self.height }, 0.0, 0.0, 0.0];
         };
-        let (h, l) = (self.height, self.length);
+        let h = self.height;
+        let l = self.length;
         [h * s, h * s1 / l, h * s2 / (l * l), h * s3 / (l * l * l)]
     }
 
@@ -219,8 +221,12 @@ impl LawFunction for Rise {
 
     fn description(&self) -> &str {
         match self.shape {
-            Shape::Harmonic => "Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after.",
-            Shape::Cycloidal => "Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after.",
+            Shape::Harmonic => {
+                "Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after."
+            }
+            Shape::Cycloidal => {
+                "Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after."
+            }
             Shape::Polynomial345 => {
                 "3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after."
             }
@@ -244,9 +250,10 @@ impl LawFunction for Rise {
         piecewise(x, &[0.0, self.length], &|k, x| {
             Some(match k {
                 0 => x.times(0.0),
-                1 => {
-                    self.shape.over(&(*x / Series::constant(Interval::from(self.length))))?.times(self.height)
-                }
+                1 => self
+                    .shape
+                    .over(&(*x / Series::constant(Interval::from(self.length))))?
+                    .times(self.height),
                 _ => x.times(0.0).plus(self.height),
             })
         })
@@ -258,7 +265,10 @@ impl LawFunction for Rise {
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let ends = self.shape.order().map(|order| [0.0, self.length].map(|x| Break { x, order }));
-        ends.into_iter().flatten().filter(|b| self.height != 0.0 && (from..=to).contains(&b.x)).collect()
+        ends.into_iter()
+            .flatten()
+            .filter(|b| self.height != 0.0 && (from..=to).contains(&b.x))
+            .collect()
     }
 
     fn is_smooth(&self) -> bool {
@@ -267,7 +277,11 @@ impl LawFunction for Rise {
 
     fn refusal(&self) -> Option<String> {
         (self.length <= 0.0).then(|| {
-            format!("{}: the length of a rise is above zero (length = {})", self.kind(), self.length)
+            format!(
+                "{}: the length of a rise is above zero (length = {})",
+                self.kind(),
+                self.length
+            )
         })
     }
 
@@ -299,14 +313,19 @@ mod tests {
     /// Where pieces of the modified shapes meet the fourth derivative is that of the right side.
     #[test]
     fn fourth_derivatives_where_pieces_meet() {
-        let (h, l) = (0.5, 2.0);
+        let h = 0.5;
+        let l = 2.0;
         let fourth = |law: &Law, x: f64| law.fourth(x * l) * l.powi(4) / h;
-        let (sine, trapezoid) = (Law::modified_sine(h, l), Law::modified_trapezoid(h, l));
+        let sine = Law::modified_sine(h, l);
+        let trapezoid = Law::modified_trapezoid(h, l);
         let a = 4.0 * PI * PI / (PI + 4.0);
         near(fourth(&sine, 0.125) / a, -(4.0 * PI / 3.0).powi(2), 1e-13);
         near(fourth(&sine, 0.125_f64.next_down()) / a, -(4.0 * PI).powi(2), 1e-13);
         let a = 8.0 * PI / (2.0 + PI);
-        assert_eq!((fourth(&trapezoid, 0.125), fourth(&trapezoid, 0.375_f64.next_down())), (0.0, 0.0));
+        assert_eq!(
+            (fourth(&trapezoid, 0.125), fourth(&trapezoid, 0.375_f64.next_down())),
+            (0.0, 0.0)
+        );
         near(fourth(&trapezoid, 0.125_f64.next_down()) / a, -(4.0 * PI).powi(2), 1e-13);
         near(fourth(&trapezoid, 0.375) / a, -(4.0 * PI).powi(2), 1e-13);
         assert_eq!(

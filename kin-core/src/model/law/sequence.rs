@@ -8,35 +8,39 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
 
 impl Law {
-    /// Parts one after the other from x = `start` on, each for its length and with its own variable counted
-    /// from its beginning: over a part that begins at x_k the law is f_k(x − x_k). Before the first and after
-    /// the last the end values are held.
+    /// Parts one after the other from x = `start` on, each for its length and with its own variable
+    /// counted from its beginning: over a part that begins at x_k the law is f_k(x − x_k). Before
+    /// the first and after the last the end values are held.
     ///
-    /// Parts must meet in value; a mechanism refuses a sequence that jumps. Where a derivative jumps there is
-    /// a break.
+    /// Parts must meet in value; a mechanism refuses a sequence that jumps. Where a derivative
+    /// jumps there is a break.
     ///
     /// ```
     /// use kin::prelude::*;
     /// // up in 1 s, dwell 0.5 s, down in 1 s
-    /// let (up, down) = (Law::cycloidal(0.02, 1.0), Law::constant(0.02) - Law::cycloidal(0.02, 1.0));
+    /// let up = Law::cycloidal(0.02, 1.0);
+    /// let down = Law::constant(0.02) - Law::cycloidal(0.02, 1.0);
     /// let law = Law::sequence(0.0, [(1.0, up), (0.5, Law::constant(0.02)), (1.0, down)]);
     /// assert!(law.refusal().is_none() && law.at(1.25) == 0.02 && law.at(9.0).abs() < 1e-17);
     /// ```
-    pub fn sequence<L: IntoNumber>(start: impl IntoNumber, parts: impl IntoIterator<Item = (L, Law)>) -> Law {
+    pub fn sequence<L: IntoNumber>(
+        start: impl IntoNumber,
+        parts: impl IntoIterator<Item = (L, Law)>,
+    ) -> Law {
         Law::hanging(|to| {
             let start = to.number("start", start);
             let parts = parts.into_iter().enumerate();
-            let parts =
-                parts.map(|(k, (length, law))| (to.number(&format!("part[{k}].length"), length), law));
+            let parts = parts
+                .map(|(k, (length, law))| (to.number(&format!("part[{k}].length"), length), law));
             Sequence::new(start, parts.collect())
         })
     }
 
-    /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn, with
-    /// period 2π.
+    /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn,
+    /// with period 2π.
     ///
-    /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps there is a
-    /// break.
+    /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps
+    /// there is a break.
     pub fn periodic(&self, period: impl IntoNumber) -> Law {
         Law::hanging(|to| {
             let period = to.number("period", period);
@@ -50,7 +54,8 @@ struct Sequence {
     start: f64,
     /// Lengths and laws.
     parts: Vec<(f64, Law)>,
-    /// The beginning of the first part, where two meet, and the end of the last one: looked at once.
+    /// The beginning of the first part, where two meet, and the end of the last one: looked at
+    /// once.
     seams: OnceLock<Vec<Joint>>,
 }
 
@@ -70,11 +75,13 @@ impl Sequence {
     /// The seams in order: one more than there are parts.
     fn seams(&self) -> &[Joint] {
         self.seams.get_or_init(|| {
-            let sizes: Vec<Sizes> = self.parts.iter().map(|(length, law)| Sizes::of(law, *length)).collect();
+            let sizes: Vec<Sizes> =
+                self.parts.iter().map(|(length, law)| Sizes::of(law, *length)).collect();
             let mut all = Vec::new();
             for (k, (begin, length, law)) in self.placed().enumerate() {
                 let right = law.jet(0.0);
-                let seam = match k.checked_sub(1).map(|before| (&self.parts[before], sizes[before])) {
+                let seam = match k.checked_sub(1).map(|before| (&self.parts[before], sizes[before]))
+                {
                     None => Seam::before(right[0], right, sizes[k], length),
                     Some(((before, law), size)) => {
                         Seam::after(law, *before, size, (right, sizes[k], length.min(*before)))
@@ -84,8 +91,17 @@ impl Sequence {
             }
             if let (Some((begin, length, law)), Some(size)) = (self.placed().last(), sizes.last()) {
                 let held = law.at(length);
-                let seam = Seam::after(law, length, *size, ([held, 0.0, 0.0, 0.0], Sizes::default(), length));
-                all.push(Joint { x: begin + length, order: seam.order(), values: (seam.end(), held) });
+                let seam = Seam::after(
+                    law,
+                    length,
+                    *size,
+                    ([held, 0.0, 0.0, 0.0], Sizes::default(), length),
+                );
+                all.push(Joint {
+                    x: begin + length,
+                    order: seam.order(),
+                    values: (seam.end(), held),
+                });
             }
             all
         })
@@ -97,8 +113,8 @@ impl Sequence {
         self.seams().iter().filter_map(jump).filter(move |found| (from..=to).contains(&found.x))
     }
 
-    /// The breaks or poles within each part between two places, by `list`: breaks at its ends are those of
-    /// the seams.
+    /// The breaks or poles within each part between two places, by `list`: breaks at its ends are
+    /// those of the seams.
     fn own<I: IntoIterator<Item = Break>>(
         &self,
         from: f64,
@@ -108,7 +124,8 @@ impl Sequence {
         let mut all = Vec::new();
         for (begin, length, law) in self.placed() {
             let edge = 1e-14 * length;
-            let (from, to) = ((from - begin).max(edge), (to - begin).min(length - edge));
+            let from = (from - begin).max(edge);
+            let to = (to - begin).min(length - edge);
             if from <= to {
                 all.extend(list(law, from, to).into_iter().map(|b| Break { x: begin + b.x, ..b }));
             }
@@ -169,8 +186,9 @@ impl LawFunction for Sequence {
         let end = placed.last().map(|(begin, length, _)| begin + length);
         let seams: Vec<f64> = placed.iter().map(|(begin, ..)| *begin).chain(end).collect();
         piecewise(x, &seams, &|k, x| {
-            let held =
-                |law: &Law, x0: f64| Some(x.times(0.0) + law.over(&Series::constant(Interval::from(x0)))?);
+            let held = |law: &Law, x0: f64| {
+                Some(x.times(0.0) + law.over(&Series::constant(Interval::from(x0)))?)
+            };
             match (k.checked_sub(1).map(|k| placed.get(k)), placed.first(), placed.last()) {
                 (Some(Some((begin, _, law))), ..) => law.over(&x.plus(-begin)),
                 (None, Some((_, _, law)), _) => held(law, 0.0),
@@ -207,9 +225,11 @@ impl LawFunction for Sequence {
         Some(LawRange { from: self.start, to: begin + length, beyond: Beyond::Held })
     }
 
-    /// A part may be longer than its table; beyond the last part the value is held, which is no table's end.
+    /// A part may be longer than its table; beyond the last part the value is held, which is no
+    /// table's end.
     fn table_range(&self) -> Option<LawRange> {
-        let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut from = f64::NEG_INFINITY;
+        let mut to = f64::INFINITY;
         for (k, (begin, length, law)) in self.placed().enumerate() {
             let Some(range) = law.table_range() else { continue };
             let edge = 1e-9 * length;
@@ -247,7 +267,11 @@ impl LawFunction for Sequence {
     }
 
     fn parts(&self) -> Vec<(String, Law)> {
-        self.parts.iter().enumerate().map(|(k, (_, law))| (format!("part[{k}].law"), law.clone())).collect()
+        self.parts
+            .iter()
+            .enumerate()
+            .map(|(k, (_, law))| (format!("part[{k}].law"), law.clone()))
+            .collect()
     }
 
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
@@ -274,8 +298,8 @@ impl LawFunction for Sequence {
     }
 }
 
-/// The rest of x beyond the last whole period: 0 ≤ … < period. (Of a number just below zero `rem_euclid`
-/// alone makes the period itself, by rounding.)
+/// The rest of x beyond the last whole period: 0 ≤ … < period. (Of a number just below zero
+/// `rem_euclid` alone makes the period itself, by rounding.)
 pub(super) fn within(x: f64, period: f64) -> f64 {
     let rest = x.rem_euclid(period);
     if rest >= period { 0.0 } else { rest }
@@ -293,7 +317,8 @@ impl Periodic {
     fn seam(&self) -> (Option<usize>, f64) {
         *self.seam.get_or_init(|| {
             let sizes = Sizes::of(&self.law, self.period);
-            let seam = Seam::after(&self.law, self.period, sizes, (self.law.jet(0.0), sizes, self.period));
+            let seam =
+                Seam::after(&self.law, self.period, sizes, (self.law.jet(0.0), sizes, self.period));
             (seam.order(), seam.end())
         })
     }
@@ -345,7 +370,8 @@ impl LawFunction for Periodic {
             return Some(format!("periodic: the period is above zero (period = {})", self.period));
         }
         self.law.refusal().or_else(|| {
-            let ((order, end), begin) = (self.seam(), self.law.at(0.0));
+            let (order, end) = self.seam();
+            let begin = self.law.at(0.0);
             let apart = || {
                 format!(
                     "the law does not repeat after {}: it begins at {begin} and ends at {end}",

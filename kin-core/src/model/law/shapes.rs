@@ -8,7 +8,9 @@ fn pi(factor: f64) -> Series {
 
 /// A shape with s(1 − ξ) = 1 − s(ξ), from its first half.
 pub(super) fn mirrored(x: &Series, half: &dyn Fn(&Series) -> Option<Series>) -> Option<Series> {
-    piecewise(x, &[0.5], &|k, x| if k == 0 { half(x) } else { Some(-half(&(-*x).plus(1.0))?.plus(-1.0)) })
+    piecewise(x, &[0.5], &|k, x| {
+        if k == 0 { half(x) } else { Some(-half(&(-*x).plus(1.0))?.plus(-1.0)) }
+    })
 }
 
 /// The first eighth of both: s″ = a sin 4πξ.
@@ -34,7 +36,11 @@ pub(super) fn modified_sine(x: &Series) -> Option<Series> {
     let a = pi(1.0).sqr().times(4.0) / pi(1.0).plus(4.0);
     piecewise(x, &[0.125], &|k, x| {
         let third = pi(4.0) / Series::constant(Interval::from(3.0));
-        Some(if k == 0 { first_eighth(x, a) } else { cosine(x.plus(-0.125), a, third, after_eighth(a)) })
+        Some(if k == 0 {
+            first_eighth(x, a)
+        } else {
+            cosine(x.plus(-0.125), a, third, after_eighth(a))
+        })
     })
 }
 

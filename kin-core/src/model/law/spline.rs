@@ -12,19 +12,20 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic): C²
-    /// between the ends.
+    /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic):
+    /// C² between the ends.
     ///
-    /// A table that does not increase, or does not repeat though it should, is refused where a mechanism is
-    /// to use the law.
+    /// A table that does not increase, or does not repeat though it should, is refused where a
+    /// mechanism is to use the law.
     pub fn spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
         Law::hanging(|to| Spline::new(Points::new(table, ends, to)))
     }
 
-    /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers is a
-    /// header.
+    /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers
+    /// is a header.
     ///
-    /// Errors: a file that cannot be read, a line without two numbers, a table that does not increase.
+    /// Errors: a file that cannot be read, a line without two numbers, a table that does not
+    /// increase.
     pub fn spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
         points::from_csv(path.as_ref(), |table| Law::spline(table, ends))
     }
@@ -58,25 +59,28 @@ impl Spline {
         spline
     }
 
-    /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k m_(k+1))/6 =
-    /// s_k − s_(k−1).
+    /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k
+    /// m_(k+1))/6 = s_k − s_(k−1).
     fn curvatures(&self) -> Vec<f64> {
         let last = self.table.len() - 1;
         let mut rows = vec![[0.0, 1.0, 0.0, 0.0]; last + 1];
         for (k, row) in rows.iter_mut().enumerate().take(last).skip(1) {
-            let ((h0, s0), (h1, s1)) = (self.interval(k - 1), self.interval(k));
+            let (h0, s0) = self.interval(k - 1);
+            let (h1, s1) = self.interval(k);
             *row = [h0, 2.0 * (h0 + h1), h1, 6.0 * (s1 - s0)];
         }
         match self.ends {
             Ends::Natural => tridiagonal(rows),
             Ends::Clamped { start, end } => {
-                let ((h0, s0), (h1, s1)) = (self.interval(0), self.interval(last - 1));
+                let (h0, s0) = self.interval(0);
+                let (h1, s1) = self.interval(last - 1);
                 rows[0] = [0.0, 2.0 * h0, h0, 6.0 * (s0 - start)];
                 rows[last] = [h1, 2.0 * h1, 0.0, 6.0 * (end - s1)];
                 tridiagonal(rows)
             }
             Ends::Periodic => {
-                let ((h0, s0), (h1, s1)) = (self.interval(0), self.interval(last - 1));
+                let (h0, s0) = self.interval(0);
+                let (h1, s1) = self.interval(last - 1);
                 rows[0] = [h1, 2.0 * (h0 + h1), h0, 6.0 * (s0 - s1)];
                 rows.truncate(last);
                 let mut m = cyclic(rows);
@@ -89,26 +93,37 @@ impl Spline {
     /// Over interval k, at x.
     fn inside(&self, k: usize, x: f64) -> [f64; 4] {
         let (h, slope) = self.interval(k);
-        let (m0, m1) = (self.curvature[k], self.curvature[k + 1]);
-        let (t, j) = (x - self.table[k].0, (m1 - m0) / h);
+        let m0 = self.curvature[k];
+        let m1 = self.curvature[k + 1];
+        let t = x - self.table[k].0;
+        let j = (m1 - m0) / h;
         let v = slope - h * (2.0 * m0 + m1) / 6.0;
-        [self.table[k].1 + t * (v + t * (m0 / 2.0 + t * j / 6.0)), v + t * (m0 + t * j / 2.0), m0 + t * j, j]
+        [
+            self.table[k].1 + t * (v + t * (m0 / 2.0 + t * j / 6.0)),
+            v + t * (m0 + t * j / 2.0),
+            m0 + t * j,
+            j,
+        ]
     }
 
-    /// How far the curvatures can be from the solution of their equations. The diagonals exceed the rest of
-    /// their rows, so no curvature is off by more than the largest of what a row is missed by, over what its
-    /// diagonal exceeds the rest by.
+    /// How far the curvatures can be from the solution of their equations. The diagonals exceed the
+    /// rest of their rows, so no curvature is off by more than the largest of what a row is missed
+    /// by, over what its diagonal exceeds the rest by.
     fn curvature_error(&self) -> f64 {
-        let (last, number) = (self.table.len() - 1, |x: f64| Interval::from(x));
+        let last = self.table.len() - 1;
+        let number = |x: f64| Interval::from(x);
         let m = |k: usize| number(self.curvature[k]);
         let interval = |k: usize| {
-            let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+            let (x0, y0) = self.table[k];
+            let (x1, y1) = self.table[k + 1];
             let h = number(x1) - number(x0);
             (h, (number(y1) - number(y0)) / h)
         };
         let inner = |[a, b]: [usize; 2], [before, at, after]: [usize; 3]| {
-            let ((h0, s0), (h1, s1)) = (interval(a), interval(b));
-            (h0 * m(before) + number(2.0) * (h0 + h1) * m(at) + h1 * m(after) - number(6.0) * (s1 - s0))
+            let (h0, s0) = interval(a);
+            let (h1, s1) = interval(b);
+            (h0 * m(before) + number(2.0) * (h0 + h1) * m(at) + h1 * m(after)
+                - number(6.0) * (s1 - s0))
                 / (h0 + h1)
         };
         let end = |k: usize, [at, beside]: [usize; 2], rise: &dyn Fn(Interval) -> Interval| {
@@ -127,15 +142,17 @@ impl Spline {
         (0..=last).map(|k| missed(k).mag()).fold(0.0, f64::max)
     }
 
-    /// The polynomial of interval k, with bounds. The curvatures are those that a rounded elimination has
-    /// found: what is meant is near them.
+    /// The polynomial of interval k, with bounds. The curvatures are those that a rounded
+    /// elimination has found: what is meant is near them.
     fn cubic(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
         let [m0, m1] = [k, k + 1].map(|k| number(self.curvature[k]) + Interval::ball(self.error));
-        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+        let (x0, y0) = self.table[k];
+        let (x1, y1) = self.table[k + 1];
         let h = number(x1) - number(x0);
         let v = (number(y1) - number(y0)) / h - h * (number(2.0) * m0 + m1) / number(6.0);
-        let (half, third) = (m0 / number(2.0), (m1 - m0) / (number(6.0) * h));
+        let half = m0 / number(2.0);
+        let third = (m1 - m0) / (number(6.0) * h);
         let t = x.plus(-x0);
         Series::constant(number(y0))
             + t * (Series::constant(v) + t * (Series::constant(half) + t * Series::constant(third)))
@@ -170,17 +187,20 @@ fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     m
 }
 
-/// The same where the first row's `below` is the last column and the last row's `above` the first (Sherman
-/// and Morrison).
+/// The same where the first row's `below` is the last column and the last row's `above` the first
+/// (Sherman and Morrison).
 fn cyclic(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     let last = rows.len() - 1;
-    let (corner, other, gamma) = (rows[0][0], rows[last][2], -rows[0][1]);
+    let corner = rows[0][0];
+    let other = rows[last][2];
+    let gamma = -rows[0][1];
     rows[0][1] -= gamma;
     rows[last][1] -= corner * other / gamma;
     let mut border: Vec<[f64; 4]> =
         rows.iter().map(|[below, diagonal, above, _]| [*below, *diagonal, *above, 0.0]).collect();
     (border[0][3], border[last][3]) = (gamma, other);
-    let (x, z) = (tridiagonal(rows), tridiagonal(border));
+    let x = tridiagonal(rows);
+    let z = tridiagonal(border);
     let along = |v: &[f64]| v[0] + corner / gamma * v[last];
     let share = along(&x) / (1.0 + along(&z));
     x.iter().zip(&z).map(|(x, z)| x - share * z).collect()
@@ -195,7 +215,9 @@ impl LawFunction for Spline {
         let line = |[y, v, ..]: [f64; 4], from: f64| [y + v * (x - from), v, 0.0, 0.0];
         match self.place(x) {
             (_, 0) => line(self.inside(0, self.table[0].0), self.table[0].0),
-            (_, after) if after > last => line(self.inside(last - 1, self.table[last].0), self.table[last].0),
+            (_, after) if after > last => {
+                line(self.inside(last - 1, self.table[last].0), self.table[last].0)
+            }
             (x, after) => self.inside(after - 1, x),
         }
     }
@@ -213,14 +235,16 @@ impl LawFunction for Spline {
     }
 
     fn over(&self, x: &Series) -> Option<Series> {
-        let (first, last) = (self.table.first()?.0, self.table.last()?.0);
+        let first = self.table.first()?.0;
+        let last = self.table.last()?.0;
         if self.curvature.is_empty() {
             return None;
         }
         let knots: Vec<f64> = self.table.iter().map(|(x, _)| *x).collect();
         match self.ends {
             Ends::Periodic => repeated(x, first, last - first, &|x| {
-                let (x, inner) = (x.plus(first), &knots[1..knots.len() - 1]);
+                let x = x.plus(first);
+                let inner = &knots[1..knots.len() - 1];
                 self.over_many(&x).or_else(|| piecewise(&x, inner, &|k, x| Some(self.cubic(k, x))))
             }),
             _ => self.over_many(x).or_else(|| {
@@ -255,7 +279,8 @@ impl LawFunction for Spline {
         let jumps = |before: f64, after: f64| (before - after).abs() > 1e-9 * size;
         let mut one = Vec::new();
         for k in 0..=last {
-            let (end, x) = (k == 0 || k == last, self.table[k].0);
+            let end = k == 0 || k == last;
+            let x = self.table[k].0;
             let (order, found) = match self.ends {
                 Ends::Periodic if k == last => continue,
                 Ends::Periodic => (3, jumps(self.third(k + last - 1), self.third(k))),
@@ -274,7 +299,8 @@ impl LawFunction for Spline {
             }
         }
         if self.ends == Ends::Periodic {
-            let (start, period) = (self.table[0].0, self.table[last].0 - self.table[0].0);
+            let start = self.table[0].0;
+            let period = self.table[last].0 - self.table[0].0;
             return breaks::repeated(&one, start, period, from, to);
         }
         one.retain(|b| (from..=to).contains(&b.x));

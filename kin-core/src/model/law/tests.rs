@@ -36,16 +36,20 @@ pub(super) fn shown(law: &Law) -> Vec<(String, f64)> {
     all
 }
 
-/// A law and its derivatives lie within its bounds over each interval, and these are no wider than `factor`
-/// times what 2001 places show.
+/// A law and its derivatives lie within its bounds over each interval, and these are no wider than
+/// `factor` times what 2001 places show.
 pub(super) fn bounded(law: &Law, intervals: &[(f64, f64)], factor: f64) {
     for &(lo, hi) in intervals {
-        let series = law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).expect("has bounds");
+        let series =
+            law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).expect("has bounds");
         let mut seen = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
         for k in 0..=2000 {
             let jet = law.jet(if k == 2000 { hi } else { lo + (hi - lo) * f64::from(k) / 2000.0 });
-            for (order, by) in [1.0, 1.0, 2.0, 6.0].into_iter().enumerate().take(series.len().min(4)) {
-                let (bounds, f) = (series.at(order), jet[order] / by);
+            for (order, by) in
+                [1.0, 1.0, 2.0, 6.0].into_iter().enumerate().take(series.len().min(4))
+            {
+                let bounds = series.at(order);
+                let f = jet[order] / by;
                 let slack = 1e-12 * (1.0 + f.abs());
                 assert!(
                     bounds.lo() - slack <= f && f <= bounds.hi() + slack,
@@ -55,7 +59,8 @@ pub(super) fn bounded(law: &Law, intervals: &[(f64, f64)], factor: f64) {
             }
         }
         for (order, [least, most]) in seen.into_iter().enumerate().take(series.len().min(4)) {
-            let room = factor * (0.5 * (most - least)) + 1e-11 * (1.0 + most.abs().max(least.abs()));
+            let room =
+                factor * (0.5 * (most - least)) + 1e-11 * (1.0 + most.abs().max(least.abs()));
             assert!(
                 series.at(order).radius() <= room,
                 "{law:?} over {lo} to {hi}: {order} {:?} {least} {most}",
@@ -81,7 +86,8 @@ fn dual_numbers_go_through_a_law() {
 fn dual_numbers_go_through_the_slope_of_a_law() {
     let law = Law::polynomial(&[0.3, -1.0, 2.0, 0.5, -0.25]);
     let x = Dual3_64::new(0.7, 1.5, -0.25, 0.4);
-    let ([_, f1, f2, f3], f4) = (law.jet(0.7), -6.0);
+    let [_, f1, f2, f3] = law.jet(0.7);
+    let f4 = -6.0;
     let y = law.slope(Real(x)).0;
     near(y.re, f1, 1e-15);
     near(y.v1, f2 * 1.5, 1e-15);
@@ -120,7 +126,10 @@ fn a_law_that_tells_its_jet_alone() {
         }
     }
     let mut law = Law::new(Jet);
-    assert_eq!((law.kind(), law.description(), law.is_smooth(), law.refusal()), ("law", "", true, None));
+    assert_eq!(
+        (law.kind(), law.description(), law.is_smooth(), law.refusal()),
+        ("law", "", true, None)
+    );
     assert!(law.fourth(1.0).is_nan());
     assert_eq!((law.breaks(-9.0, 9.0), law.sharpest_break(-9.0, 9.0)), (vec![], None));
     assert_eq!((shown(&law), law.parts().len(), law.fixed_numbers()), (vec![], 0, vec![]));
@@ -130,11 +139,15 @@ fn a_law_that_tells_its_jet_alone() {
     assert_eq!((2.0 * law.clone() + law.compose(&law)).trusted(), ["law", "law", "law"]);
 }
 
-/// The first parameter that is no number is named, and before anything that the law itself would say.
+/// The first parameter that is no number is named, and before anything that the law itself would
+/// say.
 #[test]
 fn a_parameter_that_is_not_finite_is_refused_by_its_name() {
     let said = |law: Law| law.refusal().unwrap_or_default();
-    assert_eq!(said(Law::polynomial(&[1.0, f64::NAN, f64::INFINITY])), "c[1] is NaN; give a finite number");
+    assert_eq!(
+        said(Law::polynomial(&[1.0, f64::NAN, f64::INFINITY])),
+        "c[1] is NaN; give a finite number"
+    );
     assert_eq!(said(Law::linear(f64::NEG_INFINITY, 1.0)), "f0 is -inf; give a finite number");
     assert_eq!(said(Law::cycloidal(f64::NAN, -1.0)), "height is NaN; give a finite number");
     assert_eq!(
@@ -155,15 +168,16 @@ fn breaks_are_asked_for_in_either_direction() {
     assert_eq!(law.sharpest_break(3.0, 9.0), None);
 }
 
-/// Each derivative may be off by nine digits of its own, and by what rounding of x makes of it; only the
-/// first two periods are asked.
+/// Each derivative may be off by nine digits of its own, and by what rounding of x makes of it;
+/// only the first two periods are asked.
 #[test]
 fn how_much_a_law_that_repeats_may_be_off() {
     const PERIOD: f64 = 4.0;
     // sizes of f to f⁗ in the first period, and what is added in the second
     let off = |sizes: [f64; 5], add: [f64; 4]| {
         let law = own(move |x| {
-            let [a, b, c, d] = add.map(|add| if (PERIOD..2.0 * PERIOD).contains(&x) { add } else { 0.0 });
+            let [a, b, c, d] =
+                add.map(|add| if (PERIOD..2.0 * PERIOD).contains(&x) { add } else { 0.0 });
             let turn = if (0.0..2.0 * PERIOD).contains(&x) { 1.0 } else { 7.0 };
             let [f, f1, f2, f3, f4] = sizes.map(|size| -turn * size);
             [f + a, f1 + b, f2 + c, f3 + d, f4]
@@ -175,7 +189,10 @@ fn how_much_a_law_that_repeats_may_be_off() {
         let with = |value: f64| std::array::from_fn(|j| if j == k { value } else { 0.0 });
         // by their own size, others being small
         let sizes = std::array::from_fn(|j| if j == k { 3.0 } else { 1e-3 });
-        assert!(!off(sizes, with(2.7e-9)) && off(sizes, with(3.6e-9)) && off(sizes, with(f64::NAN)), "{k}");
+        assert!(
+            !off(sizes, with(2.7e-9)) && off(sizes, with(3.6e-9)) && off(sizes, with(f64::NAN)),
+            "{k}"
+        );
         // by rounding of x, where the next one is large
         let steep = std::array::from_fn(|j| if j == k + 1 { 1e9 } else { 0.0 });
         let allowed = 8.0 * f64::EPSILON * PERIOD * 1e9;
@@ -187,7 +204,8 @@ fn how_much_a_law_that_repeats_may_be_off() {
     // Places all over the period are looked at.
     for k in 0..16 {
         let (from, to) = (f64::from(k) * PERIOD / 16.0, f64::from(k + 1) * PERIOD / 16.0);
-        let law = own(move |x| [if (from..to).contains(&x) { 1.0 } else { 0.0 }, 0.0, 0.0, 0.0, 0.0]);
+        let law =
+            own(move |x| [if (from..to).contains(&x) { 1.0 } else { 0.0 }, 0.0, 0.0, 0.0, 0.0]);
         assert!(!law.is_periodic(PERIOD), "{k}");
     }
 }

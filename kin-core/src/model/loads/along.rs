@@ -19,9 +19,9 @@ pub(crate) enum Line {
     Named(String),
 }
 
-/// A length or an angle x to act along: any constraint of one row, whose value it is, or the name of a
-/// measure of a joint or of a coordinate (`"guide.slide"`, `"crank.theta"`), as [`crate::System::measures`]
-/// lists them.
+/// A length or an angle x to act along: any constraint of one row, whose value it is, or the name
+/// of a measure of a joint or of a coordinate (`"guide.slide"`, `"crank.theta"`), as
+/// [`crate::System::measures`] lists them.
 ///
 /// ```
 /// # use kin::prelude::*;
@@ -31,7 +31,8 @@ pub(crate) enum Line {
 /// # let block = m.planar("block", pose(0.3, 0.0, 0.0))?;
 /// # let (o, across) = (vec2(0.0, 0.0), vec2(0.0, 1.0));
 /// m.add("guide", prismatic(block, m.ground(), o, o, across, 0.0))?;
-/// m.load("buffer", loads::spring_damper("guide.slide", 800.0, 0.1, 25.0))?; // stiffness, free, damping
+/// // Stiffness, free length, damping.
+/// m.load("buffer", loads::spring_damper("guide.slide", 800.0, 0.1, 25.0))?;
 /// # Ok(())
 /// # }
 /// ```

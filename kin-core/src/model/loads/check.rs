@@ -2,13 +2,13 @@
 
 use super::Solid;
 
-/// Entries across the diagonal may differ by this share of the largest one, and principal moments miss the
-/// triangle inequality by it: numbers out of drawings are rounded.   \[-\]
+/// Entries across the diagonal may differ by this share of the largest one, and principal moments
+/// miss the triangle inequality by it: numbers out of drawings are rounded.   \[-\]
 const ROUNDED: f64 = 1e-9;
 
 impl Solid {
-    /// The reason why no body has this mass and this inertia, if so. In a plane only the moment about z
-    /// counts.
+    /// The reason why no body has this mass and this inertia, if so. In a plane only the moment
+    /// about z counts.
     pub(crate) fn refusal(&self, planar: bool) -> Option<String> {
         let [x, y, z] = self.centre.to_array();
         let rows = self.inertia.to_array();
@@ -23,7 +23,8 @@ impl Solid {
         }
         if planar {
             let moment = self.inertia.m33;
-            return (moment < 0.0).then(|| format!("the moment of inertia is {moment}, below zero"));
+            return (moment < 0.0)
+                .then(|| format!("the moment of inertia is {moment}, below zero"));
         }
         self.impossible(&rows)
     }
@@ -42,7 +43,8 @@ impl Solid {
                 ));
             }
         }
-        let mut principal = nalgebra::SymmetricEigen::new(nalgebra::Matrix3::from(self.inertia)).eigenvalues;
+        let mut principal =
+            nalgebra::SymmetricEigen::new(nalgebra::Matrix3::from(self.inertia)).eigenvalues;
         principal.as_mut_slice().sort_by(f64::total_cmp);
         let [a, b, c] = [principal[0], principal[1], principal[2]];
         if a < -ROUNDED * largest {

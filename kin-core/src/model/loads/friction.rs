@@ -7,20 +7,20 @@ use crate::model::dimension::{Dimension, IntoNumber};
 use crate::model::error::Error;
 use crate::numbers::algebra::{Vec3, vec3};
 
-/// Dry friction in a joint, from the forces that the joint holds: their sum of magnitudes times μ, against
-/// the slip v as tanh(v/v₀). Well above v₀ it is Coulomb's; at rest it holds nothing.
+/// Dry friction in a joint, from the forces that the joint holds: their sum of magnitudes times μ,
+/// against the slip v as tanh(v/v₀). Well above v₀ it is Coulomb's; at rest it holds nothing.
 ///
-/// * In a pin of radius r: the torque μ r F tanh(ω/ω₀), F the force across its axis. In space a pin with
-///   [`Friction::length`] holds bending too, as a pair of forces at the ends of its bearing.
-/// * In a slide whose guide has length L and width b: the force F across the slide and the moment M about the
-///   joint's point are held at both ends of the guide, at ± L/2 from the point P_i with which body i moves:
-///   N₁,₂ = F/2 ± M/L. Friction is μ (|N₁| + |N₂|) tanh(v/v₀) along the slide, at the side of the guide that
-///   is pressed, b/2 off its line. In space the torque T about the slide is held across the width and adds
-///   2 |T|/b.
+/// * In a pin of radius r: the torque μ r F tanh(ω/ω₀), F the force across its axis. In space a pin
+///   with [`Friction::length`] holds bending too, as a pair of forces at the ends of its bearing.
+/// * In a slide whose guide has length L and width b: the force F across the slide and the moment M
+///   about the joint's point are held at both ends of the guide, at ± L/2 from the point P_i with
+///   which body i moves: N₁,₂ = F/2 ± M/L. Friction is μ (|N₁| + |N₂|) tanh(v/v₀) along the slide,
+///   at the side of the guide that is pressed, b/2 off its line. In space the torque T about the
+///   slide is held across the width and adds 2 |T|/b.
 ///
-/// These are Coulomb's law at each place of contact. A block that is pushed along its guide, but off its line
-/// by a, holds at its ends ± P a/L against a push P: it needs P = load/(1 − 2 μ a/L), and jams where a ≥
-/// L/(2 μ).
+/// These are Coulomb's law at each place of contact. A block that is pushed along its guide, but
+/// off its line by a, holds at its ends ± P a/L against a push P: it needs P = load/(1 − 2 μ a/L),
+/// and jams where a ≥ L/(2 μ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
     /// μ.
@@ -64,11 +64,16 @@ impl Shape {
 }
 
 impl Friction {
-    /// In a pin: the coefficient μ, the radius r, and the rate ω₀ at which friction has three quarters of its
-    /// full size. Each of them is a number or a [`Dimension`].   \[-, m, rad/s\]
-    pub fn pin(coefficient: impl IntoNumber, radius: impl IntoNumber, rate: impl IntoNumber) -> Friction {
+    /// In a pin: the coefficient μ, the radius r, and the rate ω₀ at which friction has three
+    /// quarters of its full size. Each of them is a number or a [`Dimension`].   \[-, m, rad/s\]
+    pub fn pin(
+        coefficient: impl IntoNumber,
+        radius: impl IntoNumber,
+        rate: impl IntoNumber,
+    ) -> Friction {
         let none = Shape::Pin { radius: 0.0, length: 0.0 };
-        let given = [coefficient.into_number(), rate.into_number(), radius.into_number(), 0.0.into()];
+        let given =
+            [coefficient.into_number(), rate.into_number(), radius.into_number(), 0.0.into()];
         Friction::of(none, given)
     }
 
@@ -84,9 +89,9 @@ impl Friction {
         self.names().into_iter().zip(self.given)
     }
 
-    /// In a slide: the coefficient μ, length L and width b of the guide, and the rate v₀ at which friction
-    /// has three quarters of its full size. The guide's ends move with body i of the joint: a block in a
-    /// long guide is body i, and so is the bush on a rod.   \[-, m, m, m/s\]
+    /// In a slide: the coefficient μ, length L and width b of the guide, and the rate v₀ at which
+    /// friction has three quarters of its full size. The guide's ends move with body i of the
+    /// joint: a block in a long guide is body i, and so is the bush on a rod.   \[-, m, m, m/s\]
     pub fn slide(
         coefficient: impl IntoNumber,
         [length, width]: [impl IntoNumber; 2],
@@ -97,8 +102,8 @@ impl Friction {
         Friction::of(none, [coefficient, rate, length.into_number(), width.into_number()])
     }
 
-    /// The same of a pin whose bearing is so long that it holds bending: by forces at its two ends. In a
-    /// plane nothing bends it.   \[m\]
+    /// The same of a pin whose bearing is so long that it holds bending: by forces at its two ends.
+    /// In a plane nothing bends it.   \[m\]
     #[must_use]
     pub fn length(self, bearing: impl IntoNumber) -> Friction {
         let place = if matches!(self.shape, Shape::Pin { .. }) { 3 } else { 2 };
@@ -110,7 +115,8 @@ impl Friction {
     /// The reason why these numbers make no sense, if so.
     fn refusal(&self) -> Option<String> {
         let at_least_zero = |what: &str, x: f64| {
-            (!(x.is_finite() && x >= 0.0)).then(|| format!("{what} is {x}; give one of at least zero"))
+            (!(x.is_finite() && x >= 0.0))
+                .then(|| format!("{what} is {x}; give one of at least zero"))
         };
         let above_zero = |what: &str, x: f64| {
             (!(x.is_finite() && x > 0.0)).then(|| format!("{what} is {x}; give one above zero"))
@@ -122,11 +128,13 @@ impl Friction {
                 .or_else(|| at_least_zero("the width of the guide", width)),
         };
         let rate = "the rate at which friction sets in";
-        at_least_zero("the coefficient", self.coefficient).or(shape).or_else(|| above_zero(rate, self.rate))
+        at_least_zero("the coefficient", self.coefficient)
+            .or(shape)
+            .or_else(|| above_zero(rate, self.rate))
     }
 
-    /// Where it acts in a joint of this name. Errors: numbers that make no sense, a joint that has no such
-    /// friction, by its name.
+    /// Where it acts in a joint of this name. Errors: numbers that make no sense, a joint that has
+    /// no such friction, by its name.
     pub(crate) fn seat_in(&self, name: &str, joint: &dyn Constraint) -> crate::Result<Seat> {
         let told = |reason| Error::InvalidParameters {
             constraint: name.to_string(),
@@ -151,7 +159,10 @@ impl Friction {
         let is_known = whose.is_empty() && kinds.contains(&kind.as_str());
         let seat = is_known.then(|| Seat::of(joint, told == "pin")).flatten();
         let seat = seat.ok_or_else(|| {
-            format!("friction of a {told} needs one of {}, and this is `{kind}`{whose}", kinds.join(", "))
+            format!(
+                "friction of a {told} needs one of {}, and this is `{kind}`{whose}",
+                kinds.join(", ")
+            )
         })?;
         match self.shape {
             Shape::Slide { width, .. } if seat.holds_turn && width == 0.0 => {
@@ -164,8 +175,8 @@ impl Friction {
     }
 }
 
-/// True of a joint of the library: a function of the user's may have its name, and means something else by
-/// its parameters.
+/// True of a joint of the library: a function of the user's may have its name, and means something
+/// else by its parameters.
 fn is_of_library(joint: &dyn Constraint) -> bool {
     let mut described = Describer::default();
     joint.describe(&mut described);
@@ -197,8 +208,9 @@ impl Seat {
             let name = format!("{vector}.{component}");
             numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
         };
-        let vector =
-            |name: &str| Some(vec3(number(name, "x")?, number(name, "y")?, number(name, "z").unwrap_or(0.0)));
+        let vector = |name: &str| {
+            Some(vec3(number(name, "x")?, number(name, "y")?, number(name, "z").unwrap_or(0.0)))
+        };
         let point = vector("u_i")?;
         let spatial = matches!(i.target, Target::Spatial(_));
         let kind = joint.facts().kind.to_string();

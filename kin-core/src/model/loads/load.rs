@@ -9,7 +9,8 @@ use crate::model::coordinates::Target;
 use crate::model::dimension::{Bindings, Dimension, IntoVector};
 use crate::model::law::Law;
 
-/// Something that acts: an energy, a force along a length or an angle, a force and a torque on a body.
+/// Something that acts: an energy, a force along a length or an angle, a force and a torque on a
+/// body.
 #[derive(Clone)]
 pub struct Load(pub(crate) Acting);
 
@@ -51,7 +52,14 @@ impl OnBody {
     /// One that does nothing yet, at the origin of a body.
     pub(crate) fn on(target: Target, fixed: bool) -> OnBody {
         let none = || [(); 3].map(|()| Law::constant(0.0));
-        OnBody { target, point: [0.0; 3], force: none(), torque: none(), fixed, hung: Bindings::default() }
+        OnBody {
+            target,
+            point: [0.0; 3],
+            force: none(),
+            torque: none(),
+            fixed,
+            hung: Bindings::default(),
+        }
     }
 
     /// Another point of the body.
@@ -98,8 +106,8 @@ pub(crate) enum Holding {
 /// A number of a load that hangs on dimensions: in which part it stands, by its name there.
 pub(crate) type HungInLoad = (usize, Holding, String, Dimension);
 
-/// A constraint of one row that is an energy V(q, t), and no equation: a function with `#[potential]`. Its
-/// generalised forces are −V_qᵀ.
+/// A constraint of one row that is an energy V(q, t), and no equation: a function with
+/// `#[potential]`. Its generalised forces are −V_qᵀ.
 ///
 /// ```
 /// # use kin::prelude::*;
@@ -149,9 +157,9 @@ impl<T: Potential> IntoLoad for T {
 }
 
 impl Load {
-    /// A force along a length or an angle x(q, t): `x` is any constraint of one row, whose value it is, or
-    /// the name of a measure of a joint or of a coordinate, and f(x, ẋ, t) pushes the way x grows: Q = f
-    /// x_qᵀ. A force where x is a length, a torque where it is an angle.   \[N, N m\]
+    /// A force along a length or an angle x(q, t): `x` is any constraint of one row, whose value it
+    /// is, or the name of a measure of a joint or of a coordinate, and f(x, ẋ, t) pushes the way x
+    /// grows: Q = f x_qᵀ. A force where x is a length, a torque where it is an angle.   \[N, N m\]
     ///
     /// An angle of a joint is counted over any number of turns along the motion, as
     /// [`crate::System::measure`] counts it.
@@ -169,11 +177,16 @@ impl Load {
     /// let mut m = Mechanism::new("door");
     /// let door = m.link("door", 1.0)?;
     /// let closer = stretch(m.ground(), door, vec2(0.0, 0.3), door.end());
-    /// m.load("closer", Load::along(closer, |x, rate, _| -80.0 * (x - 0.4) - 12.0 * rate.abs() * rate))?;
+    /// m.load("closer", Load::along(closer, |x, rate, _| {
+    ///     -80.0 * (x - 0.4) - 12.0 * rate.abs() * rate
+    /// }))?;
     /// # Ok(())
     /// # }
     /// ```
-    pub fn along(x: impl IntoAlong, force: impl Fn(f64, f64, f64) -> f64 + Send + Sync + 'static) -> Load {
+    pub fn along(
+        x: impl IntoAlong,
+        force: impl Fn(f64, f64, f64) -> f64 + Send + Sync + 'static,
+    ) -> Load {
         Load(Acting::Along(x.into_along(), ForceAlong::Closure(Arc::new(force))))
     }
 
@@ -193,13 +206,18 @@ impl Load {
     /// # let mut m = Mechanism::new("boom");
     /// let boom = m.link("boom", 2.0)?;
     /// m.load("bucket", Load::force(boom, boom.end(), vec2(0.0, -300.0)))?;
-    /// m.load("wind", Load::force(boom, vec2(0.0, 0.1), [Law::sine(20.0, 3.0, 0.0), Law::constant(0.0)]))?;
+    /// let wind = [Law::sine(20.0, 3.0, 0.0), Law::constant(0.0)];
+    /// m.load("wind", Load::force(boom, vec2(0.0, 0.1), wind))?;
     /// m.load("tool", Load::force_in_body(boom, boom.end(), vec2(-50.0, 0.0)))?; // along the boom
     /// m.load("brake", Load::torque(boom, -2.0))?;
     /// # Ok(())
     /// # }
     /// ```
-    pub fn force<B: Body>(body: B, u: impl IntoVector<B::Vector>, force: impl ByLaws<B::Vector>) -> Load {
+    pub fn force<B: Body>(
+        body: B,
+        u: impl IntoVector<B::Vector>,
+        force: impl ByLaws<B::Vector>,
+    ) -> Load {
         let on = OnBody::new(body, u.numbers(), false);
         Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
@@ -214,8 +232,8 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
 
-    /// A torque on a body: in the plane a number or a law, counter-clockwise positive; in space a vector or
-    /// three laws, in global components.   \[N m\]
+    /// A torque on a body: in the plane a number or a law, counter-clockwise positive; in space a
+    /// vector or three laws, in global components.   \[N m\]
     pub fn torque<B: Body>(body: B, torque: impl ByLaws<<B::Vector as Turning>::Torque>) -> Load
     where
         B::Vector: Turning,
@@ -225,7 +243,10 @@ impl Load {
     }
 
     /// The same in the axes of the body.   \[N m\]
-    pub fn torque_in_body<B: Body>(body: B, torque: impl ByLaws<<B::Vector as Turning>::Torque>) -> Load
+    pub fn torque_in_body<B: Body>(
+        body: B,
+        torque: impl ByLaws<<B::Vector as Turning>::Torque>,
+    ) -> Load
     where
         B::Vector: Turning,
     {
@@ -246,7 +267,8 @@ impl Load {
 
     /// Part `part` of those that are no sums.
     pub(crate) fn part(&self, part: usize) -> Option<&Acting> {
-        let (mut number, mut found) = (0, None);
+        let mut number = 0;
+        let mut found = None;
         self.parts(&mut |own| {
             found = if number == part { Some(own) } else { found };
             number += 1;

@@ -1,4 +1,5 @@
-//! Masses of bodies, gravity, and what else acts on a mechanism: described here, computed in `forces/`.
+//! Masses of bodies, gravity, and what else acts on a mechanism: described here, computed in
+//! `forces/`.
 
 mod along;
 mod check;

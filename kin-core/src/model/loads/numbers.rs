@@ -1,4 +1,5 @@
-//! The numbers of what has mass and acts: set by their names, and looked at for whether they make sense.
+//! The numbers of what has mass and acts: set by their names, and looked at for whether they make
+//! sense.
 
 use super::{Acting, Along, ForceAlong, Friction, Line, Loads, OnBody, Solid};
 use crate::model::constraint::Constraint;
@@ -11,7 +12,9 @@ impl Loads {
     pub(crate) fn held(&self, by: Holder) -> Option<(&str, &dyn Constraint)> {
         match by {
             Holder::Constraint(_) => None,
-            Holder::Point(k) => self.points.get(k).map(|(name, point, _)| (name.as_str(), point.as_ref())),
+            Holder::Point(k) => {
+                self.points.get(k).map(|(name, point, _)| (name.as_str(), point.as_ref()))
+            }
             Holder::Load { load, part } | Holder::Force { load, part } => {
                 let (name, load) = self.loads.get(load)?;
                 let is_force = matches!(by, Holder::Force { .. });
@@ -26,7 +29,9 @@ impl Loads {
             Holder::Constraint(_) => None,
             Holder::Point(k) => self.points.get_mut(k).map(|(_, point, _)| point),
             Holder::Load { load, part } => match self.loads.get_mut(load)?.1.part_mut(part)? {
-                Acting::Potential(scalar) | Acting::Along(Along(Line::Row(scalar)), _) => Some(scalar),
+                Acting::Potential(scalar) | Acting::Along(Along(Line::Row(scalar)), _) => {
+                    Some(scalar)
+                }
                 _ => None,
             },
             Holder::Force { load, part } => match self.loads.get_mut(load)?.1.part_mut(part)? {
@@ -104,7 +109,8 @@ impl OnBody {
             "torque" => &mut self.torque,
             _ => return false,
         };
-        let law = COMPONENTS.iter().position(|known| *known == component).and_then(|k| laws.get_mut(k));
+        let law =
+            COMPONENTS.iter().position(|known| *known == component).and_then(|k| laws.get_mut(k));
         law.is_some_and(|law| law.set_parameter(own, value))
     }
 
@@ -148,22 +154,29 @@ fn put_component(vector: &mut [f64; 3], of: &str, name: &str, value: f64) -> boo
 pub(crate) fn sensible_point_mass(name: &str, mass: f64) -> Result<()> {
     match mass.is_finite() && mass > 0.0 {
         true => Ok(()),
-        false => Err(senseless(name, "point with mass", &format!("the mass is {mass}; give one above zero"))),
+        false => Err(senseless(
+            name,
+            "point with mass",
+            &format!("the mass is {mass}; give one above zero"),
+        )),
     }
 }
 
 /// Errors: a component that is not finite.
 pub(crate) fn sensible_gravity(gravity: &[f64; 3]) -> Result<()> {
     match gravity.iter().find(|g| !g.is_finite()) {
-        Some(bad) => {
-            Err(senseless("gravity", "acceleration", &format!("a component is {bad}; give finite numbers")))
-        }
+        Some(bad) => Err(senseless(
+            "gravity",
+            "acceleration",
+            &format!("a component is {bad}; give finite numbers"),
+        )),
         None => Ok(()),
     }
 }
 
 /// The error for numbers of something that make no sense.
 pub(crate) fn senseless(name: &str, kind: &str, reason: &str) -> Error {
-    let (constraint, kind) = (name.to_string(), kind.to_string());
+    let constraint = name.to_string();
+    let kind = kind.to_string();
     Error::InvalidParameters { constraint, kind, reason: reason.to_string() }
 }

@@ -4,8 +4,9 @@ use crate::model::body::Body;
 use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
 use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 
-/// Mass, centre of mass and inertia of a body. Shapes are made of their sizes and their density, are placed
-/// by [`Solid::at`] and [`Solid::turned`], and are put together by [`Solid::and`] and [`Solid::without`]:
+/// Mass, centre of mass and inertia of a body. Shapes are made of their sizes and their density,
+/// are placed by [`Solid::at`] and [`Solid::turned`], and are put together by [`Solid::and`] and
+/// [`Solid::without`]:
 ///
 /// ```
 /// use kin::Solid;
@@ -22,8 +23,8 @@ pub struct Solid {
     pub mass: f64,
     /// c̄, the centre of mass in the body's frame; z does not count in a plane.   \[m\]
     pub centre: Vec3,
-    /// J, the inertia about the centre of mass in the body's axes, products with the sign of J = ∫ (r² I − r
-    /// rᵀ) dm; in a plane J_zz alone counts.   \[kg m²\]
+    /// J, the inertia about the centre of mass in the body's axes, products with the sign of J = ∫
+    /// (r² I − r rᵀ) dm; in a plane J_zz alone counts.   \[kg m²\]
     pub inertia: Mat3,
 }
 
@@ -33,22 +34,25 @@ impl Solid {
     /// Density of aluminium, in kilogram and metre.   \[kg/m³\]
     pub const ALUMINIUM: f64 = 2700.0;
 
-    /// A box of these sizes along x, y and z, its centre at the origin: J_xx = m (b² + c²)/12.   \[m,
-    /// kg/m³\]
+    /// A box of these sizes along x, y and z, its centre at the origin: J_xx = m (b² +
+    /// c²)/12.   \[m, kg/m³\]
     pub fn cuboid(a: f64, b: f64, c: f64, density: f64) -> Solid {
         let mass = density * a * b * c;
         let share = mass / 12.0;
-        Solid::diagonal(mass, [share * (b * b + c * c), share * (a * a + c * c), share * (a * a + b * b)])
+        Solid::diagonal(
+            mass,
+            [share * (b * b + c * c), share * (a * a + c * c), share * (a * a + b * b)],
+        )
     }
 
-    /// A bar along x, its centre at the origin, where the frame of a link is: `length` along x, `height`
-    /// along y, `width` along z.   \[m, kg/m³\]
+    /// A bar along x, its centre at the origin, where the frame of a link is: `length` along x,
+    /// `height` along y, `width` along z.   \[m, kg/m³\]
     pub fn bar(length: f64, height: f64, width: f64, density: f64) -> Solid {
         Solid::cuboid(length, height, width, density)
     }
 
-    /// A cylinder along x, its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² + l²)/12.   \[m,
-    /// kg/m³\]
+    /// A cylinder along x, its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² +
+    /// l²)/12.   \[m, kg/m³\]
     pub fn cylinder(radius: f64, length: f64, density: f64) -> Solid {
         let mass = density * std::f64::consts::PI * radius * radius * length;
         let across = mass * (3.0 * radius * radius + length * length) / 12.0;
@@ -67,10 +71,12 @@ impl Solid {
         Solid::diagonal(mass, [0.4 * mass * radius * radius; 3])
     }
 
-    /// A plate whose outline in the xy-plane has these corners, in order either way round, z = 0 in its
-    /// middle: area, centre and second moments of the polygon by its edges.   \[m, kg/m³\]
+    /// A plate whose outline in the xy-plane has these corners, in order either way round, z = 0 in
+    /// its middle: area, centre and second moments of the polygon by its edges.   \[m, kg/m³\]
     pub fn plate(corners: &[Vec2], thickness: f64, density: f64) -> Solid {
-        let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
+        let mut area = 0.0;
+        let mut first = [0.0; 2];
+        let mut second = [0.0; 3];
         for (k, a) in corners.iter().enumerate() {
             let b = corners[(k + 1) % corners.len()];
             let cross = a.x * b.y - b.x * a.y;
@@ -82,11 +88,16 @@ impl Solid {
             second[2] += cross * (a.x * b.y + 2.0 * a.x * a.y + 2.0 * b.x * b.y + b.x * a.y) / 24.0;
         }
         let per_area = density * thickness * area.signum();
-        let (mass, x, y) = (per_area * area, first[0] / area, first[1] / area);
+        let mass = per_area * area;
+        let x = first[0] / area;
+        let y = first[1] / area;
         let [xx, yy, xy] = second.map(|moment| per_area * moment);
-        let (xx, yy, xy) = (xx - mass * x * x, yy - mass * y * y, xy - mass * x * y);
+        let xx = xx - mass * x * x;
+        let yy = yy - mass * y * y;
+        let xy = xy - mass * x * y;
         let thick = mass * thickness * thickness / 12.0;
-        let inertia = Mat3::from([[yy + thick, -xy, 0.0], [-xy, xx + thick, 0.0], [0.0, 0.0, xx + yy]]);
+        let inertia =
+            Mat3::from([[yy + thick, -xy, 0.0], [-xy, xx + thick, 0.0], [0.0, 0.0, xx + yy]]);
         Solid { mass, centre: Vec3::new(x, y, 0.0), inertia }
     }
 
@@ -190,19 +201,23 @@ mod tests {
         let corners = [vec2(-1.0, -0.5), vec2(1.0, -0.5), vec2(1.0, 0.5), vec2(-1.0, 0.5)];
         let cuboid = Solid::cuboid(2.0, 1.0, 0.1, 3.0);
         near(Solid::plate(&corners, 0.1, 3.0), cuboid);
-        let back: Vec<Vec2> = corners.iter().rev().map(|corner| *corner + vec2(0.3, -0.7)).collect();
+        let back: Vec<Vec2> =
+            corners.iter().rev().map(|corner| *corner + vec2(0.3, -0.7)).collect();
         near(Solid::plate(&back, 0.1, 3.0), cuboid.at((0.3, -0.7, 0.0)));
     }
 
     #[test]
     fn the_products_of_a_plate_are_those_of_its_halves() {
         let triangle = |a, b, c| Solid::plate(&[a, b, c], 0.2, 5.0);
-        let (a, b, c, d) = (vec2(0.0, 0.0), vec2(3.0, 0.5), vec2(2.0, 2.0), vec2(-1.0, 1.0));
+        let a = vec2(0.0, 0.0);
+        let b = vec2(3.0, 0.5);
+        let c = vec2(2.0, 2.0);
+        let d = vec2(-1.0, 1.0);
         near(triangle(a, b, c).and(triangle(a, c, d)), Solid::plate(&[a, b, c, d], 0.2, 5.0));
     }
 
-    /// Masses and moments by the formulas of textbooks (Meriam and Kraige, table D/4), worked out for sizes
-    /// whose numbers are round.
+    /// Masses and moments by the formulas of textbooks (Meriam and Kraige, table D/4), worked out
+    /// for sizes whose numbers are round.
     #[test]
     fn shapes_have_the_mass_and_inertia_of_textbooks() {
         let of = |mass: f64, [x, y, z]: [f64; 3]| Solid::diagonal(mass, [x, y, z]);
@@ -215,16 +230,19 @@ mod tests {
         // A disc of radius 2 and thickness 1/π of density 3: 12 kg; ½ m r² and ¼ m r² + m t²/12.
         let across = 12.0 + 1.0 / (pi * pi);
         near(Solid::disc(2.0, 1.0 / pi, 3.0), of(12.0, [across, across, 24.0]));
-        // A cylinder of radius 1 and length 6 along x of density 1/π: 6 kg; ½ m r² and m (r²/4 + l²/12).
+        // A cylinder of radius 1 and length 6 along x of density 1/π: 6 kg; ½ m r² and m (r²/4 +
+        // l²/12).
         near(Solid::cylinder(1.0, 6.0, 1.0 / pi), of(6.0, [3.0, 19.5, 19.5]));
         // A ball of radius 3 of density 1/(4 π): 9 kg; 2/5 m r² = 32.4.
         near(Solid::sphere(3.0, 0.25 / pi), of(9.0, [32.4; 3]));
-        // A thin plate with a right angle, legs 3 and 6 along the axes: 2 · 9 · 0.001 = 0.018 kg, its centre
-        // at a third, moments m h²/18, J_xy = −∫ x y dm = m b h/36.
-        let (m, thick) = (0.018, 0.018 * 1e-6 / 12.0);
+        // A thin plate with a right angle, legs 3 and 6 along the axes: 2 · 9 · 0.001 = 0.018 kg,
+        // its centre at a third, moments m h²/18, J_xy = −∫ x y dm = m b h/36.
+        let m = 0.018;
+        let thick = 0.018 * 1e-6 / 12.0;
         let [x, y, xy] = [m * 36.0 / 18.0, m * 9.0 / 18.0, m * 18.0 / 36.0];
         let rows = [[x + thick, xy, 0.0], [xy, y + thick, 0.0], [0.0, 0.0, x + y]];
-        let triangle = Solid { mass: m, centre: Vec3::new(1.0, 2.0, 0.0), inertia: Mat3::from(rows) };
+        let triangle =
+            Solid { mass: m, centre: Vec3::new(1.0, 2.0, 0.0), inertia: Mat3::from(rows) };
         near(Solid::plate(&[vec2(0.0, 0.0), vec2(3.0, 0.0), vec2(0.0, 6.0)], 0.001, 2.0), triangle);
         // A bar as an outline is the bar.
         let corners = [vec2(-0.2, -0.015), vec2(0.2, -0.015), vec2(0.2, 0.015), vec2(-0.2, 0.015)];
@@ -241,7 +259,8 @@ mod tests {
 
     #[test]
     fn a_cylinder_turned_by_a_quarter_is_a_disc() {
-        let turn = EulerParameters::from_axis_angle(Vec3::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2);
+        let turn =
+            EulerParameters::from_axis_angle(Vec3::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2);
         near(Solid::cylinder(0.2, 0.7, 3.0).turned(turn), Solid::disc(0.2, 0.7, 3.0));
         assert!((Solid::sphere(1.0, 1.0).mass - 4.0 * std::f64::consts::PI / 3.0).abs() < 1e-14);
     }

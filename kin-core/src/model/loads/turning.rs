@@ -61,8 +61,8 @@ impl Turning for Vec3 {
         &[("F_x", 0), ("F_y", 1), ("F_z", 2), ("T_x", 3), ("T_y", 4), ("T_z", 5)];
 }
 
-/// A force or a torque, constant or by laws of time: a vector or as many laws, in the plane a number or a law
-/// as a torque.
+/// A force or a torque, constant or by laws of time: a vector or as many laws, in the plane a
+/// number or a law as a torque.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no force or torque here",
     label = "a vector of numbers, or as many laws: `vec2(0.0, -5.0)`, `[Law::constant(0.0), Law::sine(5.0, 2.0, 0.0)]`"

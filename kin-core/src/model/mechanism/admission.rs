@@ -5,10 +5,15 @@ use crate::model::coordinates::{Argument, Target};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
 
-/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms, the same
-/// body or coordinate twice, rows without coordinates, and hand-written constraints that contradict
-/// themselves.
-pub(crate) fn admit(mechanism: &str, layout: &Layout, name: &str, constraint: &dyn Constraint) -> Result<()> {
+/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms,
+/// the same body or coordinate twice, rows without coordinates, and hand-written constraints that
+/// contradict themselves.
+pub(crate) fn admit(
+    mechanism: &str,
+    layout: &Layout,
+    name: &str,
+    constraint: &dyn Constraint,
+) -> Result<()> {
     finite_parameters(name, constraint)?;
     sensible_parameters(name, constraint)?;
     let arguments = constraint.arguments();
@@ -23,7 +28,8 @@ pub(crate) fn holds(name: &str, constraint: &dyn Constraint) -> Result<()> {
     if !constraint.facts().is_energy {
         return Ok(());
     }
-    let reason = "it is an energy, which acts and holds nothing; give it to the mechanism by `m.load(…)`";
+    let reason =
+        "it is an energy, which acts and holds nothing; give it to the mechanism by `m.load(…)`";
     Err(Error::InvalidParameters {
         constraint: name.to_string(),
         kind: constraint.facts().kind.to_string(),
@@ -58,7 +64,12 @@ pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Re
     }
 }
 
-fn places(mechanism: &str, layout: &Layout, name: &str, arguments: &[Argument]) -> Result<Vec<Place>> {
+fn places(
+    mechanism: &str,
+    layout: &Layout,
+    name: &str,
+    arguments: &[Argument],
+) -> Result<Vec<Place>> {
     let place = |argument: &Argument| {
         layout.place(&argument.target).ok_or_else(|| Error::ForeignBody {
             mechanism: mechanism.to_string(),
@@ -69,8 +80,8 @@ fn places(mechanism: &str, layout: &Layout, name: &str, arguments: &[Argument]) 
     arguments.iter().map(place).collect()
 }
 
-/// No coordinate may come in by two arguments: neither a body twice, nor a coordinate twice, nor a body and
-/// one of its own.
+/// No coordinate may come in by two arguments: neither a body twice, nor a coordinate twice, nor a
+/// body and one of its own.
 fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Place]) -> Result<()> {
     let range = |k: usize| match places[k] {
         Place::Own { first, .. } => Some(first..first + arguments[k].target.columns()),
@@ -80,10 +91,12 @@ fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Plac
         for first in 0..second {
             let (Some(a), Some(b)) = (range(first), range(second)) else { continue };
             if a.start < b.end && b.start < a.end {
-                let both_bodies =
-                    [first, second].iter().all(|&k| !matches!(arguments[k].target, Target::Coord(..)));
+                let both_bodies = [first, second]
+                    .iter()
+                    .all(|&k| !matches!(arguments[k].target, Target::Coord(..)));
                 let body = layout.owner(a.start).map(|item| item.name.clone()).unwrap_or_default();
-                let coordinate = layout.names.get(a.start.max(b.start)).cloned().unwrap_or_default();
+                let coordinate =
+                    layout.names.get(a.start.max(b.start)).cloned().unwrap_or_default();
                 return Err(Error::RepeatedBody {
                     constraint: name.to_string(),
                     first: arguments[first].name.to_string(),
@@ -106,7 +119,9 @@ fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -
     } else if let Some(Entry { row, column }) =
         facts.pattern.iter().find(|entry| entry.row >= rows || entry.column >= columns)
     {
-        format!("its pattern names row {row}, column {column}, but it has {rows} rows and {columns} columns")
+        format!(
+            "its pattern names row {row}, column {column}, but it has {rows} rows and {columns} columns"
+        )
     } else {
         return Ok(());
     };
@@ -118,7 +133,12 @@ fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -
 }
 
 /// Every row must have a coordinate that can move.
-fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], places: &[Place]) -> Result<()> {
+fn movable(
+    name: &str,
+    constraint: &dyn Constraint,
+    arguments: &[Argument],
+    places: &[Place],
+) -> Result<()> {
     let own: Vec<bool> = arguments
         .iter()
         .zip(places)
@@ -129,19 +149,28 @@ fn movable(name: &str, constraint: &dyn Constraint, arguments: &[Argument], plac
     let facts = constraint.facts();
     let rows = facts.rows;
     let moves = |row: usize| {
-        facts.pattern.iter().any(|entry| entry.row == row && own.get(entry.column).copied().unwrap_or(false))
+        facts
+            .pattern
+            .iter()
+            .any(|entry| entry.row == row && own.get(entry.column).copied().unwrap_or(false))
     };
     let Some(row) = (0..rows.len()).find(|&row| !moves(row)) else { return Ok(()) };
-    let grounded = arguments.iter().zip(places).filter(|(_, place)| matches!(place, Place::Ground(_)));
+    let grounded =
+        arguments.iter().zip(places).filter(|(_, place)| matches!(place, Place::Ground(_)));
     let names: Vec<String> = grounded.map(|(argument, _)| format!("`{}`", argument.name)).collect();
     Err(Error::NoCoordinates {
         constraint: name.to_string(),
         row: if rows.len() == 1 { String::new() } else { rows[row].to_string() },
         reason: match names.as_slice() {
-            [] => "its row of the pattern is empty; list where C_q may differ from zero".to_string(),
+            [] => {
+                "its row of the pattern is empty; list where C_q may differ from zero".to_string()
+            }
             [one] => format!("{one} is the ground; give it a body that can move"),
             [rest @ .., last] => {
-                format!("{} and {last} are the ground; give it a body that can move", rest.join(", "))
+                format!(
+                    "{} and {last} are the ground; give it a body that can move",
+                    rest.join(", ")
+                )
             }
         },
     })

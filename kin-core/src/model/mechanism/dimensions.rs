@@ -5,8 +5,8 @@ use kin_graph::{Input, Node, Op};
 use super::Mechanism;
 use crate::model::constraint::Constraint;
 use crate::model::dimension::{
-    Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Hung, IntoNumber, Of, Shared,
-    Snapshot, text_of,
+    Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Hung, IntoNumber, Of,
+    Shared, Snapshot, text_of,
 };
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
@@ -14,9 +14,11 @@ use crate::numbers::algebra::{Axis, Vec2};
 
 impl Mechanism {
     /// A named number that others hang on, with its nominal value: a length, an angle, a rate. See
-    /// [`Dimension`] for what can be made of it. Given an expression of others, it is a name for that.
+    /// [`Dimension`] for what can be made of it. Given an expression of others, it is a name for
+    /// that.
     ///
-    /// Errors: name empty or taken, value not finite, an expression of another mechanism's dimensions.
+    /// Errors: name empty or taken, value not finite, an expression of another mechanism's
+    /// dimensions.
     pub fn dimension(&mut self, name: &str, value: impl IntoNumber) -> Result<Dimension> {
         let number = value.into_number();
         if name.trim().is_empty() {
@@ -42,7 +44,8 @@ impl Mechanism {
                 (store.graph.raw(Op::Input(Input::Parameter(k))), false)
             }
         };
-        let (value, unit) = (number.value(), String::new());
+        let value = number.value();
+        let unit = String::new();
         let entry = Entry {
             name: name.to_string(),
             node,
@@ -58,12 +61,13 @@ impl Mechanism {
         Ok(Dimension::new(value, mechanism, node))
     }
 
-    /// The clearance of a joint, a dimension of two numbers: where its pin is in its hole, which is wider by
-    /// `radius` on every side. Both are zero, and may be off, uniformly in the disc of that radius. It is
-    /// added to a point of the joint: `revolute(crank, rod, crank.end() + gap, rod.start())`.
+    /// The clearance of a joint, a dimension of two numbers: where its pin is in its hole, which is
+    /// wider by `radius` on every side. Both are zero, and may be off, uniformly in the disc of
+    /// that radius. It is added to a point of the joint:
+    /// `revolute(crank, rod, crank.end() + gap, rod.start())`.
     ///
-    /// Errors: those of [`Mechanism::dimension`] for `NAME.x` and `NAME.y`; a radius that is negative or not
-    /// finite is told when the mechanism is built.
+    /// Errors: those of [`Mechanism::dimension`] for `NAME.x` and `NAME.y`; a radius that is
+    /// negative or not finite is told when the mechanism is built.
     pub fn clearance(&mut self, name: &str, radius: f64) -> Result<Vec2<Dimension>> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "clearance" });
@@ -79,7 +83,8 @@ impl Mechanism {
             Of::Nothing => Ok(()),
             Of::Expression(mechanism, _) if mechanism == self.layout.mechanism => Ok(()),
             _ => {
-                let (mechanism, place) = (self.name.clone(), place.to_string());
+                let mechanism = self.name.clone();
+                let place = place.to_string();
                 Err(Box::new(DimensionError::Foreign { mechanism, place }).into())
             }
         }
@@ -95,7 +100,12 @@ impl Mechanism {
     }
 
     /// Declares a body or coordinate whose guess may hang on dimensions.
-    pub(crate) fn declare_hung(&mut self, name: &str, kind: Kind, guess: &[Dimension]) -> Result<usize> {
+    pub(crate) fn declare_hung(
+        &mut self,
+        name: &str,
+        kind: Kind,
+        guess: &[Dimension],
+    ) -> Result<usize> {
         guess.iter().try_for_each(|number| self.check_origin(name, *number))?;
         let values: Vec<f64> = guess.iter().map(|number| number.value()).collect();
         let index = self.declare(name, kind, &values)?;
@@ -169,13 +179,14 @@ impl Mechanism {
         bound: Vec<(String, Dimension)>,
     ) -> Result<()> {
         let hung = self.hung_beside(place, &of, bound)?;
-        self.hung.retain(|known| !matches!(&known.at, Bound::Beside { of: known, .. } if *known == of));
+        self.hung
+            .retain(|known| !matches!(&known.at, Bound::Beside { of: known, .. } if *known == of));
         self.hung.extend(hung);
         Ok(())
     }
 
-    /// The expression of a number, if it is to be noted: all numbers of an axis or a pose are, also those
-    /// that are constants.
+    /// The expression of a number, if it is to be noted: all numbers of an axis or a pose are, also
+    /// those that are constants.
     fn node_for(&self, at: &Bound, number: Dimension) -> Option<Node> {
         match (number.of(), at) {
             (Of::Expression(_, node), _) => Some(node),
@@ -187,8 +198,8 @@ impl Mechanism {
         }
     }
 
-    /// Notes that the guess of a spatial body hangs on the numbers that it is drawn by, if any of them hangs
-    /// on dimensions.
+    /// Notes that the guess of a spatial body hangs on the numbers that it is drawn by, if any of
+    /// them hangs on dimensions.
     pub(crate) fn hang_pose(
         &mut self,
         place: &str,
@@ -210,8 +221,9 @@ impl Mechanism {
 
     /// The dimensions as the system needs them; `None` of a mechanism that has none.
     ///
-    /// Errors, by name: a dimension on which nothing hangs, with the name of a parameter or coordinate, with
-    /// a range that excludes its value or a tolerance that makes no sense; a range of an expression.
+    /// Errors, by name: a dimension on which nothing hangs, with the name of a parameter or
+    /// coordinate, with a range that excludes its value or a tolerance that makes no sense; a range
+    /// of an expression.
     pub(crate) fn dimensions(&self) -> Result<Option<Snapshot>> {
         let Some(shared) = &self.dimensions else { return Ok(None) };
         let store = shared.store();
@@ -221,7 +233,8 @@ impl Mechanism {
         let snapshot = Snapshot::new(&store.graph, &store.entries, hung);
         if let Some(node) = store.misplaced {
             let text = text_of(&store.graph, &store.entries, node).unwrap_or_default();
-            let reason = "it is an expression; give range, tolerance and unit to the dimensions in it";
+            let reason =
+                "it is an expression; give range, tolerance and unit to the dimensions in it";
             return Err(DimensionError::invalid(&text, reason));
         }
         for (k, entry) in store.entries.iter().enumerate() {
@@ -239,16 +252,18 @@ impl Mechanism {
     fn check_name(&self, name: &str) -> Result<()> {
         let mut taken = self.layout.names.iter().any(|known| known == name);
         for (constraint, own) in &self.constraints {
-            let Some(local) = name.strip_prefix(constraint.as_str()).and_then(|rest| rest.strip_prefix('.'))
+            let Some(local) =
+                name.strip_prefix(constraint.as_str()).and_then(|rest| rest.strip_prefix('.'))
             else {
                 continue;
             };
             own.parameters(&mut |known, _| taken |= known == local);
         }
         match taken {
-            true => {
-                Err(DimensionError::invalid(name, "a coordinate or parameter has that name; give another"))
-            }
+            true => Err(DimensionError::invalid(
+                name,
+                "a coordinate or parameter has that name; give another",
+            )),
             false => Ok(()),
         }
     }
@@ -269,9 +284,9 @@ impl Entry {
             (Some([from, to]), _) if !(from <= self.value && self.value <= to) => {
                 fail(format!("its range {from} … {to} excludes its value {}", self.value))
             }
-            (_, Some(tolerance)) if !(tolerance >= 0.0 && tolerance.is_finite()) => {
-                fail(format!("its tolerance is ± {tolerance}; give a finite number that is not negative"))
-            }
+            (_, Some(tolerance)) if !(tolerance >= 0.0 && tolerance.is_finite()) => fail(format!(
+                "its tolerance is ± {tolerance}; give a finite number that is not negative"
+            )),
             _ => Ok(()),
         }
     }
@@ -279,12 +294,14 @@ impl Entry {
     fn check_clearance(&self, all: &[Entry]) -> Result<()> {
         let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
         match (&self.clearance, self.distribution) {
-            (None, Some(Distribution::Disc)) => {
-                fail("a disc is the distribution of a clearance: make it by `m.clearance(…)`".to_string())
-            }
+            (None, Some(Distribution::Disc)) => fail(
+                "a disc is the distribution of a clearance: make it by `m.clearance(…)`"
+                    .to_string(),
+            ),
             (None, _) => Ok(()),
             (Some(name), Some(Distribution::Disc)) => {
-                let own: Vec<&Entry> = all.iter().filter(|other| other.clearance == self.clearance).collect();
+                let own: Vec<&Entry> =
+                    all.iter().filter(|other| other.clearance == self.clearance).collect();
                 match own[..] {
                     [a, b] if a.tolerance == b.tolerance && a.tolerance.is_some() => Ok(()),
                     _ => fail(format!(

@@ -6,10 +6,10 @@ use crate::model::error::{Error, Result};
 use crate::model::loads::Friction;
 
 impl Mechanism {
-    /// Dry friction in a joint that has been added, by the joint's name; given again it takes the place of
-    /// what was given before. It moves nothing in a driven mechanism, but drives must give more and joints
-    /// hold more; its numbers may be dimensions. Where no force of the drives overcomes it, forces are told
-    /// as jammed ([`crate::System::forces`]).
+    /// Dry friction in a joint that has been added, by the joint's name; given again it takes the
+    /// place of what was given before. It moves nothing in a driven mechanism, but drives must give
+    /// more and joints hold more; its numbers may be dimensions. Where no force of the drives
+    /// overcomes it, forces are told as jammed ([`crate::System::forces`]).
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -30,8 +30,8 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: a name that no constraint has; a joint that is no pin or no slide; a coefficient below zero, a
-    /// radius, length or rate that is not above zero, a number that is not finite.
+    /// Errors: a name that no constraint has; a joint that is no pin or no slide; a coefficient
+    /// below zero, a radius, length or rate that is not above zero, a number that is not finite.
     pub fn friction(&mut self, joint: &str, friction: Friction) -> Result<()> {
         let found = self.constraints.iter().find(|(name, _)| name == joint);
         let (_, constraint) = found.ok_or_else(|| Error::UnknownName {

@@ -5,21 +5,23 @@ use crate::model::body::Body;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::dimension::{
-    Beside, Bindings, Dimension, Holder, Hung, IntoGravity, IntoNumber, IntoParameter, IntoVector, Name,
+    Beside, Bindings, Dimension, Holder, Hung, IntoGravity, IntoNumber, IntoParameter, IntoVector,
+    Name,
 };
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::model::loads::{
-    Acting, Along, ForceAlong, Holding, HungInLoad, IntoLoad, Line, Load, Massive, OnBody, Solid, senseless,
-    sensible_gravity, sensible_point_mass,
+    Acting, Along, ForceAlong, Holding, HungInLoad, IntoLoad, Line, Load, Massive, OnBody, Solid,
+    senseless, sensible_gravity, sensible_point_mass,
 };
 use crate::model::mechanism::IntoConstraint;
 use crate::numbers::algebra::Vec3;
 
 impl Mechanism {
-    /// The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the
-    /// plane one moment, in space a tensor in the body's axes. Each of the numbers may be a [`Dimension`].
-    /// Given again it takes the place of what was given before.   \[kg, m, kg m²\]
+    /// The mass of a body, its centre of mass in the body's frame and its inertia about that
+    /// centre: in the plane one moment, in space a tensor in the body's axes. Each of the numbers
+    /// may be a [`Dimension`]. Given again it takes the place of what was given before.   \[kg, m,
+    /// kg m²\]
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -39,9 +41,9 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: the ground or a body of another mechanism; a mass that is not above zero, numbers that are not
-    /// finite, an inertia that no body can have (not symmetric, a moment below zero, a principal moment above
-    /// the sum of the two others).
+    /// Errors: the ground or a body of another mechanism; a mass that is not above zero, numbers
+    /// that are not finite, an inertia that no body can have (not symmetric, a moment below zero, a
+    /// principal moment above the sum of the two others).
     pub fn mass<B: Massive>(
         &mut self,
         body: B,
@@ -56,8 +58,8 @@ impl Mechanism {
         self.weigh(body, B::solid(mass, centre, inertia), hung.take())
     }
 
-    /// The same by a shape and a density: `m.solid(crank, Solid::bar(0.1, 0.02, 0.01, Solid::STEEL))`. In a
-    /// plane z does not count.
+    /// The same by a shape and a density:
+    /// `m.solid(crank, Solid::bar(0.1, 0.02, 0.01, Solid::STEEL))`. In a plane z does not count.
     ///
     /// Errors: those of [`Mechanism::mass`].
     pub fn solid<B: Body>(&mut self, body: B, solid: Solid) -> Result<()> {
@@ -75,7 +77,11 @@ impl Mechanism {
         let item = match self.placed(&target, "mass")? {
             Place::Own { item, .. } => item,
             Place::Ground(_) => {
-                return Err(senseless("ground", "mass", "the ground does not move: its mass does nothing"));
+                return Err(senseless(
+                    "ground",
+                    "mass",
+                    "the ground does not move: its mass does nothing",
+                ));
             }
         };
         let name = self.layout.items[item].name.clone();
@@ -86,9 +92,9 @@ impl Mechanism {
         Ok(())
     }
 
-    /// A mass at a point that is not one of a body: of a mechanism in bare coordinates. The point is a
-    /// constraint of two or three rows whose value is where it is, r(q, t). Its parameters and the mass may
-    /// be [`Dimension`]s.   \[kg\]
+    /// A mass at a point that is not one of a body: of a mechanism in bare coordinates. The point
+    /// is a constraint of two or three rows whose value is where it is, r(q, t). Its parameters and
+    /// the mass may be [`Dimension`]s.   \[kg\]
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -108,7 +114,8 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: those of [`Mechanism::add`]; a mass that is not above zero, a point with more or fewer rows.
+    /// Errors: those of [`Mechanism::add`]; a mass that is not above zero, a point with more or
+    /// fewer rows.
     pub fn point_mass(
         &mut self,
         name: &str,
@@ -142,8 +149,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The acceleration of gravity, such as `vec2(0.0, -9.81)`; zero without it. Its components may be
-    /// [`Dimension`]s. Numbers that are not finite are told by [`Mechanism::build`].   \[m/s²\]
+    /// The acceleration of gravity, such as `vec2(0.0, -9.81)`; zero without it. Its components may
+    /// be [`Dimension`]s. Numbers that are not finite are told by [`Mechanism::build`].   \[m/s²\]
     pub fn gravity(&mut self, g: impl IntoGravity) {
         let numbers = g.numbers();
         if self.pull(numbers).is_err() {
@@ -161,12 +168,12 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Something that acts, under a name: an energy ([`crate::Potential`]), a force along a length or an
-    /// angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the library. Its
-    /// numbers may be [`Dimension`]s, those in a closure not: it knows what they were.
+    /// Something that acts, under a name: an energy ([`crate::Potential`]), a force along a length
+    /// or an angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the
+    /// library. Its numbers may be [`Dimension`]s, those in a closure not: it knows what they were.
     ///
-    /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense. A measure
-    /// that no joint has is told by [`Mechanism::build`]: the joint may be added later.
+    /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense. A
+    /// measure that no joint has is told by [`Mechanism::build`]: the joint may be added later.
     pub fn load(&mut self, name: &str, load: impl IntoLoad) -> Result<()> {
         let mut load = load.into_load();
         let bound = load.take_bindings();
@@ -174,7 +181,12 @@ impl Mechanism {
     }
 
     /// The same, where these numbers hang on dimensions.
-    pub(crate) fn load_bound(&mut self, name: &str, load: Load, bound: Vec<HungInLoad>) -> Result<()> {
+    pub(crate) fn load_bound(
+        &mut self,
+        name: &str,
+        load: Load,
+        bound: Vec<HungInLoad>,
+    ) -> Result<()> {
         let mut all: Vec<&Acting> = Vec::new();
         load.parts(&mut |part| all.push(part));
         if all.is_empty() || name.trim().is_empty() {
@@ -207,8 +219,14 @@ impl Mechanism {
     }
 
     /// The numbers of the load that is to be added that hang on dimensions.
-    fn hung_in_load(&self, name: &str, parts: &[&Acting], bound: Vec<HungInLoad>) -> Result<Vec<Hung>> {
-        let (load, mut hung) = (self.loads.loads.len(), Vec::new());
+    fn hung_in_load(
+        &self,
+        name: &str,
+        parts: &[&Acting],
+        bound: Vec<HungInLoad>,
+    ) -> Result<Vec<Hung>> {
+        let load = self.loads.loads.len();
+        let mut hung = Vec::new();
         for (part, acting) in parts.iter().enumerate() {
             for holding in [Holding::Scalar, Holding::Force, Holding::OnBody] {
                 let own = bound.iter().filter(|own| (own.0, own.1) == (part, holding));
@@ -230,7 +248,11 @@ impl Mechanism {
 
     fn admit_on_body(&self, name: &str, on: &OnBody) -> Result<()> {
         if let Place::Ground(_) = self.placed(&on.target, name)? {
-            return Err(senseless(name, "load", "it is on the ground, which does not move: give it a body"));
+            return Err(senseless(
+                name,
+                "load",
+                "it is on the ground, which does not move: give it a body",
+            ));
         }
         on.sensible(name)
     }
@@ -246,7 +268,10 @@ impl Mechanism {
 
     fn fresh(&self, name: &str) -> Result<()> {
         let known = self.loads.loads.iter().map(|(known, _)| known);
-        match known.chain(self.loads.points.iter().map(|(known, ..)| known)).any(|known| known == name) {
+        match known
+            .chain(self.loads.points.iter().map(|(known, ..)| known))
+            .any(|known| known == name)
+        {
             true => Err(Error::DuplicateName { what: "loads", name: name.to_string() }),
             false => Ok(()),
         }

@@ -1,5 +1,5 @@
-//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into a
-//! [`crate::System`].
+//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into
+//! a [`crate::System`].
 
 pub(crate) mod admission;
 mod dimensions;
@@ -32,8 +32,8 @@ use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
 use crate::model::units::Units;
 
-/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre, radian and
-/// second in headers).
+/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre,
+/// radian and second in headers).
 ///
 /// ```
 /// use kin::prelude::*;
@@ -90,7 +90,8 @@ pub struct Mechanism {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ConstraintId(usize);
 
-/// A call that returns nothing and could not be carried out: it is tried again at build, and gives its error.
+/// A call that returns nothing and could not be carried out: it is tried again at build, and gives
+/// its error.
 #[derive(Clone)]
 pub(crate) enum Refused {
     /// Words, and those that were declared before.
@@ -162,8 +163,9 @@ impl Mechanism {
         Ground
     }
 
-    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly finds its
-    /// pose. The length may be a [`Dimension`]: then the pins `start()` and `end()` hang on it.   \[m\]
+    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly
+    /// finds its pose. The length may be a [`Dimension`]: then the pins `start()` and `end()` hang
+    /// on it.   \[m\]
     ///
     /// Errors: length not above zero, name empty or taken, a dimension of another mechanism.
     pub fn link<L: IntoNumber>(&mut self, name: &str, length: L) -> Result<Link<L>> {
@@ -193,7 +195,12 @@ impl Mechanism {
     }
 
     /// Notes the length between the pins of a body.
-    pub(crate) fn note_length(&mut self, name: &str, body: Option<usize>, length: Dimension) -> Result<()> {
+    pub(crate) fn note_length(
+        &mut self,
+        name: &str,
+        body: Option<usize>,
+        length: Dimension,
+    ) -> Result<()> {
         let (Some(index), length) = (body, self.check_length(name, length)?) else { return Ok(()) };
         let length = self.hang(name, Bound::Length(self.layout.links.len()), length)?;
         self.layout.links.push((index, length));
@@ -213,8 +220,9 @@ impl Mechanism {
         Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
-    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised, and |p|² = 1
-    /// becomes an equation of its own, named `NAME.p`, when the mechanism is built.   \[m, –\]
+    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised,
+    /// and |p|² = 1 becomes an equation of its own, named `NAME.p`, when the mechanism is
+    /// built.   \[m, –\]
     ///
     /// Errors: guess not finite or p = 0, name empty or taken.
     pub fn spatial(&mut self, name: &str, pose: impl IntoSpatialPose) -> Result<SpatialBody> {
@@ -259,9 +267,10 @@ impl Mechanism {
 
     /// Adds a constraint under a name.
     ///
-    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense (a length
-    /// below zero, a zero axis, a table that does not increase), a body of another mechanism, the same body
-    /// or coordinate twice, an equation left without coordinates because its bodies are the ground.
+    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense
+    /// (a length below zero, a zero axis, a table that does not increase), a body of another
+    /// mechanism, the same body or coordinate twice, an equation left without coordinates because
+    /// its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
         let mut constraint = constraint.into_constraint();
         let bound = constraint.take_bindings().take();
@@ -318,7 +327,8 @@ impl Mechanism {
         body: impl Into<SpatialBody>,
         pose: impl IntoSpatialPose,
     ) -> Result<()> {
-        let (target, Drawn { coordinates, facing }) = (Target::Spatial(body.into()), pose.drawn());
+        let target = Target::Spatial(body.into());
+        let Drawn { coordinates, facing } = pose.drawn();
         facing.iter().try_for_each(|number| self.check_origin("set_spatial_pose", *number))?;
         self.set_all("set_spatial_pose", target, &coordinates)?;
         let Some(Place::Own { first, .. }) = self.layout.place(&target) else { return Ok(()) };
@@ -351,7 +361,9 @@ impl Mechanism {
             place: place.to_string(),
             argument: "body".to_string(),
         };
-        let Place::Own { first, .. } = self.layout.place(&target).ok_or_else(foreign)? else { return Ok(()) };
+        let Place::Own { first, .. } = self.layout.place(&target).ok_or_else(foreign)? else {
+            return Ok(());
+        };
         if let Some(k) = numbers.iter().position(|number| !number.value().is_finite()) {
             return Err(self.layout.not_finite(first + k, numbers[k].value()));
         }
@@ -363,8 +375,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Itself, after what could not be told where nothing is returned. Errors: units that contradict one
-    /// another, a mistake in a preference.
+    /// Itself, after what could not be told where nothing is returned. Errors: units that
+    /// contradict one another, a mistake in a preference.
     pub(crate) fn settled(mut self) -> Result<Self> {
         match self.refused.take() {
             Some(Refused::Units { before, units }) => units::refusal(before.as_ref(), &units)?,

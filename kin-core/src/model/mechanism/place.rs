@@ -1,5 +1,5 @@
-//! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are where people
-//! slip.
+//! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are
+//! where people slip.
 
 use super::{Mechanism, Pose, SpatialPose};
 use crate::model::body::Body;
@@ -46,17 +46,18 @@ impl<B: Body> Marker<B> {
     }
 }
 
-/// Frame at the middle between two global points in space, x-axis from the first to the second, by their six
-/// components.
+/// Frame at the middle between two global points in space, x-axis from the first to the second, by
+/// their six components.
 pub(crate) fn between(components: impl Iterator<Item = f64>) -> SpatialPose {
     let mut all = [f64::NAN; 6];
     all.iter_mut().zip(components).for_each(|(to, x)| *to = x);
-    let (a, b) = (Vec3::new(all[0], all[1], all[2]), Vec3::new(all[3], all[4], all[5]));
+    let a = Vec3::new(all[0], all[1], all[2]);
+    let b = Vec3::new(all[3], all[4], all[5]);
     SpatialPose::facing((a + b) * 0.5, b - a)
 }
 
-/// Frame at a global point in space, facing the direction or the two directions that follow its three
-/// components.
+/// Frame at a global point in space, facing the direction or the two directions that follow its
+/// three components.
 pub(crate) fn facing(components: impl Iterator<Item = f64>) -> SpatialPose {
     let all: Vec<f64> = components.collect();
     let (r, directions) = all.split_at(all.len().min(3));
@@ -65,8 +66,8 @@ pub(crate) fn facing(components: impl Iterator<Item = f64>) -> SpatialPose {
 }
 
 impl Mechanism {
-    /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or given
-    /// since.   \[m\]
+    /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or
+    /// given since.   \[m\]
     ///
     /// Errors: a body of another mechanism.
     pub fn local<B: Body>(&self, body: B, point: impl Into<B::Vector>) -> Result<B::Vector> {
@@ -96,11 +97,12 @@ impl Mechanism {
         Ok(Marker::new(name, body, self.local(body, point)?, self.local_direction(body, h)?))
     }
 
-    /// A planar body between two pins at the global points `a` and `b`: their distance is its length, frame
-    /// at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them length and guess hang on
-    /// it.   \[m\]
+    /// A planar body between two pins at the global points `a` and `b`: their distance is its
+    /// length, frame at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them
+    /// length and guess hang on it.   \[m\]
     ///
-    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another mechanism.
+    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another
+    /// mechanism.
     pub fn link_between<S: Scalar + Mix<T>, T: Scalar>(
         &mut self,
         name: &str,
@@ -112,15 +114,17 @@ impl Mechanism {
     {
         let a: [Mixed<S, T>; 2] = a.components().map(|x| <Mixed<S, T> as From<S>>::from(x));
         let b: [Mixed<S, T>; 2] = b.components().map(|x| <Mixed<S, T> as From<T>>::from(x));
-        let (a, b) = (Vec2::from(a), Vec2::from(b));
+        let a = Vec2::from(a);
+        let b = Vec2::from(b);
         self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
     }
 
-    /// A spatial body between two joints at the global points `a` and `b`: their distance is its length,
-    /// frame at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them length and guess hang
-    /// on it.   \[m\]
+    /// A spatial body between two joints at the global points `a` and `b`: their distance is its
+    /// length, frame at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them
+    /// length and guess hang on it.   \[m\]
     ///
-    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another mechanism.
+    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another
+    /// mechanism.
     pub fn spatial_link_between<S: Scalar + Mix<T>, T: Scalar>(
         &mut self,
         name: &str,
@@ -154,8 +158,9 @@ impl Mechanism {
             }
             Some(Place::Ground(_)) => Ok(&[]),
             None => {
-                let (mechanism, place, argument) =
-                    (self.name.clone(), "marker".to_string(), "body".to_string());
+                let mechanism = self.name.clone();
+                let place = "marker".to_string();
+                let argument = "body".to_string();
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }

@@ -2,7 +2,9 @@
 
 use super::place::facing;
 use crate::model::dimension::{Dimension, IntoNumber};
-use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3};
+use crate::numbers::algebra::{
+    Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3,
+};
 
 /// Position and angle of a planar body: (R_x, R_y, θ). Each of them is a number, or a
 /// [`crate::Dimension`].   \[m, m, rad\]
@@ -28,8 +30,8 @@ impl<S: Scalar> Pose<S, S, S> {
     }
 }
 
-/// Position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first. The numbers of either
-/// are plain ones, or [`crate::Dimension`]s.   \[m, –\]
+/// Position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first. The numbers
+/// of either are plain ones, or [`crate::Dimension`]s.   \[m, –\]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialPose<R = f64, P = f64> {
     /// R   \[m\]
@@ -52,8 +54,8 @@ impl SpatialPose {
         SpatialPose::new(r, EulerParameters::new(1.0, 0.0, 0.0, 0.0))
     }
 
-    /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2). A zero
-    /// axis turns nothing.   \[m, rad\]
+    /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2).
+    /// A zero axis turns nothing.   \[m, rad\]
     pub fn turned<R: Scalar, P: Scalar + Mix<A>, A: Scalar>(
         r: impl Components<3, Scalar = R>,
         axis: impl Components<3, Scalar = A>,
@@ -74,10 +76,14 @@ impl SpatialPose {
         SpatialPose::new(r, EulerParameters { e0: cos.into(), e1, e2, e3 })
     }
 
-    /// At R with the body's x-axis along h of an axis and its y-axis along f: `SpatialPose::facing(r,
-    /// vec3(1.0, 1.0, 0.0))`, or with both directions chosen `SpatialPose::facing(r, Axis::new(h, f))`. With
-    /// a [`Dimension`] in a direction it is a [`Facing`], which is a pose to a mechanism.   \[m, –\]
-    pub fn facing<R: IntoNumber, D: Direction>(r: impl Components<3, Scalar = R>, x: D) -> D::Pose<R> {
+    /// At R with the body's x-axis along h of an axis and its y-axis along f:
+    /// `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))`, or with both directions chosen
+    /// `SpatialPose::facing(r, Axis::new(h, f))`. With a [`Dimension`] in a direction it is a
+    /// [`Facing`], which is a pose to a mechanism.   \[m, –\]
+    pub fn facing<R: IntoNumber, D: Direction>(
+        r: impl Components<3, Scalar = R>,
+        x: D,
+    ) -> D::Pose<R> {
         x.pose(Vec3::from(r.components()))
     }
 }
@@ -106,8 +112,8 @@ impl<A: Into<Axis>> Direction for A {
     }
 }
 
-/// A spatial body at a point, facing directions that hang on dimensions ([`SpatialPose::facing`]): when a
-/// dimension is set, the body is turned anew.
+/// A spatial body at a point, facing directions that hang on dimensions ([`SpatialPose::facing`]):
+/// when a dimension is set, the body is turned anew.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facing {
     /// R, and the components of one or two directions.
@@ -151,7 +157,8 @@ directions! {
     (f64, Dimension, Dimension) (Dimension, f64, Dimension) (Dimension, Dimension, f64)
 }
 
-/// Anything that says where a spatial body is and how it is turned: a [`SpatialPose`] or a [`Facing`].
+/// Anything that says where a spatial body is and how it is turned: a [`SpatialPose`] or a
+/// [`Facing`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no pose of a spatial body",
     label = "a pose is `SpatialPose::at(r)`, `SpatialPose::turned(r, axis, angle)` or `SpatialPose::facing(r, x)`"
@@ -191,8 +198,10 @@ impl<R: IntoNumber, P: IntoNumber> SpatialPose<R, P> {
         let largest = p.iter().fold(0.0_f64, |m, e| m.max(e.value().abs()));
         let p = p.map(|e| e / largest);
         let norm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]).sqrt();
-        let ([x, y, z], [e0, e1, e2, e3]) = ([self.r.x, self.r.y, self.r.z], p.map(|e| e / norm));
-        let (r, p) = ([x, y, z].map(R::into_number), [e0, e1, e2, e3].map(P::into_number));
+        let [x, y, z] = [self.r.x, self.r.y, self.r.z];
+        let [e0, e1, e2, e3] = p.map(|e| e / norm);
+        let r = [x, y, z].map(R::into_number);
+        let p = [e0, e1, e2, e3].map(P::into_number);
         [r[0], r[1], r[2], p[0], p[1], p[2], p[3]]
     }
 }
@@ -224,12 +233,19 @@ mod tests {
 
     #[test]
     fn euler_parameters_are_normalised() {
-        let q = SpatialPose::new(Vec3::new(1.0, 2.0, 3.0), EulerParameters::new(1e200, 0.0, 1e200, 0.0))
-            .coordinates()
-            .map(Dimension::value);
+        let q = SpatialPose::new(
+            Vec3::new(1.0, 2.0, 3.0),
+            EulerParameters::new(1e200, 0.0, 1e200, 0.0),
+        )
+        .coordinates()
+        .map(Dimension::value);
         assert!((q[3] - 0.5_f64.sqrt()).abs() < 1e-15 && (q[5] - 0.5_f64.sqrt()).abs() < 1e-15);
-        let turned = SpatialPose::turned(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), deg(90.0));
-        assert!((turned.p.e0 - 0.5_f64.sqrt()).abs() < 1e-15 && (turned.p.e3 - 0.5_f64.sqrt()).abs() < 1e-15);
+        let turned =
+            SpatialPose::turned(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), deg(90.0));
+        assert!(
+            (turned.p.e0 - 0.5_f64.sqrt()).abs() < 1e-15
+                && (turned.p.e3 - 0.5_f64.sqrt()).abs() < 1e-15
+        );
     }
 
     #[test]

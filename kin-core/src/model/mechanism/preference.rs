@@ -1,15 +1,17 @@
 //! Which of several assemblies is meant.
 
 use super::{Drawn, IntoSpatialPose, Mechanism, Refused, SpatialPose};
-use crate::model::coordinates::{Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig};
+use crate::model::coordinates::{
+    Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig,
+};
 use crate::model::dimension::{Bound, Dimension, IntoNumber};
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::{EulerParameters, Scalar};
 
-/// Anything that can be preferred, and by which kind of value V: a bare coordinate, a planar body or link by
-/// its angle θ, a spatial body or link by its Euler parameters or by its whole pose, a measure of a joint or
-/// a coordinate by its name (`"A.angle"`).
+/// Anything that can be preferred, and by which kind of value V: a bare coordinate, a planar body
+/// or link by its angle θ, a spatial body or link by its Euler parameters or by its whole pose, a
+/// measure of a joint or a coordinate by its name (`"A.angle"`).
 pub trait Preferred<V> {
     /// The preference of `value` for it.
     #[doc(hidden)]
@@ -91,15 +93,16 @@ impl<S: IntoNumber> Preferred<S> for &String {
 }
 
 impl Mechanism {
-    /// Which of several assemblies: the one with this nearest the value: a coordinate; a planar body or link
-    /// by its angle θ; a spatial body or link by its Euler parameters, or by its pose; the measure of a joint
-    /// or a coordinate by its name, as `m.prefer("elbow.angle", deg(-60.0))`. Coordinates and bodies take it
-    /// as their guess too. For a measure all assemblies are looked at
-    /// ([`System::assemblies`](crate::System::assemblies)), unless the guess leads near the value; of angles
-    /// whole turns do not count. The value may be a [`Dimension`].   \[m or rad\]
+    /// Which of several assemblies: the one with this nearest the value: a coordinate; a planar
+    /// body or link by its angle θ; a spatial body or link by its Euler parameters, or by its pose;
+    /// the measure of a joint or a coordinate by its name, as
+    /// `m.prefer("elbow.angle", deg(-60.0))`. Coordinates and bodies take it as their guess too.
+    /// For a measure all assemblies are looked at
+    /// ([`System::assemblies`](crate::System::assemblies)), unless the guess leads near the value;
+    /// of angles whole turns do not count. The value may be a [`Dimension`].   \[m or rad\]
     ///
-    /// A value that is not finite, a body of another mechanism or a name that nothing has is told by
-    /// [`Mechanism::build`].
+    /// A value that is not finite, a body of another mechanism or a name that nothing has is told
+    /// by [`Mechanism::build`].
     pub fn prefer<V>(&mut self, what: impl Preferred<V>, value: V) {
         let wish = what.wish(value);
         if self.note(wish.clone()).is_err() {
@@ -115,19 +118,20 @@ impl Mechanism {
             Wish::Pose(body, pose) => self.prefer_all(Target::Spatial(body), &pose.coordinates, 0),
             Wish::Turn(body, p) => {
                 let target = Target::Spatial(body);
-                let first = self
-                    .layout
-                    .place(&target)
-                    .and_then(|place| if let Place::Own { first, .. } = place { Some(first) } else { None });
-                let at =
-                    |k: usize| first.and_then(|first| self.initial.get(first + k)).copied().unwrap_or(0.0);
+                let first = self.layout.place(&target).and_then(|place| {
+                    if let Place::Own { first, .. } = place { Some(first) } else { None }
+                });
+                let at = |k: usize| {
+                    first.and_then(|first| self.initial.get(first + k)).copied().unwrap_or(0.0)
+                };
                 let pose = SpatialPose::new((at(0), at(1), at(2)), p);
                 self.prefer_all(target, &pose.coordinates(), 3)
             }
             Wish::Named(name, value) if value.value().is_finite() => {
                 self.check_origin("prefer", value)?;
-                self.hung
-                    .retain(|hung| !matches!(&hung.at, Bound::PreferredMeasure(known) if *known == name));
+                self.hung.retain(
+                    |hung| !matches!(&hung.at, Bound::PreferredMeasure(known) if *known == name),
+                );
                 let number = self.hang("prefer", Bound::PreferredMeasure(name.clone()), value)?;
                 self.asked.retain(|(known, _)| *known != name);
                 self.asked.push((name, number));
@@ -135,7 +139,11 @@ impl Mechanism {
             }
             Wish::Named(name, value) => {
                 let value = value.value();
-                Err(Error::ParameterNotFinite { constraint: "prefer".to_string(), parameter: name, value })
+                Err(Error::ParameterNotFinite {
+                    constraint: "prefer".to_string(),
+                    parameter: name,
+                    value,
+                })
             }
         }
     }

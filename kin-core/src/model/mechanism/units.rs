@@ -25,12 +25,14 @@ const EARTH: f64 = 9.80665;
 const ABOUT: f64 = 0.01;
 
 impl Mechanism {
-    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`, and that of
-    /// mass where it is none of the kilogram: `m.units("mm", "s").mass("t")`. Words alone: nothing is
-    /// converted, and all numbers have to be in these units. Without it they are `m`, `s` and `kg`.
+    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`, and
+    /// that of mass where it is none of the kilogram: `m.units("mm", "s").mass("t")`. Words alone:
+    /// nothing is converted, and all numbers have to be in these units. Without it they are `m`,
+    /// `s` and `kg`.
     ///
-    /// Contradictions are told by [`Mechanism::build`]: a word that is empty or that of another quantity,
-    /// other words later, the earth's gravity in other units, a dimension in another unit of length.
+    /// Contradictions are told by [`Mechanism::build`]: a word that is empty or that of another
+    /// quantity, other words later, the earth's gravity in other units, a dimension in another unit
+    /// of length.
     pub fn units(&mut self, length: &str, time: &str) -> UnitWords<'_> {
         let units = Units::new(length, time).with_mass(self.layout.words.mass());
         let again = std::mem::replace(&mut self.declared[0], true);
@@ -47,8 +49,8 @@ impl Mechanism {
         }
     }
 
-    /// Errors: gravity, or a dimension, in other units than those that are declared. Where none are, nothing
-    /// can contradict them.
+    /// Errors: gravity, or a dimension, in other units than those that are declared. Where none
+    /// are, nothing can contradict them.
     pub(super) fn check_units(&self) -> Result<()> {
         let units = &self.layout.words;
         refusal(None, units)?;
@@ -59,7 +61,10 @@ impl Mechanism {
         let Some(dimensions) = &self.dimensions else { return Ok(()) };
         let contradicts = |unit: &str| Units::is_length(unit) && unit != units.length();
         let store = dimensions.store();
-        match store.entries.iter().find(|entry| Units::is_length(units.length()) && contradicts(&entry.unit))
+        match store
+            .entries
+            .iter()
+            .find(|entry| Units::is_length(units.length()) && contradicts(&entry.unit))
         {
             Some(entry) => Err(refused(
                 &entry.name,

@@ -17,11 +17,12 @@ pub enum EventKind {
     TurningPoint,
     /// A change point: branches of the motion cross.
     Bifurcation,
-    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its other
-    /// side. Derivatives there are those of one side. Of constraints on the dual route kinks are not known.
+    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its
+    /// other side. Derivatives there are those of one side. Of constraints on the dual route kinks
+    /// are not known.
     Kink,
-    /// The run goes on beyond the end of a table of a law, where the law is a straight line. A sequence that
-    /// holds its last value is not reported.
+    /// The run goes on beyond the end of a table of a law, where the law is a straight line. A
+    /// sequence that holds its last value is not reported.
     BeyondRange,
 }
 
@@ -73,7 +74,8 @@ impl Motion {
         &self.events
     }
 
-    /// Puts an event where its time belongs: after those that a run in this direction meets before it.
+    /// Puts an event where its time belongs: after those that a run in this direction meets before
+    /// it.
     pub(crate) fn add_event(&mut self, mut event: Event) {
         event.units = self.layout.words.clone();
         let backwards = matches!(self.times[..], [first, .., last] if last < first);

@@ -1,4 +1,5 @@
-//! A motion as data: what a run has found, time by time. `solve/motion/` derives from it what people ask for.
+//! A motion as data: what a run has found, time by time. `solve/motion/` derives from it what
+//! people ask for.
 
 mod crossed;
 mod event;
@@ -16,8 +17,8 @@ pub use event::{Event, EventKind};
 pub use series::Series;
 pub use singular::{Branch, SingularKind, SingularPosition};
 
-/// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they were
-/// found.
+/// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they
+/// were found.
 #[derive(Clone)]
 pub struct Motion {
     pub(crate) name: String,
@@ -39,12 +40,13 @@ pub struct Motion {
     pub(crate) singular: Vec<SingularPosition>,
     /// The guess that the first position was found from.
     pub(crate) guess: Vec<f64>,
-    /// Drivers of turns in space that begin beyond a turn, with the angle: bodies there do not show how often
-    /// they have turned.   \[rad\]
+    /// Drivers of turns in space that begin beyond a turn, with the angle: bodies there do not show
+    /// how often they have turned.   \[rad\]
     pub(crate) beyond_a_turn: Vec<(String, f64)>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     pub(crate) misfit: f64,
-    /// How many times a program has computed, and how often it has handed the rest of a block to plain steps.
+    /// How many times a program has computed, and how often it has handed the rest of a block to
+    /// plain steps.
     pub(crate) engine: EngineCounts,
     /// Why there is no program, where one was looked for.
     pub(crate) plain: Option<Arc<str>>,
@@ -61,14 +63,14 @@ pub struct EngineCounts {
 }
 
 impl Motion {
-    /// How many times a program has computed ([`crate::Engine::Compiled`]), and how often it has handed the
-    /// rest of a block to plain steps.
+    /// How many times a program has computed ([`crate::Engine::Compiled`]), and how often it has
+    /// handed the rest of a block to plain steps.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
 
-    /// Why all of it was computed by plain steps, where a program would have paid: what stands in the way, by
-    /// the name of its constraint. `None` where a program was used or not looked for.
+    /// Why all of it was computed by plain steps, where a program would have paid: what stands in
+    /// the way, by the name of its constraint. `None` where a program was used or not looked for.
     pub fn why_plain(&self) -> Option<&str> {
         self.plain.as_deref()
     }
@@ -162,9 +164,8 @@ impl Motion {
         self.row(&self.qddd, k)
     }
 
-    /// q of all times without a gap: a row a time, a column a coordinate, as an array of NumPy or ndarray
-    /// lies
-    /// in memory.   \[m, rad\]
+    /// q of all times without a gap: a row a time, a column a coordinate, as an array of NumPy or
+    /// ndarray lies in memory.   \[m, rad\]
     pub fn q_rows(&self) -> &[f64] {
         &self.q
     }
@@ -179,8 +180,8 @@ impl Motion {
         &self.qdd
     }
 
-    /// q⃛ of all times, as [`Motion::q_rows`]; empty where the run was not asked for the jerk.   \[m/s³,
-    /// rad/s³\]
+    /// q⃛ of all times, as [`Motion::q_rows`]; empty where the run was not asked for the
+    /// jerk.   \[m/s³, rad/s³\]
     pub fn qddd_rows(&self) -> &[f64] {
         &self.qddd
     }
@@ -236,14 +237,14 @@ impl Motion {
         &self.outputs
     }
 
-    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time:
-    /// the first 100 000 of them, and of one law between two times the first ten thousand.
+    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order
+    /// of time: the first 100 000 of them, and of one law between two times the first ten thousand.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
     }
 
-    /// The singular positions that were met, change points and at last a toggle, in the order of time; they
-    /// are among [`Motion::events`] too.
+    /// The singular positions that were met, change points and at last a toggle, in the order of
+    /// time; they are among [`Motion::events`] too.
     pub fn singular_positions(&self) -> &[SingularPosition] {
         &self.singular
     }

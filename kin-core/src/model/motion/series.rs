@@ -22,12 +22,24 @@ impl Series {
         (times, units): (&[f64], &Units),
         values: Vec<f64>,
     ) -> Self {
-        Series { name: name.into(), unit: unit.into(), units: units.clone(), times: times.into(), values }
+        Series {
+            name: name.into(),
+            unit: unit.into(),
+            units: units.clone(),
+            times: times.into(),
+            values,
+        }
     }
 
     /// Other values at the same times.
-    pub(crate) fn beside(&self, name: impl Into<String>, unit: impl Into<String>, values: Vec<f64>) -> Self {
-        let (units, times) = (self.units.clone(), self.times.clone());
+    pub(crate) fn beside(
+        &self,
+        name: impl Into<String>,
+        unit: impl Into<String>,
+        values: Vec<f64>,
+    ) -> Self {
+        let units = self.units.clone();
+        let times = self.times.clone();
         Series { name: name.into(), unit: unit.into(), units, times, values }
     }
 
@@ -84,10 +96,11 @@ impl Series {
         self.best(|a, b| a < b).map_or(f64::NAN, |k| self.times[k])
     }
 
-    /// The root mean square over time, √(1/T ∫ x² dt) by trapezia: what heats a motor; NaN of an empty
-    /// series.
+    /// The root mean square over time, √(1/T ∫ x² dt) by trapezia: what heats a motor; NaN of an
+    /// empty series.
     pub fn rms(&self) -> f64 {
-        let all: Vec<(f64, f64)> = self.times.iter().copied().zip(self.values.iter().copied()).collect();
+        let all: Vec<(f64, f64)> =
+            self.times.iter().copied().zip(self.values.iter().copied()).collect();
         match all[..] {
             [] => f64::NAN,
             [(_, x)] => x.abs(),
@@ -117,7 +130,8 @@ mod tests {
             Series::new("x", "m", (times, &Units::default()), values.to_vec()).rms()
         };
         // 3 for one second, 1 for three of them, backwards too; squares are joined by lines.
-        let (times, values) = ([0.0, 1.0, 1.0 + 1e-12, 4.0], [3.0, -3.0, 1.0, 1.0]);
+        let times = [0.0, 1.0, 1.0 + 1e-12, 4.0];
+        let values = [3.0, -3.0, 1.0, 1.0];
         assert!((rms(&times, &values) - 3.0_f64.sqrt()).abs() < 1e-9);
         assert!((rms(&times.map(|t| -t), &values) - 3.0_f64.sqrt()).abs() < 1e-9);
         let sine: Vec<f64> =
@@ -130,9 +144,16 @@ mod tests {
 
     #[test]
     fn extremes_and_their_times() {
-        let series =
-            Series::new("x", "m", (&[0.0, 1.0, 2.0, 3.0], &Units::default()), vec![1.0, 5.0, -2.0, 5.0]);
-        assert_eq!((series.max(), series.at_max(), series.min(), series.at_min()), (5.0, 1.0, -2.0, 2.0));
+        let series = Series::new(
+            "x",
+            "m",
+            (&[0.0, 1.0, 2.0, 3.0], &Units::default()),
+            vec![1.0, 5.0, -2.0, 5.0],
+        );
+        assert_eq!(
+            (series.max(), series.at_max(), series.min(), series.at_min()),
+            (5.0, 1.0, -2.0, 2.0)
+        );
         assert!(Series::new("x", "m", (&[], &Units::default()), vec![]).max().is_nan());
     }
 }

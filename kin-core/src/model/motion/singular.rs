@@ -26,7 +26,8 @@ pub struct Branch {
     pub qdd: Vec<f64>,
 }
 
-/// A position at which C_q is singular, met by a motion between times of the grid or at one of them.
+/// A position at which C_q is singular, met by a motion between times of the grid or at one of
+/// them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct SingularPosition {
@@ -40,8 +41,8 @@ pub struct SingularPosition {
     pub movable: Vec<String>,
     /// Equations that depend on one another there.
     pub dependent: Vec<String>,
-    /// The branches that cross there, the one that was taken first; a branch on which the drivers stand still
-    /// is not among them. None at a turning point, where q̇ has no bound.
+    /// The branches that cross there, the one that was taken first; a branch on which the drivers
+    /// stand still is not among them. None at a turning point, where q̇ has no bound.
     pub branches: Vec<Branch>,
 }
 
@@ -57,12 +58,14 @@ impl SingularPosition {
         let names: Vec<String> = self.movable.iter().map(|name| format!("`{name}`")).collect();
         let can = format!("{} can move although what drives stands still", names.join(", "));
         let (kind, text) = match self.kind {
-            SingularKind::TurningPoint => {
-                (EventKind::TurningPoint, format!("a toggle, beyond which there is no position: {can}"))
-            }
-            SingularKind::Bifurcation => {
-                (EventKind::Bifurcation, format!("a change point, where branches of the motion cross: {can}"))
-            }
+            SingularKind::TurningPoint => (
+                EventKind::TurningPoint,
+                format!("a toggle, beyond which there is no position: {can}"),
+            ),
+            SingularKind::Bifurcation => (
+                EventKind::Bifurcation,
+                format!("a change point, where branches of the motion cross: {can}"),
+            ),
         };
         Event { t: self.t, units: Units::default(), kind, name: self.movable.join(", "), text }
     }

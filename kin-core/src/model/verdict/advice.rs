@@ -31,8 +31,11 @@ pub(super) fn cause(change: &Change) -> Option<String> {
             Point(v)
         )),
         Change::Local { points } => points.first().map(|first| {
-            let others =
-                if points.len() > 1 { format!(" (and {} more)", points.len() - 1) } else { String::new() };
+            let others = if points.len() > 1 {
+                format!(" (and {} more)", points.len() - 1)
+            } else {
+                String::new()
+            };
             format!(
                 "global point: `{}` takes {} in `{}`, where a local point is wanted{others}.",
                 first.constraint,
@@ -62,7 +65,8 @@ impl Display for Is<'_> {
                 write!(f, "`{constraint}.{parameter}` is {}", Point(&self.0.is))
             }
             Size::Point { constraint, body, .. } => {
-                let body = body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
+                let body =
+                    body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
                 write!(f, "`{constraint}` is at {} of {body}", Point(&self.0.is))
             }
         }
@@ -87,7 +91,8 @@ impl Display for Resize {
                 write!(f, "make `{constraint}.{parameter}` {bound}{value}")
             }
             Size::Point { constraint, body, .. } => {
-                let body = body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
+                let body =
+                    body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
                 write!(f, "move `{constraint}` to {} of {body}", Point(&self.fits))
             }
         }
@@ -127,8 +132,11 @@ struct Point<'a>(&'a [f64]);
 impl Display for Point<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let all: Vec<String> =
-            self.0.iter().map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { *x })).collect();
+        let all: Vec<String> = self
+            .0
+            .iter()
+            .map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { *x }))
+            .collect();
         match &all[..] {
             [one] => f.write_str(one),
             all => write!(f, "({})", all.join(", ")),
@@ -140,7 +148,9 @@ impl Display for Change {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Change::Remove { constraint, or } => remove(f, constraint, or),
-            Change::Fit { constraint, missing, or_drop, of } => fit(f, constraint, *missing, or_drop, *of),
+            Change::Fit { constraint, missing, or_drop, of } => {
+                fit(f, constraint, *missing, or_drop, *of)
+            }
             Change::Limit { constraint, asks, or } => limit(f, constraint, asks.as_ref(), or),
             Change::Allow { closure } => {
                 let call = Surface::chosen().closure(*closure);
@@ -172,7 +182,9 @@ impl Display for Change {
             Change::Drop { constraint, rows, instead: None } => {
                 write!(f, "drop {} of `{constraint}`", rows_named(rows))
             }
-            Change::Drive { turn: Some(body), .. } => write!(f, "drive or hold the turn of `{body}`"),
+            Change::Drive { turn: Some(body), .. } => {
+                write!(f, "drive or hold the turn of `{body}`")
+            }
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
             Change::Pin { bodies: [a, b], coordinates: [x, y] } => {
                 write!(f, "join `{a}` and `{b}` by a pin, or drive or hold `{x}` and `{y}`")
@@ -206,8 +218,18 @@ fn remove(f: &mut Formatter<'_>, constraint: &str, or: &[String]) -> Result {
     f.write_str(", or replace one by a measurement")
 }
 
-fn fit(f: &mut Formatter<'_>, constraint: &str, missing: f64, or_drop: &[String], of: usize) -> Result {
-    write!(f, "change a dimension by which `{constraint}` can be met, {} is missing", number(missing))?;
+fn fit(
+    f: &mut Formatter<'_>,
+    constraint: &str,
+    missing: f64,
+    or_drop: &[String],
+    of: usize,
+) -> Result {
+    write!(
+        f,
+        "change a dimension by which `{constraint}` can be met, {} is missing",
+        number(missing)
+    )?;
     match or_drop.len() {
         0 => Ok(()),
         all if all == of => f.write_str(", or remove it"),
@@ -232,8 +254,8 @@ fn hold_idle(f: &mut Formatter<'_>, bodies: &[String]) -> Result {
     )
 }
 
-/// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least 0.5607
-/// long"
+/// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least
+/// 0.5607 long"
 fn limit(f: &mut Formatter<'_>, constraint: &str, asks: Option<&Asks>, or: &[Resize]) -> Result {
     match asks.filter(|asks| asks.is_more_than_a_turn()) {
         Some(asks) => {

@@ -12,8 +12,8 @@ pub enum Change {
     Remove {
         /// The constraint.
         constraint: String,
-        /// Constraints of which any could be left out in its place: other drivers that contradict it, or
-        /// joints of one row.
+        /// Constraints of which any could be left out in its place: other drivers that contradict
+        /// it, or joints of one row.
         or: Vec<String>,
     },
     /// Change a dimension by which a joint can be met.
@@ -22,13 +22,14 @@ pub enum Change {
         constraint: String,
         /// The gap of the joint.   \[unit of the joint's rows\]
         missing: f64,
-        /// Names of its rows that could be left out in place of it; all of them if the whole joint could.
+        /// Names of its rows that could be left out in place of it; all of them if the whole joint
+        /// could.
         or_drop: Vec<String>,
         /// How many rows it has.
         of: usize,
     },
-    /// Give a dimension another value, any one of these: with it everything closes, and what drives has
-    /// something to drive.
+    /// Give a dimension another value, any one of these: with it everything closes, and what drives
+    /// has something to drive.
     Resize {
         /// The likeliest first.
         any: Vec<Resize>,
@@ -89,12 +90,14 @@ pub enum Change {
     Drive {
         /// The coordinate.
         coordinate: String,
-        /// The body whose turn is meant by it, where that is no coordinate of its own: of a spatial one.
+        /// The body whose turn is meant by it, where that is no coordinate of its own: of a spatial
+        /// one.
         turn: Option<String>,
         /// The bodies that would move with it.
         moves: Vec<String>,
     },
-    /// Let one of these joints hold less, and add a motor: together they hold everything, and nothing drives.
+    /// Let one of these joints hold less, and add a motor: together they hold everything, and
+    /// nothing drives.
     Loosen {
         /// The joints.
         constraints: Vec<String>,
@@ -111,8 +114,8 @@ pub enum Change {
         /// The coordinates that could be driven instead.
         coordinates: [String; 2],
     },
-    /// Hold a turn that nothing depends on, [`crate::Mechanism::hold_idle_turns`]; or make the body a
-    /// `distance` between its points.
+    /// Hold a turn that nothing depends on, [`crate::Mechanism::hold_idle_turns`]; or make the body
+    /// a `distance` between its points.
     HoldIdle {
         /// The bodies that turn as one.
         bodies: Vec<String>,

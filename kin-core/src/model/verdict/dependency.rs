@@ -12,8 +12,9 @@ pub enum Class {
     Contradictory {
         /// In positions, velocities or accelerations.
         level: Level,
-        /// Σ coefficient · equation, which should be zero and cannot be. Of several equations of a constraint
-        /// with a gap it can be zero for some: those across the gap.   \[unit of the dependent row; /s; /s²\]
+        /// Σ coefficient · equation, which should be zero and cannot be. Of several equations of a
+        /// constraint with a gap it can be zero for some: those across the gap.   \[unit of the
+        /// dependent row; /s; /s²\]
         residual: f64,
     },
     /// The equations depend on one another at this pose, not at nearby ones.
@@ -52,8 +53,8 @@ pub struct Term {
 pub struct Dependency {
     /// Its class.
     pub class: Class,
-    /// The terms; the first one, with the coefficient 1, is the equation that is called superfluous. Those of
-    /// the norms of Euler parameters, which nobody wrote, are left out.
+    /// The terms; the first one, with the coefficient 1, is the equation that is called
+    /// superfluous. Those of the norms of Euler parameters, which nobody wrote, are left out.
     pub terms: Vec<Term>,
 }
 

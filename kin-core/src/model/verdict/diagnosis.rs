@@ -9,7 +9,8 @@ use super::freedom::{Freedom, Persistence};
 use super::gap::Gap;
 use crate::model::units::Units;
 
-/// Diagnosis of a mechanism at one time and pose: data for programs; `Display` is a report for people.
+/// Diagnosis of a mechanism at one time and pose: data for programs; `Display` is a report for
+/// people.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Diagnosis {
@@ -38,7 +39,8 @@ pub struct Diagnosis {
     pub nearby_rank: usize,
     /// True if there are nearby poses, or no need to look for any because the rank is full.
     pub moves: bool,
-    /// The smallest pivot that counted over the largest that did not: 1e6 and more is clear.   \[-\]
+    /// The smallest pivot that counted over the largest that did not: 1e6 and more is
+    /// clear.   \[-\]
     #[serde(with = "super::unbounded")]
     pub gap: f64,
     /// Constraints that cannot be met together with all others, with what is missing at the least.
@@ -50,15 +52,17 @@ pub struct Diagnosis {
     /// Where to begin instead, at a position that is singular alone.
     #[serde(default)]
     pub elsewhere: Option<Elsewhere>,
-    /// The least change after which the mechanism is exactly constrained; empty where nothing is to be
-    /// changed or nothing helps.
+    /// The least change after which the mechanism is exactly constrained; empty where nothing is to
+    /// be changed or nothing helps.
     pub changes: Vec<Change>,
 }
 
 impl Diagnosis {
     /// True if the mechanism can be driven at this pose: nothing contradicts, nothing is left free.
     pub fn can_be_driven(&self) -> bool {
-        self.rank == self.coordinates && self.contradictions().next().is_none() && self.gaps.is_empty()
+        self.rank == self.coordinates
+            && self.contradictions().next().is_none()
+            && self.gaps.is_empty()
     }
 
     /// True if there are as many equations as coordinates, all independent.

@@ -14,8 +14,8 @@ pub enum Elsewhere {
     Drive {
         /// The driver.
         constraint: String,
-        /// Its present value, and the one to ask for: where the coordinate stands at a position that is not
-        /// singular.
+        /// Its present value, and the one to ask for: where the coordinate stands at a position
+        /// that is not singular.
         asks: Asks,
     },
 }

@@ -16,7 +16,8 @@ pub enum Persistence {
     Infinitesimal,
 }
 
-/// How a body moves at this instant. Rates are relative to those of the other bodies in the same freedom.
+/// How a body moves at this instant. Rates are relative to those of the other bodies in the same
+/// freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum How {
@@ -77,13 +78,14 @@ pub struct Freedom {
     pub persistence: Persistence,
     /// The motions of the bodies that move.
     pub motions: Vec<BodyMotion>,
-    /// A coordinate that takes part and in no other of the freedoms: drive it, and the freedom is gone.
+    /// A coordinate that takes part and in no other of the freedoms: drive it, and the freedom is
+    /// gone.
     pub coordinate: String,
-    /// The motion in coordinates, C_q q̇ = 0 (length n); empty where all freedoms together would take more
-    /// than 2²² numbers: [`Freedom::motions`] says the same.   \[m, rad\]
+    /// The motion in coordinates, C_q q̇ = 0 (length n); empty where all freedoms together would
+    /// take more than 2²² numbers: [`Freedom::motions`] says the same.   \[m, rad\]
     pub direction: Vec<f64>,
-    /// True if nothing depends on it: bodies that are held by points of one line turn about that line, a rod
-    /// between two balls.
+    /// True if nothing depends on it: bodies that are held by points of one line turn about that
+    /// line, a rod between two balls.
     #[serde(default)]
     pub idle: bool,
     /// Of an infinitesimal freedom: how far play in the joints lets it move.
@@ -91,15 +93,16 @@ pub struct Freedom {
     pub play: Option<Play>,
 }
 
-/// How far play lets a shaky structure move, which without play is rigid: by about √(2 ε Λ / κ) along the
-/// motion n of first order, with ε the play of every joint, κ = l · (C_q n)_q n the second order that holds
-/// it, lᵀ C_q = 0, and Λ the sum of the forces |l| in the joints.
+/// How far play lets a shaky structure move, which without play is rigid: by about √(2 ε Λ / κ)
+/// along the motion n of first order, with ε the play of every joint, κ = l · (C_q n)_q n the
+/// second order that holds it, lᵀ C_q = 0, and Λ the sum of the forces |l| in the joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Play {
     /// The body or bare coordinate that moves furthest.
     pub body: String,
-    /// The play of every joint that is looked at: four times as much lets the body move twice as far.   \[m\]
+    /// The play of every joint that is looked at: four times as much lets the body move twice as
+    /// far.   \[m\]
     pub play: f64,
     /// How far the origin of the body moves, to either side.   \[m\]
     pub moves: f64,
@@ -111,7 +114,9 @@ impl Freedom {
     /// The first body that turns, and the global axis about which it does.
     pub(crate) fn turn(&self) -> Option<(&str, Vec3)> {
         self.motions.iter().find_map(|motion| match motion.how {
-            How::Screws { axis: [x, y, z], .. } => Some((motion.names.first()?.as_str(), Vec3::new(x, y, z))),
+            How::Screws { axis: [x, y, z], .. } => {
+                Some((motion.names.first()?.as_str(), Vec3::new(x, y, z)))
+            }
             _ => None,
         })
     }

@@ -17,20 +17,20 @@ pub struct Gap {
     /// Residual of each equation where all other constraints are met and this one
     /// as nearly as was found.   \[unit of the row\]
     pub residual: Vec<f64>,
-    /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at the
-    /// nearest.   \[m or rad\]
+    /// For a driver of one coordinate: the coordinate, what is asked of it, and where it stands at
+    /// the nearest.   \[m or rad\]
     pub asks: Option<Asks>,
-    /// True if its equations depend on the others at nearby poses too: then they contradict one another. If
-    /// not, something does not reach.
+    /// True if its equations depend on the others at nearby poses too: then they contradict one
+    /// another. If not, something does not reach.
     pub lasting: bool,
     /// Number of starts from which a pose was looked for.
     pub starts: usize,
     /// The other drivers, and what those of one coordinate ask for.
     #[serde(default)]
     pub against: Vec<Against>,
-    /// True if an equation of the mechanism can jump where coordinates move (`floor`, `%`, `signum`, an
-    /// `if`), or may do so for all that is known of it: then the residual is the one that was found, and a
-    /// smaller one, or none, may be near.
+    /// True if an equation of the mechanism can jump where coordinates move (`floor`, `%`,
+    /// `signum`, an `if`), or may do so for all that is known of it: then the residual is the one
+    /// that was found, and a smaller one, or none, may be near.
     #[serde(default)]
     pub can_jump: bool,
     /// The jumps that were found beside the pose.
@@ -76,8 +76,8 @@ pub struct Asks {
     pub asked: f64,
     /// Where it stands.   \[m or rad\]
     pub stands: f64,
-    /// By how much an angle that is asked of a first position lies beyond its guess; `None` of lengths and of
-    /// later positions.   \[rad\]
+    /// By how much an angle that is asked of a first position lies beyond its guess; `None` of
+    /// lengths and of later positions.   \[rad\]
     #[serde(default)]
     pub beyond_guess: Option<f64>,
 }
@@ -87,15 +87,16 @@ impl Asks {
         Asks { coordinate, asked, stands, beyond_guess: None }
     }
 
-    /// True if an angle is asked for that is more than a turn from its guess, as degrees in the place of
-    /// radians are.
+    /// True if an angle is asked for that is more than a turn from its guess, as degrees in the
+    /// place of radians are.
     pub(crate) fn is_more_than_a_turn(&self) -> bool {
         self.beyond_guess.is_some_and(|beyond| beyond.abs() > TAU)
     }
 }
 
 impl Gap {
-    /// |C| of the constraint: the length of the gap for a joint that holds two points together.   \[unit of the row\]
+    /// |C| of the constraint: the length of the gap for a joint that holds two points
+    /// together.   \[unit of the row\]
     pub fn size(&self) -> f64 {
         self.residual.iter().map(|c| c * c).sum::<f64>().sqrt()
     }

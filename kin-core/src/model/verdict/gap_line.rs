@@ -18,7 +18,9 @@ impl Display for GapLine<'_> {
             .iter()
             .filter(|found| found.terms.iter().any(|term| gap.rows.contains(&term.row)));
         let mut others: Vec<String> = Vec::new();
-        for name in sets.flat_map(|found| found.constraints()).filter(|name| *name != gap.constraint) {
+        for name in
+            sets.flat_map(|found| found.constraints()).filter(|name| *name != gap.constraint)
+        {
             if !others.iter().any(|known| known == name) {
                 others.push(name.to_string());
             }
@@ -36,8 +38,13 @@ impl Display for GapLine<'_> {
         };
         match &gap.asks {
             Some(asks) => {
-                let (coordinate, [asked, stands]) = (&asks.coordinate, different(asks.asked, asks.stands));
-                let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
+                let coordinate = &asks.coordinate;
+                let [asked, stands] = different(asks.asked, asks.stands);
+                let turn = if asks.is_more_than_a_turn() {
+                    ", more than a turn from its guess"
+                } else {
+                    ""
+                };
                 write!(
                     f,
                     "{what}: `{name}` asks for {coordinate} = {asked}{turn}; {with} it stands at {stands}."
@@ -45,7 +52,11 @@ impl Display for GapLine<'_> {
             }
             None => {
                 let least = if gap.can_jump { "" } else { " at the least" };
-                write!(f, "{what}: `{name}` {cannot} met; {with} it is off by {}{least}.", number(gap.size()))
+                write!(
+                    f,
+                    "{what}: `{name}` {cannot} met; {with} it is off by {}{least}.",
+                    number(gap.size())
+                )
             }
         }?;
         gap.steps.iter().try_for_each(|step| write!(f, " {step}"))?;
@@ -68,16 +79,23 @@ impl Display for Step {
 impl GapLine<'_> {
     /// "`motor` (crank.theta = 1.0000), `O`, `A`": drivers first, with what they ask for.
     fn named(&self, names: &[String]) -> String {
-        let asks = |name: &String| self.0.against.iter().find(|against| against.constraint == *name);
-        let drivers = names.iter().filter_map(asks).map(|Against { constraint, asks }| match asks {
-            Some(asks) => {
-                let turn = if asks.is_more_than_a_turn() { ", more than a turn from its guess" } else { "" };
-                format!("`{constraint}` ({} = {:.4}{turn})", asks.coordinate, asks.asked)
-            }
-            None => format!("`{constraint}`"),
-        });
+        let asks =
+            |name: &String| self.0.against.iter().find(|against| against.constraint == *name);
+        let drivers =
+            names.iter().filter_map(asks).map(|Against { constraint, asks }| match asks {
+                Some(asks) => {
+                    let turn = if asks.is_more_than_a_turn() {
+                        ", more than a turn from its guess"
+                    } else {
+                        ""
+                    };
+                    format!("`{constraint}` ({} = {:.4}{turn})", asks.coordinate, asks.asked)
+                }
+                None => format!("`{constraint}`"),
+            });
         let drivers: Vec<String> = drivers.collect();
-        let others: Vec<String> = names.iter().filter(|name| asks(name).is_none()).cloned().collect();
+        let others: Vec<String> =
+            names.iter().filter(|name| asks(name).is_none()).cloned().collect();
         let others = if others.is_empty() { None } else { Some(list(&others)) };
         let more = drivers.len().saturating_sub(SHOWN);
         let more = (more > 0).then(|| format!("{more} more"));

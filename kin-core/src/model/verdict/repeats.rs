@@ -14,10 +14,15 @@ pub(super) enum Line<'a> {
     Many(Vec<&'a Dependency>),
 }
 
-/// The dependencies in their order, those of a constraint that repeats others in many equations together.
+/// The dependencies in their order, those of a constraint that repeats others in many equations
+/// together.
 pub(super) fn gathered<'a>(all: &[&'a Dependency]) -> Vec<Line<'a>> {
     let own = |found: &Dependency| {
-        found.terms.first().map(|term| term.constraint.clone()).filter(|_| found.class == Class::Redundant)
+        found
+            .terms
+            .first()
+            .map(|term| term.constraint.clone())
+            .filter(|_| found.class == Class::Redundant)
     };
     let mut lines: Vec<Line<'a>> = Vec::new();
     let mut done: Vec<String> = Vec::new();
@@ -61,6 +66,11 @@ impl Display for Line<'_> {
         equations.sort_unstable();
         let equations: Vec<String> = equations.into_iter().map(|(_, name)| name).collect();
         let say = if others.len() == 1 { "says" } else { "say" };
-        write!(f, "redundant but consistent: {} repeat what {} {say}.", list(&equations), list(&others))
+        write!(
+            f,
+            "redundant but consistent: {} repeat what {} {say}.",
+            list(&equations),
+            list(&others)
+        )
     }
 }

@@ -20,7 +20,8 @@ pub(super) const SHOWN: usize = 6;
 impl Display for Diagnosis {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let can = if self.can_be_driven() { "can be driven" } else { "cannot be driven" };
-        let (n, m) = (count(self.coordinates, "coordinate"), count(self.equations, "equation"));
+        let n = count(self.coordinates, "coordinate");
+        let m = count(self.equations, "equation");
         write!(
             f,
             "the mechanism \"{}\" {can} at t = {} {}: {n}, {m}, rank {}",
@@ -56,28 +57,39 @@ impl Diagnosis {
 
     fn write_details(&self, f: &mut Formatter<'_>) -> Result {
         if self.count_misleads() && self.gaps.is_empty() {
-            write!(f, "\n  The count is right by chance: what is superfluous hides what is missing.")?;
+            write!(
+                f,
+                "\n  The count is right by chance: what is superfluous hides what is missing."
+            )?;
         }
         if self.gaps.is_empty() {
             self.special(f)?;
         }
-        let told = |change: &&Change| !(self.gaps.is_empty() && matches!(change, Change::Resize { .. }));
+        let told =
+            |change: &&Change| !(self.gaps.is_empty() && matches!(change, Change::Resize { .. }));
         let causes: Vec<String> = self.changes.iter().filter(told).filter_map(cause).collect();
         lines(f, &causes, "cause", "causes")?;
         self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
         if self.is_cured() {
             return self.advice(f);
         }
-        // A conflict of positions is told with its gap, and so are other equations of the same constraint.
+        // A conflict of positions is told with its gap, and so are other equations of the same
+        // constraint.
         let open = |found: &Dependency| {
-            found.terms.first().is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)))
+            found
+                .terms
+                .first()
+                .is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)))
         };
         let told = |found: &Dependency| {
-            open(found) || matches!(found.class, Class::Contradictory { level: Level::Position, .. })
+            open(found)
+                || matches!(found.class, Class::Contradictory { level: Level::Position, .. })
         };
-        let dependencies: Vec<&Dependency> = self.dependencies.iter().filter(|found| !told(found)).collect();
+        let dependencies: Vec<&Dependency> =
+            self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
-        // Beside a gap only lasting freedoms are real: the others are there because the gap is the smallest.
+        // Beside a gap only lasting freedoms are real: the others are there because the gap is the
+        // smallest.
         let joined = self.joined();
         let joins = |freedom: &Freedom| {
             let mut names = freedom.motions.iter().flat_map(|motion| &motion.names);
@@ -90,8 +102,8 @@ impl Diagnosis {
         self.advice(f)
     }
 
-    /// Says that the pose is a special one, and which pose is not: one at another time, with another value or
-    /// dimension.
+    /// Says that the pose is a special one, and which pose is not: one at another time, with
+    /// another value or dimension.
     fn special(&self, f: &mut Formatter<'_>) -> Result {
         if self.rank < self.nearby_rank {
             match &self.elsewhere {
@@ -112,8 +124,9 @@ impl Diagnosis {
                 None => write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?,
             }
         }
-        let stiff =
-            || self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal);
+        let stiff = || {
+            self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal)
+        };
         let mut names: Vec<String> = Vec::new();
         for name in stiff().flat_map(|freedom| &freedom.motions).flat_map(|motion| &motion.names) {
             if !names.contains(name) {
@@ -150,12 +163,13 @@ impl Diagnosis {
         f.write_str("; a quarter of the play still gives half of that.")
     }
 
-    /// True if a change has been tried with which everything closes and moves: its cause then explains all
-    /// other faults at this pose.
+    /// True if a change has been tried with which everything closes and moves: its cause then
+    /// explains all other faults at this pose.
     fn is_cured(&self) -> bool {
         self.equations >= self.coordinates
             && self.changes.iter().any(|change| {
-                cause(change).is_some() && !matches!(change, Change::Join { .. } | Change::Pin { .. })
+                cause(change).is_some()
+                    && !matches!(change, Change::Join { .. } | Change::Pin { .. })
             })
     }
 
@@ -212,7 +226,8 @@ impl Display for Dependency {
                     Level::Velocity => "ask for different velocities",
                     Level::Acceleration => "ask for different accelerations",
                 };
-                let names: Vec<String> = self.constraints().iter().map(ToString::to_string).collect();
+                let names: Vec<String> =
+                    self.constraints().iter().map(ToString::to_string).collect();
                 let off = number(residual.abs());
                 write!(
                     f,
@@ -261,7 +276,11 @@ impl Display for Freedom {
             Persistence::Infinitesimal => write!(f, "gives a little, to first order only: {what}")?,
         }
         more(f, self.motions.len(), "body", "bodies")?;
-        f.write_str(if self.persistence == Persistence::Always { "; nothing drives it." } else { "." })
+        f.write_str(if self.persistence == Persistence::Always {
+            "; nothing drives it."
+        } else {
+            "."
+        })
     }
 }
 
@@ -269,7 +288,9 @@ impl Display for BodyMotion {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let several = self.names.len() > 1;
         write!(f, "{} ", list(&self.names))?;
-        let verb = |one: &str| if several { one.trim_end_matches('s').to_string() } else { one.to_string() };
+        let verb = |one: &str| {
+            if several { one.trim_end_matches('s').to_string() } else { one.to_string() }
+        };
         match self.how {
             How::TurnsAbout { point: [x, y], .. } => {
                 write!(f, "{} about ({}, {})", verb("turns"), number(x), number(y))
@@ -277,9 +298,17 @@ impl Display for BodyMotion {
             How::Slides { along: [x, y], .. } => {
                 write!(f, "{} along ({}, {})", verb("slides"), number(x), number(y))
             }
-            How::SlidesInSpace { along, .. } => write!(f, "{} along {}", verb("slides"), Vector(along)),
+            How::SlidesInSpace { along, .. } => {
+                write!(f, "{} along {}", verb("slides"), Vector(along))
+            }
             How::Screws { point, axis, pitch: 0.0, .. } => {
-                write!(f, "{} about the axis through {} along {}", verb("turns"), Vector(point), Vector(axis))
+                write!(
+                    f,
+                    "{} about the axis through {} along {}",
+                    verb("turns"),
+                    Vector(point),
+                    Vector(axis)
+                )
             }
             How::Screws { point, axis, pitch, .. } => {
                 let pitch = number(pitch);

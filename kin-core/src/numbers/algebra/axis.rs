@@ -2,12 +2,13 @@
 
 use super::{Components, Mix, Mixed, Scalar, Vec3};
 
-/// A direction in a spatial body with two others across it: unit vectors h, f and g = h × f, all local to the
-/// body.   \[–\]
+/// A direction in a spatial body with two others across it: unit vectors h, f and g = h × f, all
+/// local to the body.   \[–\]
 ///
-/// f is where angles about h are measured from, by the right-hand rule. They are worked out once, when the
-/// axis is made: a joint whose kept components depended on the pose would lose rank at some of them. Any
-/// `Vec3` is an axis with an f of Kin's choice (x for z, y for x, z for y); [`Axis::new`] chooses f.
+/// f is where angles about h are measured from, by the right-hand rule. They are worked out once,
+/// when the axis is made: a joint whose kept components depended on the pose would lose rank at
+/// some of them. Any `Vec3` is an axis with an f of Kin's choice (x for z, y for x, z for y);
+/// [`Axis::new`] chooses f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis<T = f64> {
     /// Along the axis.
@@ -19,8 +20,8 @@ pub struct Axis<T = f64> {
 }
 
 impl Axis {
-    /// The axis along `h`; `f` is made perpendicular to it. A direction that is zero, or an `f` along `h`,
-    /// gives vectors that are not numbers, which a mechanism refuses by name.
+    /// The axis along `h`; `f` is made perpendicular to it. A direction that is zero, or an `f`
+    /// along `h`, gives vectors that are not numbers, which a mechanism refuses by name.
     pub fn new<S: Scalar + Mix<T>, T: Scalar>(
         h: impl Components<3, Scalar = S>,
         f: impl Components<3, Scalar = T>,
@@ -30,8 +31,8 @@ impl Axis {
         Axis::of(h.into(), f.into())
     }
 
-    /// The axis along `h`, with an f of Kin's choice: across h, nearest to the axis of the body's frame that
-    /// follows h's largest component.
+    /// The axis along `h`, with an f of Kin's choice: across h, nearest to the axis of the body's
+    /// frame that follows h's largest component.
     pub fn along(h: impl Into<Vec3>) -> Self {
         Axis::of_direction(h.into())
     }
@@ -42,21 +43,22 @@ impl Axis {
         format!("{name}.{}.{}", pick(["h", "f", "g"], part / 3), pick(["x", "y", "z"], part % 3))
     }
 
-    /// True if the vectors are numbers: the directions that made the axis were neither zero nor parallel.
+    /// True if the vectors are numbers: the directions that made the axis were neither zero nor
+    /// parallel.
     pub(crate) fn is_sound(&self) -> bool {
         [self.h, self.f].iter().all(|v| v.to_array().iter().all(|x| x.is_finite()))
     }
 }
 
 impl<T: Scalar> Vec3<T> {
-    /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures of joints
-    /// that hold the direction alone.
+    /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures
+    /// of joints that hold the direction alone.
     pub fn axis(self) -> Axis<T> {
         Axis::along(self.plain()).map(|v| v.map(Into::into))
     }
 
-    /// The same with f as near to another direction as may be, the part of it across the axis; where there is
-    /// none, f is of Kin's choice.
+    /// The same with f as near to another direction as may be, the part of it across the axis;
+    /// where there is none, f is of Kin's choice.
     pub fn axis_near(self, f: Vec3<T>) -> Axis<T> {
         let chosen = Axis::new(self.plain(), f.plain());
         let axis = if chosen.is_sound() { chosen } else { Axis::along(self.plain()) };
@@ -84,7 +86,8 @@ impl<T: Scalar> Axis<T> {
 
     /// The axis by three components of h, or by three of h and three of f.
     pub(crate) fn given(components: &[T]) -> Self {
-        let vector = |from: usize| components.get(from..).and_then(|rest| rest.first_chunk::<3>()).copied();
+        let vector =
+            |from: usize| components.get(from..).and_then(|rest| rest.first_chunk::<3>()).copied();
         match (vector(0), vector(3)) {
             (Some(h), Some(f)) => Axis::of(h.into(), f.into()),
             (Some(h), None) => Axis::of_direction(h.into()),
@@ -94,7 +97,8 @@ impl<T: Scalar> Axis<T> {
 
     /// [`Axis::new`] of numbers of one kind.
     pub(crate) fn of(h: Vec3<T>, f: Vec3<T>) -> Self {
-        let (h, f) = (unit(h), unit(f));
+        let h = unit(h);
+        let f = unit(f);
         let f = across(h, f);
         Axis { h, f, g: h.cross(f) }
     }
@@ -124,7 +128,8 @@ fn unit<T: Scalar>(v: Vec3<T>) -> Vec3<T> {
     v / v.norm()
 }
 
-/// The part of a unit vector `f` across the unit vector `h`, of length one; not a number if there is none.
+/// The part of a unit vector `f` across the unit vector `h`, of length one; not a number if there
+/// is none.
 fn across<T: Scalar>(h: Vec3<T>, f: Vec3<T>) -> Vec3<T> {
     let part = f - h * h.dot(f);
     if part.norm().value() > 1e-9 { unit(part) } else { part / T::from(0.0) }
@@ -138,9 +143,17 @@ mod tests {
     fn orthonormal(axis: Axis) -> bool {
         let Axis { h, f, g } = axis;
         let right_handed = h.cross(f).dot(g);
-        [h.norm() - 1.0, f.norm() - 1.0, g.norm() - 1.0, h.dot(f), h.dot(g), f.dot(g), right_handed - 1.0]
-            .iter()
-            .all(|x| x.abs() < 1e-15)
+        [
+            h.norm() - 1.0,
+            f.norm() - 1.0,
+            g.norm() - 1.0,
+            h.dot(f),
+            h.dot(g),
+            f.dot(g),
+            right_handed - 1.0,
+        ]
+        .iter()
+        .all(|x| x.abs() < 1e-15)
     }
 
     #[test]
@@ -167,8 +180,13 @@ mod tests {
     #[test]
     fn unsound_directions_are_told() {
         let zero = vec3(0.0, 0.0, 0.0);
-        assert!(!Axis::along(zero).is_sound() && !Axis::new(Vec3::z(), vec3(0.0, 0.0, -2.0)).is_sound());
-        assert!(!Axis::along(vec3(f64::NAN, 0.0, 1.0)).is_sound() && !Axis::new(Vec3::z(), zero).is_sound());
+        assert!(
+            !Axis::along(zero).is_sound() && !Axis::new(Vec3::z(), vec3(0.0, 0.0, -2.0)).is_sound()
+        );
+        assert!(
+            !Axis::along(vec3(f64::NAN, 0.0, 1.0)).is_sound()
+                && !Axis::new(Vec3::z(), zero).is_sound()
+        );
         assert!(Axis::along(vec3(0.0, 1.0, 0.0)).is_sound());
     }
 }

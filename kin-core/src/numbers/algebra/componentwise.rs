@@ -1,6 +1,7 @@
 //! Operations that all vectors and matrices share, written once.
 
-/// `a ∘ b` for two kinds over one number, and for one over `Real<D>` with one over `f64`, in both orders.
+/// `a ∘ b` for two kinds over one number, and for one over `Real<D>` with one over `f64`, in both
+/// orders.
 macro_rules! mixed {
     ($op:ident::$f:ident, $l:ident, $r:ident => $out:ident, |$a:ident, $b:ident| $e:expr) => {
         by_ref!([T: Scalar] $op::$f, $l<T>, $r<T> => $out<T>, |$a, $b| $e);

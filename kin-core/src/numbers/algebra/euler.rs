@@ -1,15 +1,17 @@
 //! Euler parameters.
 
 use std::iter::Sum;
-use std::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{
+    Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
+};
 
 use super::componentwise::{componentwise, mixed};
 use super::vector::{sum, vector};
 use super::{Components, Mat3, Mix, Mixed, Scalar, Vec3};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// Euler parameters p = (e0, e) = (cos φ/2, u sin φ/2) of a turn by φ about the unit vector u, a rotation
-/// where |p| = 1.
+/// Euler parameters p = (e0, e) = (cos φ/2, u sin φ/2) of a turn by φ about the unit vector u, a
+/// rotation where |p| = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerParameters<T = f64> {
     /// cos φ/2, the scalar.
@@ -42,8 +44,8 @@ impl EulerParameters {
 }
 
 impl EulerParameters {
-    /// p of a rotation matrix A, e0 ≥ 0: the other way of [`EulerParameters::rotation`]. A matrix that is no
-    /// rotation gives what is not to be used.
+    /// p of a rotation matrix A, e0 ≥ 0: the other way of [`EulerParameters::rotation`]. A matrix
+    /// that is no rotation gives what is not to be used.
     pub fn from_rotation(a: Mat3) -> Self {
         let matrix = nalgebra::Matrix3::from(a);
         let turn = nalgebra::UnitQuaternion::from_rotation_matrix(
@@ -51,7 +53,12 @@ impl EulerParameters {
         )
         .into_inner();
         let sign = if turn.w < 0.0 { -1.0 } else { 1.0 };
-        EulerParameters { e0: sign * turn.w, e1: sign * turn.i, e2: sign * turn.j, e3: sign * turn.k }
+        EulerParameters {
+            e0: sign * turn.w,
+            e1: sign * turn.i,
+            e2: sign * turn.j,
+            e3: sign * turn.k,
+        }
     }
 }
 
@@ -75,13 +82,18 @@ impl<T: Scalar> EulerParameters<T> {
         EulerParameters { e0: self.e0, e1: -self.e1, e2: -self.e2, e3: -self.e3 }
     }
 
-    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. The other algebraic forms of A differ from it off
+    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. The other algebraic forms of A differ
+    /// from it off
     /// |p| = 1.
     pub fn rotation(self) -> Mat3<T> {
-        let (e0, e) = (self.e0, self.vector());
-        let (double, scalar) = (e + e, e0 + e0);
+        let e0 = self.e0;
+        let e = self.vector();
+        let double = e + e;
+        let scalar = e0 + e0;
         let diagonal = scalar * e0 - 1.0;
-        let (xy, xz, yz) = (double.x * e.y, double.x * e.z, double.y * e.z);
+        let xy = double.x * e.y;
+        let xz = double.x * e.z;
+        let yz = double.y * e.z;
         let turn = e * scalar;
         Mat3 {
             m11: diagonal + double.x * e.x,
@@ -96,14 +108,15 @@ impl<T: Scalar> EulerParameters<T> {
         }
     }
 
-    /// The quaternion product p q, also `p * q`: first the turn q, then p, A(p q) = A(p) A(q) where |p| = |q|
-    /// = 1.
+    /// The quaternion product p q, also `p * q`: first the turn q, then p, A(p q) = A(p) A(q)
+    /// where |p| = |q| = 1.
     #[inline]
     pub fn product<V: Components<4>>(self, q: V) -> EulerParameters<Mixed<T, V::Scalar>>
     where
         T: Mix<V::Scalar>,
     {
-        let (p, [q0, q1, q2, q3]) = (self, q.components());
+        let p = self;
+        let [q0, q1, q2, q3] = q.components();
         EulerParameters {
             e0: p.e0 * q0 - p.e1 * q1 - p.e2 * q2 - p.e3 * q3,
             e1: p.e0 * q1 + p.e1 * q0 + p.e2 * q3 - p.e3 * q2,
@@ -135,9 +148,14 @@ mod tests {
         assert_eq!(P.product(&Q), P * Q);
         let a = UnitQuaternion::from_quaternion(quaternion(P)).to_rotation_matrix();
         assert!((nalgebra::Matrix3::from(P.normalize().rotation()) - a.matrix()).norm() < 1e-15);
-        let turn = UnitQuaternion::from_axis_angle(&Unit::new_normalize(Vector3::new(1.0, 2.0, -2.0)), 0.8);
+        let turn = UnitQuaternion::from_axis_angle(
+            &Unit::new_normalize(Vector3::new(1.0, 2.0, -2.0)),
+            0.8,
+        );
         assert!(
-            (quaternion(EulerParameters::from_axis_angle(vec3(1.0, 2.0, -2.0), 0.8)) - *turn).norm() < 1e-15
+            (quaternion(EulerParameters::from_axis_angle(vec3(1.0, 2.0, -2.0), 0.8)) - *turn)
+                .norm()
+                < 1e-15
         );
     }
 
@@ -145,7 +163,8 @@ mod tests {
     fn rotation_has_kins_form_off_the_unit_sphere() {
         let e = P.vector();
         let outer = Mat3::from_columns([e * e.x, e * e.y, e * e.z]);
-        let a = (2.0 * P.e0 * P.e0 - 1.0) * Mat3::identity() + 2.0 * outer + 2.0 * P.e0 * Mat3::skew(e);
+        let a =
+            (2.0 * P.e0 * P.e0 - 1.0) * Mat3::identity() + 2.0 * outer + 2.0 * P.e0 * Mat3::skew(e);
         for i in 0..3 {
             assert!((a.row(i) - P.rotation().row(i)).norm() < 1e-15);
         }
@@ -154,11 +173,15 @@ mod tests {
 
     #[test]
     fn products_turn_one_after_the_other() {
-        let (p, q) = (P.normalize(), Q.normalize());
+        let p = P.normalize();
+        let q = Q.normalize();
         let v = vec3(0.2, -1.0, 3.0);
         assert!(((p * q).rotation() * v - p.rotation() * (q.rotation() * v)).norm() < 1e-14);
         assert!(((p * p.conjugate()) - EulerParameters::identity()).norm() < 1e-15);
-        assert!((P.norm() - 0.84f64.sqrt()).abs() < 1e-15 && (P.dot(P) - P.norm_squared()).abs() < 1e-15);
+        assert!(
+            (P.norm() - 0.84f64.sqrt()).abs() < 1e-15
+                && (P.dot(P) - P.norm_squared()).abs() < 1e-15
+        );
         assert_eq!((P[0], P[3], P.to_array()), (0.5, 0.3, [0.5, -0.1, 0.7, 0.3]));
     }
 
@@ -166,7 +189,9 @@ mod tests {
     fn moving_parameters_mix_with_constant_ones() {
         let moving = EulerParameters::from_axis_angle(Vec3::z(), Real(Dual64::new(0.3, 1.0)));
         let v = moving.rotation() * vec3(1.0, 0.0, 0.0);
-        assert!((v.x.0.eps + 0.3f64.sin()).abs() < 1e-15 && (v.y.0.eps - 0.3f64.cos()).abs() < 1e-15);
+        assert!(
+            (v.x.0.eps + 0.3f64.sin()).abs() < 1e-15 && (v.y.0.eps - 0.3f64.cos()).abs() < 1e-15
+        );
         assert_eq!((moving * P).dot(Q).0.eps, (moving * P.map(Real::from)).dot(Q).0.eps);
         assert_eq!(moving.norm().0.eps, 0.0);
     }

@@ -1,7 +1,9 @@
 //! 2 × 2 matrices.
 
 use std::iter::Sum;
-use std::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{
+    Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
+};
 
 use nalgebra::Matrix2;
 
@@ -87,7 +89,9 @@ mod tests {
 
     #[test]
     fn nalgebra_agrees() {
-        let (a, b, v) = (Matrix2::from(A), Matrix2::from(B), Vector2::from(V));
+        let a = Matrix2::from(A);
+        let b = Matrix2::from(B);
+        let v = Vector2::from(V);
         assert_eq!((A * V, A * B), ((a * v).into(), (a * b).into()));
         assert_eq!(2.0 * A - B / 2.0, (a * 2.0 - b / 2.0).into());
         assert_eq!(
@@ -122,7 +126,10 @@ mod tests {
             assert!((rate(v) - expected).norm() < 1e-15);
         }
         assert_eq!(rate(A * (turning * V)), A * rate(turning * V));
-        assert_eq!((A * turning)[(0, 0)].0.eps, A.m11 * turning.m11.0.eps + A.m12 * turning.m21.0.eps);
+        assert_eq!(
+            (A * turning)[(0, 0)].0.eps,
+            A.m11 * turning.m11.0.eps + A.m12 * turning.m21.0.eps
+        );
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! 3 × 3 matrices.
 
 use std::iter::Sum;
-use std::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{
+    Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
+};
 
 use nalgebra::Matrix3;
 
@@ -51,7 +53,8 @@ impl Mat3 {
     /// ã, the skew matrix of a vector: ã b = a × b.
     #[inline]
     pub fn skew<V: Components<3>>(a: V) -> Mat3<V::Scalar> {
-        let ([x, y, z], zero) = (a.components(), V::Scalar::default());
+        let [x, y, z] = a.components();
+        let zero = V::Scalar::default();
         Mat3::new(zero, -z, y, z, zero, -x, -y, x, zero)
     }
 }
@@ -60,7 +63,10 @@ impl<T: Scalar> Mat3<T> {
     /// Aᵀ.
     #[inline]
     pub fn transpose(self) -> Self {
-        Mat3::new(self.m11, self.m21, self.m31, self.m12, self.m22, self.m32, self.m13, self.m23, self.m33)
+        Mat3::new(
+            self.m11, self.m21, self.m31, self.m12, self.m22, self.m32, self.m13, self.m23,
+            self.m33,
+        )
     }
 
     /// det A.
@@ -102,7 +108,9 @@ mod tests {
 
     #[test]
     fn nalgebra_agrees() {
-        let (a, b, v) = (Matrix3::from(A), Matrix3::from(B), Vector3::from(V));
+        let a = Matrix3::from(A);
+        let b = Matrix3::from(B);
+        let v = Vector3::from(V);
         assert_eq!((a[(0, 2)], Mat3::from(a)), (3.0, A));
         assert_eq!(A * V, (a * v).into());
         assert!((Matrix3::from(A * B) - a * b).norm() < 1e-14);

@@ -1,6 +1,7 @@
 //! Operations that all square matrices share, written once.
 
-/// Index (row, column), counted from 0, and conversions of square matrices, from rows of components.
+/// Index (row, column), counted from 0, and conversions of square matrices, from rows of
+/// components.
 macro_rules! matrix {
     ($kind:ident, $vector:ident, $n:literal { $(($($c:ident = $i:tt, $j:tt);*)),* }) => {
         componentwise!($kind { $($($c),*),* });

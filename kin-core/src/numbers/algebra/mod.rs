@@ -1,8 +1,9 @@
 //! Kin's own small vectors and matrices, with nalgebra's names, over `f64` or
 //! [`Real<D>`](crate::numbers::real::Real).
 //!
-//! Operands go in by value or by reference, and `f64` mixes with `Real<D>` everywhere: a constant vector
-//! times a moving one, a literal on either side. `From` and `Into` lead to nalgebra and back.
+//! Operands go in by value or by reference, and `f64` mixes with `Real<D>` everywhere: a constant
+//! vector times a moving one, a literal on either side. `From` and `Into` lead to nalgebra and
+//! back.
 
 mod axis;
 mod componentwise;
@@ -24,8 +25,8 @@ pub use scalar::{Mix, Mixed, Scalar};
 pub use vec2::{Vec2, vec2};
 pub use vec3::{Vec3, vec3};
 
-/// N components of one kind, which joints and the methods of vectors take: a vector of Kin's by value or by
-/// reference, nalgebra's, an array, a tuple.
+/// N components of one kind, which joints and the methods of vectors take: a vector of Kin's by
+/// value or by reference, nalgebra's, an array, a tuple.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector of {N} components",
     label = "{N} components are wanted here",

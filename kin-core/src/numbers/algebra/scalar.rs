@@ -6,8 +6,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use crate::numbers::real::{Dual, Real};
 
-/// A number: `f64`, or `Real<D>` for every [`Dual`] D. It computes and compares with itself and with `f64`.
-/// The trait is sealed.
+/// A number: `f64`, or `Real<D>` for every [`Dual`] D. It computes and compares with itself and
+/// with `f64`. The trait is sealed.
 pub trait Scalar:
     sealed::Sealed
     + Mix<Self, Mixed = Self>
@@ -46,12 +46,13 @@ pub trait Scalar:
     /// √(x² + y²) without overflow.
     fn hypot(self, y: Self) -> Self;
 
-    /// √(Σ x²), the norm of a vector; a zero vector's is singular unless all its components are constant.
+    /// √(Σ x²), the norm of a vector; a zero vector's is singular unless all its components are
+    /// constant.
     fn length<const N: usize>(components: [Self; N]) -> Self;
 }
 
-/// A number that computes with numbers `U`: each with itself, `f64` and `Real<D>` with each other. The result
-/// is [`Mixed<Self, U>`](Mixed).
+/// A number that computes with numbers `U`: each with itself, `f64` and `Real<D>` with each other.
+/// The result is [`Mixed<Self, U>`](Mixed).
 #[diagnostic::on_unimplemented(
     message = "no number of Kin is both `{Self}` and `{U}`",
     note = "numbers are `f64` and `Real<D>`; write 1.0, not 1"
@@ -161,7 +162,8 @@ mod tests {
 
     #[test]
     fn length_of_zero_is_singular_only_if_it_moves() {
-        let (still, moving) = (Real::<Dual64>::from(0.0), Real(Dual64::new(0.0, 1.0)));
+        let still = Real::<Dual64>::from(0.0);
+        let moving = Real(Dual64::new(0.0, 1.0));
         let zero = Scalar::length([still, still]).0;
         assert_eq!((zero.re, zero.eps), (0.0, 0.0));
         assert!(Scalar::length([still, moving]).0.eps.is_nan());

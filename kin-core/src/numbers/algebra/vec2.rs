@@ -1,7 +1,9 @@
 //! Vectors in the plane.
 
 use std::iter::Sum;
-use std::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{
+    Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
+};
 
 use nalgebra::Vector2;
 
@@ -48,8 +50,8 @@ impl<T: Scalar> Vec2<T> {
         Vec2 { x: -self.y, y: self.x }
     }
 
-    /// a × b = aₓ b_y − a_y bₓ, the z-component of the cross product; positive where b lies counter-clockwise
-    /// of a.
+    /// a × b = aₓ b_y − a_y bₓ, the z-component of the cross product; positive where b lies
+    /// counter-clockwise of a.
     #[inline]
     pub fn cross<V: Components<2>>(self, other: V) -> Mixed<T, V::Scalar>
     where
@@ -99,7 +101,8 @@ mod tests {
 
     #[test]
     fn nalgebra_agrees() {
-        let (a, b) = (Vector2::from(A), Vector2::from(B));
+        let a = Vector2::from(A);
+        let b = Vector2::from(B);
         assert_eq!(Vec2::from(a + b * 2.0), A + 2.0 * B);
         assert_eq!(A.dot(B), a.dot(&b));
         assert_eq!(A.cross(B), a.perp(&b));
@@ -145,7 +148,10 @@ mod tests {
         }
         assert_eq!((vec2(0.0, 1.0) + vec2(3.0, 3.0)).norm(), 5.0);
         assert_eq!(vec2(1.0, 0.0).dot(vec2(0.0, 1.0)).sqrt(), 0.0);
-        assert_eq!((c[0], c[1], <[f64; 2]>::from(c), Vec2::from((1.5, -2.0))), (1.5, -2.0, [1.5, -2.0], A));
+        assert_eq!(
+            (c[0], c[1], <[f64; 2]>::from(c), Vec2::from((1.5, -2.0))),
+            (1.5, -2.0, [1.5, -2.0], A)
+        );
         c[1] = 7.0;
         assert_eq!(c.to_array(), [1.5, 7.0]);
     }
@@ -163,7 +169,9 @@ mod tests {
         for (a, b) in [(v.x * A, A * v.x), (A * v.x, Real::from(1.0) * (v.x * A))] {
             assert_eq!((a, rates(a)), (b, [1.5, -2.0]));
         }
-        for product in [v.dot(A), A.dot(v), A.dot(&v), v.cross(-A.perp()), -A.perp().cross(v) * -1.0] {
+        for product in
+            [v.dot(A), A.dot(v), A.dot(&v), v.cross(-A.perp()), -A.perp().cross(v) * -1.0]
+        {
             assert_eq!(product.0.eps.abs(), 5.5);
         }
         let half = A.lerp(v, 0.5);

@@ -1,7 +1,9 @@
 //! Vectors in space.
 
 use std::iter::Sum;
-use std::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{
+    Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign,
+};
 
 use nalgebra::Vector3;
 
@@ -21,7 +23,8 @@ pub struct Vec3<T = f64> {
     pub z: T,
 }
 
-/// The vector (x, y, z); `f64` and `Real<D>` mix: `vec3(x, 0.0, 1.0)`. In a `const` write `Vec3::new`.
+/// The vector (x, y, z); `f64` and `Real<D>` mix: `vec3(x, 0.0, 1.0)`. In a `const` write
+/// `Vec3::new`.
 #[inline]
 pub fn vec3<A, B, C>(x: A, y: B, z: C) -> Vec3<Mixed<Mixed<A, B>, C>>
 where
@@ -96,7 +99,8 @@ mod tests {
 
     #[test]
     fn nalgebra_agrees() {
-        let (a, b) = (Vector3::from(A), Vector3::from(B));
+        let a = Vector3::from(A);
+        let b = Vector3::from(B);
         assert_eq!(Vec3::from(a - b / 2.0), A - B / 2.0);
         assert_eq!(A.dot(B), a.dot(&b));
         assert_eq!(A.cross(&B), a.cross(&b).into());
@@ -110,7 +114,10 @@ mod tests {
 
     #[test]
     fn unit_vectors_are_right_handed() {
-        assert_eq!((Vec3::x().cross(Vec3::y()), Vec3::y().cross(Vec3::z())), (Vec3::z(), Vec3::x()));
+        assert_eq!(
+            (Vec3::x().cross(Vec3::y()), Vec3::y().cross(Vec3::z())),
+            (Vec3::z(), Vec3::x())
+        );
         assert_eq!((A[0], A[1], A[2], A.to_array()), (1.5, -2.0, 0.7, [1.5, -2.0, 0.7]));
     }
 

@@ -5,8 +5,9 @@ macro_rules! sum {
     ($first:expr $(, $rest:expr)*) => { $first $(+ $rest)* };
 }
 
-/// [`componentwise!`], and what is a vector's alone: arrays and tuples, indices, lengths and products.
-/// Called with the components and their indices, and the tuple of components over `T` and over `f64`.
+/// [`componentwise!`], and what is a vector's alone: arrays and tuples, indices, lengths and
+/// products. Called with the components and their indices, and the tuple of components over `T` and
+/// over `f64`.
 macro_rules! vector {
     ($kind:ident, $n:literal { $($c:ident = $i:tt),* }, $tuple:ty, $constants:ty) => {
         componentwise!($kind { $($c),* });

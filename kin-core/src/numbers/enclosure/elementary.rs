@@ -1,13 +1,13 @@
-//! Functions over an interval. Where a function has no value for some of the numbers, nothing is known
-//! ([`ALL`]).
+//! Functions over an interval. Where a function has no value for some of the numbers, nothing is
+//! known ([`ALL`]).
 
 use kin_graph::Function;
 use kin_graph::functions::{ALLOWED, Place};
 
 use super::interval::{ALL, Interval, ONE, PI, down};
 
-/// A bound below the function whose computed value is y, off by so many units in the last place; what is too
-/// large for a number is above the largest.
+/// A bound below the function whose computed value is y, off by so many units in the last place;
+/// what is too large for a number is above the largest.
 fn below(y: f64, error: f64) -> f64 {
     let y = y.min(f64::MAX);
     if error == 0.0 { y } else { down(y - error * f64::EPSILON * y.abs() - f64::MIN_POSITIVE) }
@@ -19,7 +19,8 @@ fn above(y: f64, error: f64) -> f64 {
 }
 
 impl Interval {
-    /// f over it, from what the list says of f: its values at both ends and where it turns between them.
+    /// f over it, from what the list says of f: its values at both ends and where it turns between
+    /// them.
     pub(crate) fn call(self, f: Function) -> Self {
         let facts = f.facts();
         let [from, to] = facts.domain;
@@ -34,7 +35,8 @@ impl Interval {
             return self.sqrt(); // an operation of IEEE 754
         }
         let error = (facts.error)(self.mag());
-        let turns = facts.extrema.iter().filter(|(place, _)| self.passes(*place)).map(|(_, value)| *value);
+        let turns =
+            facts.extrema.iter().filter(|(place, _)| self.passes(*place)).map(|(_, value)| *value);
         let bounds = [self.lo(), self.hi()].map(f.value()).into_iter().chain(turns).map(|y| {
             // Without a limit at an end of the line all values are possible.
             if y.is_nan() { ALL } else { Interval::new(below(y, error), above(y, error)) }
@@ -68,9 +70,9 @@ impl Interval {
         (self.sqr() + other.sqr()).sqrt()
     }
 
-    /// The angle of (x, y), self being y, over a box without the origin. Over one that reaches across the
-    /// negative x-axis angles go on beyond π and the second result is true: those of points below the axis
-    /// are a whole turn less.
+    /// The angle of (x, y), self being y, over a box without the origin. Over one that reaches
+    /// across the negative x-axis angles go on beyond π and the second result is true: those of
+    /// points below the axis are a whole turn less.
     pub(crate) fn atan2(self, x: Self) -> (Self, bool) {
         let y = self;
         if x.contains(0.0) && y.contains(0.0) {
@@ -81,17 +83,23 @@ impl Interval {
         let angle = |y: f64, x: f64| if cut { (-y).atan2(-x) } else { y.atan2(x) };
         // a zero y below the axis belongs to it: its sign says nothing
         let corner = |y: f64, x: f64| angle(if y == 0.0 { 0.0 } else { y }, x);
-        let all =
-            [corner(y.lo(), x.lo()), corner(y.lo(), x.hi()), corner(y.hi(), x.lo()), corner(y.hi(), x.hi())];
-        let (lo, hi) =
-            all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
+        let all = [
+            corner(y.lo(), x.lo()),
+            corner(y.lo(), x.hi()),
+            corner(y.hi(), x.lo()),
+            corner(y.hi(), x.hi()),
+        ];
+        let (lo, hi) = all
+            .into_iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
         let around = Interval::new(below(lo, ALLOWED), above(hi, ALLOWED));
         (if cut { around + PI } else { around }, cut)
     }
 
     /// f over it, f being constant between jumps; `None` where it jumps.
     pub(crate) fn step(self, f: fn(f64) -> f64) -> Option<Self> {
-        let (a, b) = (f(self.lo()), f(self.hi()));
+        let a = f(self.lo());
+        let b = f(self.hi());
         (a == b).then(|| Interval::from(a))
     }
 
@@ -104,9 +112,10 @@ impl Interval {
             _ if !self.is_finite() => ALL,
             _ if self.lo() >= 0.0 => self * self.powi(n - 1),
             _ if self.hi() <= 0.0 => -(-self).powi(n),
-            _ => {
-                Interval::new(Interval::from(self.lo()).powi(n).lo(), Interval::from(self.hi()).powi(n).hi())
-            }
+            _ => Interval::new(
+                Interval::from(self.lo()).powi(n).lo(),
+                Interval::from(self.hi()).powi(n).hi(),
+            ),
         }
     }
 }

@@ -1,6 +1,6 @@
-//! The functions of an equation's steps on series, from the differential equation of each: y′ = f′(x) x′
-//! (Moore, ch. 11). Most follow from their rules in the list. Those whose rules lead to one another, or take
-//! several times as long, are written by hand.
+//! The functions of an equation's steps on series, from the differential equation of each: y′ =
+//! f′(x) x′ (Moore, ch. 11). Most follow from their rules in the list. Those whose rules lead to
+//! one another, or take several times as long, are written by hand.
 
 use kin_graph::{Function, Function2, Number, rules};
 
@@ -21,8 +21,10 @@ impl Series {
 
     /// s′ = c x′, c′ = `sign` s x′.
     fn pair(self, s: Function, c: Function, sign: Interval) -> (Series, Series) {
-        let (x, len) = (self, self.len());
-        let (mut sines, mut cosines) = ([ZERO; ORDER + 1], [ZERO; ORDER + 1]);
+        let x = self;
+        let len = self.len();
+        let mut sines = [ZERO; ORDER + 1];
+        let mut cosines = [ZERO; ORDER + 1];
         (sines[0], cosines[0]) = (x.value().call(s), x.value().call(c));
         for k in 1..len {
             (sines[k], cosines[k]) = (x.slope_times(&cosines, k), sign * x.slope_times(&sines, k));
@@ -35,8 +37,8 @@ impl Series {
         Series::recurring(value, self.len(), |k, y| self.slope_times(y, k))
     }
 
-    /// f(x) with the values given, from the rule of its slope. One that reads f(x) itself gives coefficient
-    /// after coefficient.
+    /// f(x) with the values given, from the rule of its slope. One that reads f(x) itself gives
+    /// coefficient after coefficient.
     fn by_rule(self, f: Function, value: Interval) -> Series {
         let slope = rules::slope(f, self, UNKNOWN);
         if slope.is_constant() && slope.value() == ZERO {
@@ -53,7 +55,8 @@ impl Series {
 
     /// xᵃ with the values given: x y′ = a y x′.
     fn power(self, value: Interval, a: Interval) -> Series {
-        let (x0, len) = (self.value(), self.len());
+        let x0 = self.value();
+        let len = self.len();
         // at zero a power has values, but no derivatives
         let len = if x0.contains(0.0) { len.min(1) } else { len };
         Series::recurring(value, len, |k, y| {
@@ -113,8 +116,8 @@ impl Series {
         y.as_result(x.is_constant())
     }
 
-    /// A result of what moves, or of what does not: then its derivatives are 0, whatever those of the
-    /// function are.
+    /// A result of what moves, or of what does not: then its derivatives are 0, whatever those of
+    /// the function are.
     fn as_result(self, is_constant: bool) -> Series {
         match self.value().is_finite() {
             false => UNKNOWN,
@@ -125,7 +128,8 @@ impl Series {
 
     /// The series of f of this and another.
     pub(crate) fn call2(self, f: Function2, other: Series) -> Series {
-        let (a, b) = (self, other);
+        let a = self;
+        let b = other;
         let y = match f {
             _ if a.is_open() || b.is_open() => UNKNOWN,
             Function2::Atan2 => a.atan2(b),
@@ -146,8 +150,8 @@ impl Series {
         if b.value().lo() > 0.0 { quotient.step(f64::floor) } else { quotient.step(f64::ceil) }
     }
 
-    /// The angle θ of (x, y), self being y: θ′ = (x y′ − y x′)/(x² + y²). Across the negative x-axis it goes
-    /// on, and is known up to whole turns.
+    /// The angle θ of (x, y), self being y: θ′ = (x y′ − y x′)/(x² + y²). Across the negative
+    /// x-axis it goes on, and is known up to whole turns.
     fn atan2(self, x: Series) -> Series {
         let y = self;
         let (value, across) = y.value().atan2(x.value());
@@ -159,7 +163,8 @@ impl Series {
             return Series::constant(value).up_to(turns);
         }
         let r2 = x.sqr() + y.sqr();
-        let (along, across_slope) = (y.integral(ZERO, &(x / r2)), x.integral(ZERO, &(y / r2)));
+        let along = y.integral(ZERO, &(x / r2));
+        let across_slope = x.integral(ZERO, &(y / r2));
         (along - across_slope).with_value(value).up_to(turns)
     }
 
@@ -185,13 +190,16 @@ impl Series {
 
     /// The larger of both; over a tie the slope is between theirs.
     fn larger(self, other: Series) -> Series {
-        let (a, b) = (self.value(), other.value());
+        let a = self.value();
+        let b = other.value();
         if a.lo() >= b.hi() {
             self
         } else if b.lo() >= a.hi() {
             other
         } else {
-            self.hull(&other).with_value(Interval::new(a.lo().max(b.lo()), a.hi().max(b.hi()))).cut(2)
+            self.hull(&other)
+                .with_value(Interval::new(a.lo().max(b.lo()), a.hi().max(b.hi())))
+                .cut(2)
         }
     }
 }

@@ -1,9 +1,10 @@
-//! Interval arithmetic rounded outwards: whatever real numbers the operands stand for, the result of the
-//! operation on them is inside.
+//! Interval arithmetic rounded outwards: whatever real numbers the operands stand for, the result
+//! of the operation on them is inside.
 //!
-//! The five operations of IEEE 754 (+, −, ×, /, √) are rounded to the nearest number, so the number next to
-//! the result is beyond the exact one. Of the other functions of the platform (`elementary.rs`) it is assumed
-//! that they are right to as many units in the last place as the list of functions says.
+//! The five operations of IEEE 754 (+, −, ×, /, √) are rounded to the nearest number, so the number
+//! next to the result is beyond the exact one. Of the other functions of the platform
+//! (`elementary.rs`) it is assumed that they are right to as many units in the last place as the
+//! list of functions says.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -22,7 +23,8 @@ pub(crate) const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
 #[cfg(test)]
 pub(crate) const UNIT: Interval = Interval { lo: -1.0, hi: 1.0 };
 /// π is above the nearest f64.
-pub(crate) const PI: Interval = Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };
+pub(crate) const PI: Interval =
+    Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };
 
 /// A bound below what was rounded to x.
 pub(crate) fn down(x: f64) -> f64 {
@@ -98,7 +100,8 @@ impl Interval {
 
     /// The interval that both have in common, if there is one.
     pub(crate) fn common(self, other: Self) -> Option<Self> {
-        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        let lo = self.lo.max(other.lo);
+        let hi = self.hi.min(other.hi);
         (lo <= hi).then_some(Interval { lo, hi })
     }
 
@@ -118,7 +121,8 @@ impl Interval {
         if self.hi < 0.0 {
             return ALL;
         }
-        let root = |x: f64, outwards: fn(f64) -> f64| if x <= 0.0 { 0.0 } else { outwards(x.sqrt()) };
+        let root =
+            |x: f64, outwards: fn(f64) -> f64| if x <= 0.0 { 0.0 } else { outwards(x.sqrt()) };
         Interval::new(root(self.lo, down), root(self.hi, up))
     }
 }
@@ -173,8 +177,8 @@ impl Mul for Interval {
         if other == ONE {
             return self;
         }
-        // An infinite bound stands for numbers without limit: 0 · ∞ is 0, which is between the other
-        // products.
+        // An infinite bound stands for numbers without limit: 0 · ∞ is 0, which is between the
+        // other products.
         around([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
     }
 }
@@ -189,16 +193,17 @@ impl Div for Interval {
         if self == ZERO || other == ONE {
             return self;
         }
-        // The divisor has one sign, so the bounds of the quotient are at its ends; what ∞/∞ stands for is
-        // between the other quotients.
+        // The divisor has one sign, so the bounds of the quotient are at its ends; what ∞/∞ stands
+        // for is between the other quotients.
         around([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
     }
 }
 
 /// Bounds around what is rounded to these; those that are no numbers are passed over.
 fn around(all: [f64; 4]) -> Interval {
-    let (lo, hi) =
-        all.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
+    let (lo, hi) = all
+        .into_iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
     Interval::new(down(lo), up(hi))
 }
 
@@ -259,7 +264,8 @@ mod tests {
 
     #[test]
     fn bounds_without_limit() {
-        let (up, down) = (Interval::new(1.0, f64::INFINITY), Interval::new(f64::NEG_INFINITY, -1.0));
+        let up = Interval::new(1.0, f64::INFINITY);
+        let down = Interval::new(f64::NEG_INFINITY, -1.0);
         let is = |found: Interval, lo: f64, hi: f64| {
             let near = |x: f64, y: f64| x == y || (x - y).abs() < 1e-15;
             assert!(
@@ -273,7 +279,11 @@ mod tests {
         is(Interval::new(-2.0, 3.0) / up, -2.0, 3.0);
         is(Interval::new(0.0, 1.0) * up, 0.0, f64::INFINITY);
         is(Interval::new(-1.0, 0.0) * up, f64::NEG_INFINITY, 0.0);
-        is(Interval::new(0.0, f64::INFINITY) * Interval::new(0.0, f64::INFINITY), 0.0, f64::INFINITY);
+        is(
+            Interval::new(0.0, f64::INFINITY) * Interval::new(0.0, f64::INFINITY),
+            0.0,
+            f64::INFINITY,
+        );
         is(Interval::new(0.0, 1.0) * ALL, f64::NEG_INFINITY, f64::INFINITY);
         is(up * down, f64::NEG_INFINITY, -1.0);
     }

@@ -1,9 +1,9 @@
 //! Functions of pieces with interval bounds.
 //!
-//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to touch at
-//! the seam and to be narrow there. Numbers that are rounded (where a piece begins, which value it begins
-//! with) stand for what is meant by them; a jump that is more than rounding is seen, and where bounds are too
-//! wide to see one, nothing is known.
+//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to
+//! touch at the seam and to be narrow there. Numbers that are rounded (where a piece begins, which
+//! value it begins with) stand for what is meant by them; a jump that is more than rounding is
+//! seen, and where bounds are too wide to see one, nothing is known.
 
 use super::interval::{Interval, ONE};
 use super::series::{ORDER, Series, Turns, UNKNOWN};
@@ -11,8 +11,8 @@ use super::series::{ORDER, Series, Turns, UNKNOWN};
 /// More pieces than these at once say nothing that is of use.
 const MOST: usize = 64;
 
-/// The gap that rounding may leave between two pieces, as a share of the largest number in them, and in units
-/// of the last place of the seam.   \[-\]
+/// The gap that rounding may leave between two pieces, as a share of the largest number in them,
+/// and in units of the last place of the seam.   \[-\]
 const ROUNDING: f64 = 1e-12;
 const PLACES: f64 = 16.0 * f64::EPSILON;
 
@@ -43,7 +43,8 @@ pub(crate) fn piecewise(
     along(x, seams, piece, &agreement)
 }
 
-/// The same, `agreement(k)` being of how many coefficients both pieces have the same ones at seam k.
+/// The same, `agreement(k)` being of how many coefficients both pieces have the same ones at seam
+/// k.
 fn along(
     x: &Series,
     seams: &[f64],
@@ -75,9 +76,9 @@ fn along(
     Some(if x.is_constant() && y.len() > 0 { Series::constant(y.value()) } else { y })
 }
 
-/// Of how many coefficients, from the first, those of one function where it ends are those of the next where
-/// it begins; `others` are the other ends of both, if they have any. No function ends nearer to 0 than the
-/// next one begins.
+/// Of how many coefficients, from the first, those of one function where it ends are those of the
+/// next where it begins; `others` are the other ends of both, if they have any. No function ends
+/// nearer to 0 than the next one begins.
 fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> Option<usize> {
     let of = |k: usize, x: Interval| pieces[k](&Series::variable(x, ONE, ORDER + 1));
     let exact = [of(0, Interval::from(at[0]))?, of(1, Interval::from(at[1]))?];
@@ -90,16 +91,21 @@ fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> 
     }
     let place = PLACES * at[0].abs();
     let same = (0..=ORDER).take_while(|&j| {
-        let size =
-            all.iter().map(|series| series.at(j).mag()).filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let size = all
+            .iter()
+            .map(|series| series.at(j).mag())
+            .filter(|size| size.is_finite())
+            .fold(0.0, f64::max);
         let slope = (j + 1) as f64 * (around[0].at(j + 1).mag() + around[1].at(j + 1).mag());
         let rounding = (ROUNDING * size + place * slope).min(APART * size) + f64::MIN_POSITIVE;
-        around[0].at(j).meets(around[1].at(j)) && (exact[0].at(j) - exact[1].at(j)).mag() <= rounding
+        around[0].at(j).meets(around[1].at(j))
+            && (exact[0].at(j) - exact[1].at(j)).mag() <= rounding
     });
     Some(same.count())
 }
 
-/// A function of x that is the same after every period: `one` of what x is beyond the last beginning of one.
+/// A function of x that is the same after every period: `one` of what x is beyond the last
+/// beginning of one.
 pub(crate) fn repeated(
     x: &Series,
     start: f64,
@@ -108,14 +114,18 @@ pub(crate) fn repeated(
 ) -> Option<Series> {
     let Some(local) = wound(&x.plus(-start), period) else { return Some(UNKNOWN) };
     let periods = local.value() / Interval::from(period);
-    let (first, last) = (periods.lo().floor(), periods.hi());
+    let first = periods.lo().floor();
+    let last = periods.hi();
     let repeats = || agreement([one, one], [period, 0.0], [Some(0.0), Some(period)]);
     if !(last - first <= MOST as f64 && first.abs() < 1e9) {
         // all there is in one period, wherever in it x may be
-        let whole = one(&local.with_value(Interval::near(0.0, period).hull(Interval::near(period, period))))?;
+        let whole = one(
+            &local.with_value(Interval::near(0.0, period).hull(Interval::near(period, period)))
+        )?;
         return Some(whole.joined(&whole, repeats()?));
     }
-    let seams: Vec<f64> = (1..=(last - first) as u32).map(|k| (first + f64::from(k)) * period).collect();
+    let seams: Vec<f64> =
+        (1..=(last - first) as u32).map(|k| (first + f64::from(k)) * period).collect();
     let piece = |k: usize, x: &Series| {
         let begin = Interval::from(first + k as f64) * Interval::from(period);
         let local = *x - Series::constant(begin);
@@ -126,8 +136,8 @@ pub(crate) fn repeated(
     along(&local, &seams, &piece, &|_| repeats())
 }
 
-/// The same number for a function that repeats after a period: whole turns of x that are periods, but for
-/// rounding, do not matter to it.
+/// The same number for a function that repeats after a period: whole turns of x that are periods,
+/// but for rounding, do not matter to it.
 fn wound(x: &Series, period: f64) -> Option<Series> {
     let Turns { unit, most } = x.turns();
     if x.turns().is_none() {
@@ -139,7 +149,8 @@ fn wound(x: &Series, period: f64) -> Option<Series> {
     // what so many periods are off, and those that x itself is away from the first
     let all = Interval::ball(lost)
         * Interval::from(f64::from(most) + (x.value() / Interval::from(period)).mag() + 1.0);
-    (lost <= 4.0 * f64::EPSILON * turns.mag()).then(|| x.up_to(Turns::NONE).with_value(x.value() + all))
+    (lost <= 4.0 * f64::EPSILON * turns.mag())
+        .then(|| x.up_to(Turns::NONE).with_value(x.value() + all))
 }
 
 #[cfg(test)]
@@ -147,8 +158,8 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// A turn is not quite the period by which it is replaced: each of those that may be off counts, and so
-    /// does each between the number and zero.
+    /// A turn is not quite the period by which it is replaced: each of those that may be off
+    /// counts, and so does each between the number and zero.
     #[test]
     fn what_turns_lose_is_in_the_number() {
         let x = Series::variable(Interval::from(3.0 * TAU), ONE, ORDER + 1);
@@ -165,12 +176,15 @@ mod tests {
         let zero = Series::variable(Interval::from(0.0), ONE, ORDER + 1);
         let found = wound(&zero.up_to(Turns { unit: 1, most: 2 }), TAU).unwrap().value();
         assert!(found.hi() > 2.99 * lost && found.mag() < 3.01 * lost, "{found:?}");
-        let many = wound(&x.up_to(Turns { unit: 1, most: 100_000 }), TAU).unwrap().value() - x.value();
+        let many =
+            wound(&x.up_to(Turns { unit: 1, most: 100_000 }), TAU).unwrap().value() - x.value();
         assert!(many.hi() > 1e5 * lost && many.mag() < 1.001e5 * lost, "{many:?}");
         assert!(
-            [100.0, 0.9 * TAU, TAU * (1.0 + 1e-14)]
-                .iter()
-                .all(|period| wound(&x.up_to(Turns::ONE), *period).is_none())
+            [100.0, 0.9 * TAU, TAU * (1.0 + 1e-14)].iter().all(|period| wound(
+                &x.up_to(Turns::ONE),
+                *period
+            )
+            .is_none())
         );
     }
 }

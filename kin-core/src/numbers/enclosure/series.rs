@@ -1,11 +1,12 @@
-//! Truncated Taylor series with intervals for coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1 σ + c2 σ²
+//! Truncated Taylor series with intervals for coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1
+//! σ + c2 σ²
 //! + ….
 //!
-//! Run at one point, a computation gives the coefficients of its result there; run over an interval of its
-//! inputs, c_k holds f⁽ᵏ⁾/k! at every point of it, which is the remainder of Taylor's formula (Moore,
-//! *Interval Analysis*, ch. 11). How many coefficients mean anything is part of the number: over a kink only
-//! c0 and c1 do, over a jump none. Coefficient `len − 1` may itself jump, as long as those before it are
-//! continuous: that is all that Taylor's formula asks for.
+//! Run at one point, a computation gives the coefficients of its result there; run over an interval
+//! of its inputs, c_k holds f⁽ᵏ⁾/k! at every point of it, which is the remainder of Taylor's
+//! formula (Moore, *Interval Analysis*, ch. 11). How many coefficients mean anything is part of the
+//! number: over a kink only c0 and c1 do, over a jump none. Coefficient `len − 1` may itself jump,
+//! as long as those before it are continuous: that is all that Taylor's formula asks for.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -18,19 +19,20 @@ const FULL: usize = ORDER + 1;
 /// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what
 /// [`crate::model::law::LawFunction::over`] is asked for.
 ///
-/// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All results hold
-/// whatever the operands may be between their bounds, rounding included.
+/// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All
+/// results hold whatever the operands may be between their bounds, rounding included.
 #[derive(Clone, Copy, Debug)]
 pub struct Series {
     c: [Interval; FULL],
     len: usize,
-    /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or along a
-    /// line.
+    /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or
+    /// along a line.
     degree: usize,
     turns: Turns,
 }
 
-/// Whole turns that a function may be off by, other ones at other points: 2π `unit` n, n a whole number,
+/// Whole turns that a function may be off by, other ones at other points: 2π `unit` n, n a whole
+/// number,
 /// |unit n| ≤ `most`. None for 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Turns {
@@ -57,14 +59,16 @@ impl Turns {
         let times = |n: u32| {
             let product = f64::from(n) * factor.abs();
             let is_exact = f64::from(n).mul_add(factor.abs(), -product) == 0.0;
-            (is_exact && product.fract() == 0.0 && (1.0..1e6).contains(&product)).then_some(product as u32)
+            (is_exact && product.fract() == 0.0 && (1.0..1e6).contains(&product))
+                .then_some(product as u32)
         };
         Some(Turns { unit: times(self.unit)?, most: times(self.most)? })
     }
 }
 
 /// Nothing is known of it.
-pub(crate) const UNKNOWN: Series = Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: Turns::NONE };
+pub(crate) const UNKNOWN: Series =
+    Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: Turns::NONE };
 
 impl Series {
     /// A number.
@@ -74,14 +78,18 @@ impl Series {
 
     /// The least and the largest of its values; infinite where they are not known.
     pub fn values(&self) -> [f64; 2] {
-        if self.is_open() { [f64::NEG_INFINITY, f64::INFINITY] } else { [self.c[0].lo(), self.c[0].hi()] }
+        if self.is_open() {
+            [f64::NEG_INFINITY, f64::INFINITY]
+        } else {
+            [self.c[0].lo(), self.c[0].hi()]
+        }
     }
 
     /// f of it, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth) over all of
     /// [`Series::values`].
     ///
-    /// All but the last of them have to be continuous there: a law with a break between these values gives no
-    /// more than those up to the derivative that jumps, none where it jumps itself.
+    /// All but the last of them have to be continuous there: a law with a break between these
+    /// values gives no more than those up to the derivative that jumps, none where it jumps itself.
     #[must_use]
     pub fn chain(&self, f: &[[f64; 2]]) -> Self {
         if self.is_open() {
@@ -191,7 +199,9 @@ impl Series {
 
     /// Coefficient by coefficient.
     fn each(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self {
-        let (len, degree, mut c) = (self.len.min(other.len), self.degree.max(other.degree), [ZERO; FULL]);
+        let len = self.len.min(other.len);
+        let degree = self.degree.max(other.degree);
+        let mut c = [ZERO; FULL];
         (0..len.min(degree + 1)).for_each(|k| c[k] = f(self.c[k], other.c[k]));
         Series { c, len, degree, turns: Turns::NONE }
     }
@@ -201,8 +211,8 @@ impl Series {
         self.each(other, Interval::hull)
     }
 
-    /// A function that goes over from this one to the other where so many coefficients of both agree: the
-    /// first one that does not may jump.
+    /// A function that goes over from this one to the other where so many coefficients of both
+    /// agree: the first one that does not may jump.
     pub(crate) fn joined(&self, other: &Self, agreement: usize) -> Self {
         if agreement == 0 { UNKNOWN } else { self.hull(other).cut(agreement + 1) }
     }
@@ -239,7 +249,8 @@ impl Series {
 
     /// Σ j x_j r_(k−j) / k over j = 1 … k: coefficient k of ∫ r x′.
     pub(crate) fn slope_times(&self, r: &[Interval], k: usize) -> Interval {
-        let terms = (1..=k.min(self.degree)).map(|j| Interval::from(j as f64) * self.c[j] * r[k - j]);
+        let terms =
+            (1..=k.min(self.degree)).map(|j| Interval::from(j as f64) * self.c[j] * r[k - j]);
         terms.fold(ZERO, Add::add) / Interval::from(k as f64)
     }
 
@@ -305,7 +316,9 @@ impl Mul for Series {
             _ => None,
         };
         let Some(turns) = turns else { return UNKNOWN };
-        let (len, degree, mut c) = (self.len.min(other.len), self.degree + other.degree, [ZERO; FULL]);
+        let len = self.len.min(other.len);
+        let degree = self.degree + other.degree;
+        let mut c = [ZERO; FULL];
         for (k, c) in c.iter_mut().enumerate().take(len.min(degree + 1)) {
             let both = k.saturating_sub(other.degree)..=k.min(self.degree);
             *c = both.map(|j| self.c[j] * other.c[k - j]).fold(ZERO, Add::add);
@@ -323,7 +336,8 @@ impl Div for Series {
             return UNKNOWN;
         }
         Series::recurring(self.c[0] / other.c[0], len, |k, q| {
-            let known = (1..=k.min(other.degree)).map(|j| other.c[j] * q[k - j]).fold(ZERO, Add::add);
+            let known =
+                (1..=k.min(other.degree)).map(|j| other.c[j] * q[k - j]).fold(ZERO, Add::add);
             (self.c[k] - known) / other.c[0]
         })
     }

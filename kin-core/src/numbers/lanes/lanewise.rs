@@ -1,4 +1,5 @@
-//! Numbers of one case and of several side by side: a rule that is written over these is written once.
+//! Numbers of one case and of several side by side: a rule that is written over these is written
+//! once.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -332,17 +333,18 @@ impl<S: Level> Computed for Wide<S> {
     }
 }
 
-/// h q̇ + ½ h² q̈, by which a coordinate goes on from one end of a step h; `half` is ½ h, or −½ h from the
-/// later end.
+/// h q̇ + ½ h² q̈, by which a coordinate goes on from one end of a step h; `half` is ½ h, or −½ h
+/// from the later end.
 #[inline(always)]
 pub(crate) fn gone<N: Lanewise>(h: N, half: N, [qd, qdd]: [N; 2]) -> N {
     h * half.mul_add(qdd, qd)
 }
 
-/// By how much the ends of a step h, each with q, q̇, q̈, miss one another, as one leads to the other and
-/// back, and how far they are apart.
+/// By how much the ends of a step h, each with q, q̇, q̈, miss one another, as one leads to the
+/// other and back, and how far they are apart.
 #[inline(always)]
 pub(crate) fn misses<N: Lanewise>(h: N, [q, qd, qdd]: [N; 3], [r, rd, rdd]: [N; 3]) -> [N; 3] {
-    let (half, apart) = (h.all(0.5) * h, r - q);
+    let half = h.all(0.5) * h;
+    let apart = r - q;
     [apart - gone(h, half, [qd, qdd]), apart - gone(h, h.all(-1.0) * half, [rd, rdd]), apart]
 }

@@ -4,7 +4,8 @@ use pulp::Simd;
 
 /// A kind of machine; a value of the type exists only where the machine is of that kind.
 pub trait Level: Simd {
-    /// Has the alignment of a register: numbers over lanes that lie across two cache lines cost twice.
+    /// Has the alignment of a register: numbers over lanes that lie across two cache lines cost
+    /// twice.
     type Align: Copy + Send + Sync + 'static;
 
     /// The transpose of a square of numbers, without leaving registers where the machine can.

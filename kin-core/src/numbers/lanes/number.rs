@@ -1,8 +1,8 @@
 //! Numbers over lanes, with f64's names: what tapes compute with.
 //!
-//! A number is two registers: what is found out once for all lanes (which step comes next, where its numbers
-//! stand, which function is called) then serves twice as many times, and two chains of operations run side by
-//! side.
+//! A number is two registers: what is found out once for all lanes (which step comes next, where
+//! its numbers stand, which function is called) then serves twice as many times, and two chains of
+//! operations run side by side.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -143,7 +143,9 @@ impl<S: Level> Wide<S> {
     /// xⁿ
     #[inline(always)]
     pub fn powi(self, n: i32) -> Self {
-        let (mut left, mut square, mut power) = (n.unsigned_abs(), self, Wide::splat(self.0, 1.0));
+        let mut left = n.unsigned_abs();
+        let mut square = self;
+        let mut power = Wide::splat(self.0, 1.0);
         while left > 0 {
             if left & 1 == 1 {
                 power = power * square;

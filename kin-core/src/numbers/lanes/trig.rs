@@ -1,9 +1,9 @@
 //! Sine and cosine over lanes.
 //!
-//! x is taken to [−π/4, π/4] by three parts of π/2, 53 bits each, with fused multiply-adds (Cody and Waite);
-//! there the polynomials of fdlibm's `__kernel_sin` and `__kernel_cos`. Off by at most 2 units in the last
-//! place up to |x| = 1e8; beyond, for what is not finite, and on machines that cannot fuse, f64's own
-//! functions are called lane by lane.
+//! x is taken to [−π/4, π/4] by three parts of π/2, 53 bits each, with fused multiply-adds (Cody
+//! and Waite); there the polynomials of fdlibm's `__kernel_sin` and `__kernel_cos`. Off by at most
+//! 2 units in the last place up to |x| = 1e8; beyond, for what is not finite, and on machines that
+//! cannot fuse, f64's own functions are called lane by lane.
 
 use super::Level;
 use super::number::{Mask, Wide, both};
@@ -54,18 +54,23 @@ impl<S: Level> Wide<S> {
         let z = r * r;
         let sin = (polynomial(SIN, z) * z).mul_add(r, r);
         // 1 − z/2 is off by its rounding, which is added back.
-        let (half, one) = (Wide::splat(simd, 0.5) * z, Wide::splat(simd, 1.0));
+        let half = Wide::splat(simd, 0.5) * z;
+        let one = Wide::splat(simd, 1.0);
         let most = one - half;
         let cos = most + (z * z).mul_add(polynomial(COS, z), (one - most) - half);
         // Sine and cosine change places in odd quarters and their signs in two of four.
         let quarter = both!(simd, transmute_u64s_f64s, rounded.1);
-        let (odd, back) = (has_bit(simd, quarter, 1), has_bit(simd, quarter, 2));
+        let odd = has_bit(simd, quarter, 1);
+        let back = has_bit(simd, quarter, 2);
         let left = has_bit(simd, both!(simd, add_u64s, quarter, [simd.splat_u64s(1); 2]), 2);
-        let (s, c) = (odd.select(cos, sin), odd.select(sin, cos));
-        let (mut sin, mut cos) = (back.select(-s, s), left.select(-c, c));
+        let s = odd.select(cos, sin);
+        let c = odd.select(sin, cos);
+        let mut sin = back.select(-s, s);
+        let mut cos = left.select(-c, c);
         let large = !self.abs().le(Wide::splat(simd, LARGEST));
         if large.any() {
-            (sin, cos) = (large.select(self.map(f64::sin), sin), large.select(self.map(f64::cos), cos));
+            (sin, cos) =
+                (large.select(self.map(f64::sin), sin), large.select(self.map(f64::cos), cos));
         }
         (sin, cos)
     }
@@ -126,11 +131,13 @@ mod tests {
             vec![0.0, -0.0, 1e-300, f64::MIN_POSITIVE, 1e8, -1e8, 1.000001e8, 1e22, 1e300];
         // Next to multiples of π/2, where most is lost.
         numbers.extend((-4000..4000).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_2));
-        numbers
-            .extend((1..4000).map(|k| f64::from(k) * 15_915.494_309_189_535 * std::f64::consts::FRAC_PI_2));
+        numbers.extend(
+            (1..4000).map(|k| f64::from(k) * 15_915.494_309_189_535 * std::f64::consts::FRAC_PI_2),
+        );
         numbers.extend((0..40_000).map(|k| (f64::from(k) * 0.618_033_988_7).fract() * 20.0 - 10.0));
         numbers.extend(
-            (0..10_000).map(|k| 10.0_f64.powf((f64::from(k) * 0.618_033_988_7).fract() * 24.0 - 12.0)),
+            (0..10_000)
+                .map(|k| 10.0_f64.powf((f64::from(k) * 0.618_033_988_7).fract() * 24.0 - 12.0)),
         );
         for lanes in [2, 4, 8] {
             let Ok(found) = Lanes::Only(lanes).dispatch(All(&numbers)) else { continue };
@@ -146,7 +153,8 @@ mod tests {
     #[test]
     fn what_has_no_sine_has_none_here() {
         for lanes in [2, 4, 8] {
-            let Ok(found) = Lanes::Only(lanes).dispatch(All(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]))
+            let Ok(found) =
+                Lanes::Only(lanes).dispatch(All(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]))
             else {
                 continue;
             };

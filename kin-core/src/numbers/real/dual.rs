@@ -1,12 +1,14 @@
-//! The operations of a number under [`Real`](super::Real): arithmetic, composition and division that are
-//! right at the edges.
+//! The operations of a number under [`Real`](super::Real): arithmetic, composition and division
+//! that are right at the edges.
 
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A scalar of num-dual that Kin computes with: `f64`, `Dual64`, `Dual2_64`, `Dual3_64` or `HyperDual64`.
+/// A scalar of num-dual that Kin computes with: `f64`, `Dual64`, `Dual2_64`, `Dual3_64` or
+/// `HyperDual64`.
 ///
-/// Write functions for the dual route as `fn f<D: Dual>(x: Real<D>) -> Real<D>`. The trait is sealed.
+/// Write functions for the dual route as `fn f<D: Dual>(x: Real<D>) -> Real<D>`. The trait is
+/// sealed.
 pub trait Dual:
     sealed::Sealed
     + Add<Output = Self>
@@ -47,19 +49,19 @@ pub trait Dual:
         Self::constant(self.value())
     }
 
-    /// Composition with a scalar function (Faà di Bruno): `f` is its value and first three derivatives at the
-    /// real part.
+    /// Composition with a scalar function (Faà di Bruno): `f` is its value and first three
+    /// derivatives at the real part.
     ///
-    /// A constant stays one, whatever its derivative would be; so does a number that has overflowed, where
-    /// the function is finite: it is flat there.
+    /// A constant stays one, whatever its derivative would be; so does a number that has
+    /// overflowed, where the function is finite: it is flat there.
     fn chain(self, f: [f64; 4]) -> Self;
 
-    /// The same from f, f′, f″/f′² and f‴/f′³: of functions whose derivatives become small as their arguments
-    /// become large, so that neither is too large or too small for a number.
+    /// The same from f, f′, f″/f′² and f‴/f′³: of functions whose derivatives become small as their
+    /// arguments become large, so that neither is too large or too small for a number.
     fn chain_scaled(self, f: [f64; 4]) -> Self;
 
-    /// self / b by the recurrence (q b)⁽ⁿ⁾ = a⁽ⁿ⁾, with a's real part divided by b's as in `f64`. A divisor
-    /// that has overflowed counts as constant.
+    /// self / b by the recurrence (q b)⁽ⁿ⁾ = a⁽ⁿ⁾, with a's real part divided by b's as in `f64`. A
+    /// divisor that has overflowed counts as constant.
     fn quotient(self, b: Self) -> Self;
 
     /// The same number, of which is noted how it grows.

@@ -1,5 +1,5 @@
-//! Functions of one variable by the list: the slopes of most are written by hand, those of all others follow
-//! from their rules.
+//! Functions of one variable by the list: the slopes of most are written by hand, those of all
+//! others follow from their rules.
 
 use std::cmp::Ordering;
 use std::f64::consts::{LN_2, LN_10};
@@ -10,12 +10,12 @@ use kin_graph::{Function, rules};
 
 use super::{Dual, Dual2_64, Dual64, Growth, Real};
 
-/// Numbers composed with functions: what is written by hand below, being faster or keeping more digits than
-/// the rule of the list, stands before what [`ByRule`] has for each function.
+/// Numbers composed with functions: what is written by hand below, being faster or keeping more
+/// digits than the rule of the list, stands before what [`ByRule`] has for each function.
 struct Composed;
 
-/// Compositions from lines `name(x) = [f, f′, f″, f‴];`; for `chain_scaled`, of functions that take what is
-/// large and make it small, from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
+/// Compositions from lines `name(x) = [f, f′, f″, f‴];`; for `chain_scaled`, of functions that take
+/// what is large and make it small, from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
 macro_rules! by_hand {
     ([$chain:ident] $($name:ident($x:ident) = $f:expr;)*) => {
         impl Composed {$(
@@ -55,8 +55,8 @@ kin_graph::functions_of_one!(of_one);
 
 impl ByRule for Composed {}
 
-/// f(u), from the rule of its slope: f″ is the slope of the rule along (u, y) = (x + ε, f + f′ ε), f‴ its
-/// curvature along (x + ε, f + f′ ε + f″ ε²/2).
+/// f(u), from the rule of its slope: f″ is the slope of the rule along (u, y) = (x + ε, f + f′ ε),
+/// f‴ its curvature along (x + ε, f + f′ ε + f″ ε²/2).
 fn by_rule<D: Dual>(f: Function, u: D) -> D {
     let x = u.value();
     let value = f.value()(x);
@@ -196,14 +196,21 @@ impl<D: Dual> Real<D> {
     /// xⁿ; x⁰ = 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
     #[inline]
     pub fn powi(self, n: i32) -> Self {
-        let (x, c) = (self.value(), f64::from(n));
+        let x = self.value();
+        let c = f64::from(n);
         if n < 0 {
             return self.power(x.powi(n), c);
         }
-        let slope =
-            |k: i32, factor: f64| if factor == 0.0 { 0.0 } else { factor * x.powi(n.saturating_sub(k)) };
-        self.chain([x.powi(n), slope(1, c), slope(2, c * (c - 1.0)), slope(3, c * (c - 1.0) * (c - 2.0))])
-            .growing_as_power(c)
+        let slope = |k: i32, factor: f64| {
+            if factor == 0.0 { 0.0 } else { factor * x.powi(n.saturating_sub(k)) }
+        };
+        self.chain([
+            x.powi(n),
+            slope(1, c),
+            slope(2, c * (c - 1.0)),
+            slope(3, c * (c - 1.0) * (c - 2.0)),
+        ])
+        .growing_as_power(c)
     }
 
     /// The same number, noted as an n-th power.
@@ -227,9 +234,11 @@ impl<D: Dual> Real<D> {
         growth.map_or(self, |growth| self.growing(growth))
     }
 
-    /// xⁿ, whose value is y, as y (x/x₀)ⁿ about x₀ = x: no power of x is too large or too small on the way.
+    /// xⁿ, whose value is y, as y (x/x₀)ⁿ about x₀ = x: no power of x is too large or too small on
+    /// the way.
     pub(super) fn power(self, y: f64, n: f64) -> Self {
-        let (x, slopes) = (self.value(), [n, n * (n - 1.0), n * (n - 1.0) * (n - 2.0)]);
+        let x = self.value();
+        let slopes = [n, n * (n - 1.0), n * (n - 1.0) * (n - 2.0)];
         let power = if x == 0.0 || !x.is_finite() {
             self.chain([y, slopes[0] * y / x, slopes[1] * y / x / x, slopes[2] * y / x / x / x])
         } else {

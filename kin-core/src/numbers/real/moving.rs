@@ -5,8 +5,8 @@ use std::ops::{Add, Deref, Mul, Neg, Sub};
 
 use super::dual::{Dual, Growth, sealed};
 
-/// A number of num-dual that knows by which of its directions it is moved. See [`Real`](super::Real) for the
-/// rule.
+/// A number of num-dual that knows by which of its directions it is moved. See
+/// [`Real`](super::Real) for the rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T> {
     number: T,
@@ -16,7 +16,8 @@ pub struct Moving<T> {
 
 /// The directions.
 const DIRECTIONS: u8 = 3;
-/// It grows as an exponential does; and it may be infinite at a pole, where a function of it may jump.
+/// It grows as an exponential does; and it may be infinite at a pole, where a function of it may
+/// jump.
 const BURSTS: u8 = 4;
 const POLES: u8 = 8;
 
@@ -92,8 +93,8 @@ impl<T: Neg<Output = T>> Neg for Moving<T> {
     }
 }
 
-/// [`Dual`] for a number with parts `re` and the listed ones, from its chain rules and its quotient, `q`
-/// being its real part.
+/// [`Dual`] for a number with parts `re` and the listed ones, from its chain rules and its
+/// quotient, `q` being its real part.
 macro_rules! dual {
     (
         $number:ident [$($part:ident),*] at rest |$r:ident| $rest:expr,
@@ -157,7 +158,8 @@ macro_rules! dual {
 
             #[inline]
             fn quotient(self, $b: Self) -> Self {
-                let ($a, $q) = (self, self.re / $b.re);
+                let $a = self;
+                let $q = self.re / $b.re;
                 let pole = if $b.is_constant() { 0 } else { POLES };
                 let marks = self.marks | $b.marks | pole;
                 if marks & DIRECTIONS == 0 || ($b.has_overflowed() && $q.is_finite()) {
@@ -180,8 +182,8 @@ macro_rules! dual {
         }
 
         impl Moving<num_dual::$number> {
-            /// True if a function with these derivatives gives a constant: of one, or where its argument has
-            /// overflowed.
+            /// True if a function with these derivatives gives a constant: of one, or where its
+            /// argument has overflowed.
             #[inline]
             fn is_flat(&self, f: &[f64; 4]) -> bool {
                 self.is_constant() || (self.has_overflowed() && f[0].is_finite())
@@ -244,7 +246,8 @@ dual! { HyperDual64 [eps1, eps2, eps1eps2] at rest |x| x.eps1 == 0.0 && x.eps2 =
         [f[0], first, second, mixed]
     },
     quotient |a, b, q| {
-        let (q1, q2) = ((a.eps1 - q * b.eps1) / b.re, (a.eps2 - q * b.eps2) / b.re);
+        let q1 = (a.eps1 - q * b.eps1) / b.re;
+        let q2 = (a.eps2 - q * b.eps2) / b.re;
         [q, q1, q2, (a.eps1eps2 - q1 * b.eps2 - q2 * b.eps1 - q * b.eps1eps2) / b.re]
     }
 }
@@ -311,13 +314,15 @@ mod tests {
 
     #[test]
     fn chain_is_the_composition_with_a_cube_at_two() {
-        let (x, y, z) = (
-            Dual2_64::new(2.0, 0.3, 0.7),
-            Dual3_64::new(2.0, 0.3, 0.7, -0.2),
-            HyperDual64::new(2.0, 0.3, 0.5, 0.1),
-        );
-        let (fx, fy, fz) = (x.chain(CUBE), y.chain(CUBE), z.chain(CUBE));
-        let (gx, gy, gz) = (x * x * x, y * y * y, z * z * z);
+        let x = Dual2_64::new(2.0, 0.3, 0.7);
+        let y = Dual3_64::new(2.0, 0.3, 0.7, -0.2);
+        let z = HyperDual64::new(2.0, 0.3, 0.5, 0.1);
+        let fx = x.chain(CUBE);
+        let fy = y.chain(CUBE);
+        let fz = z.chain(CUBE);
+        let gx = x * x * x;
+        let gy = y * y * y;
+        let gz = z * z * z;
         assert!((fx.v1 - gx.v1).abs() < 1e-14 && (fx.v2 - gx.v2).abs() < 1e-14);
         assert!((fy.v2 - gy.v2).abs() < 1e-14 && (fy.v3 - gy.v3).abs() < 1e-14);
         assert!((fz.eps2 - gz.eps2).abs() < 1e-14 && (fz.eps1eps2 - gz.eps1eps2).abs() < 1e-14);
@@ -325,9 +330,13 @@ mod tests {
         assert_eq!(Dual::chain(2.0, CUBE), 8.0);
         // From f″/f′² and f‴/f′³.
         let scaled = [8.0, 12.0, 12.0 / 144.0, 6.0 / 1728.0];
-        let (sx, sy, sz) = (x.chain_scaled(scaled), y.chain_scaled(scaled), z.chain_scaled(scaled));
+        let sx = x.chain_scaled(scaled);
+        let sy = y.chain_scaled(scaled);
+        let sz = z.chain_scaled(scaled);
         assert!(
-            (sx.v1 - gx.v1).abs() < 1e-14 && (sx.v2 - gx.v2).abs() < 1e-14 && (sy.v3 - gy.v3).abs() < 1e-14
+            (sx.v1 - gx.v1).abs() < 1e-14
+                && (sx.v2 - gx.v2).abs() < 1e-14
+                && (sy.v3 - gy.v3).abs() < 1e-14
         );
         assert!((sz.eps1 - gz.eps1).abs() < 1e-14 && (sz.eps1eps2 - gz.eps1eps2).abs() < 1e-14);
     }
@@ -349,7 +358,8 @@ mod tests {
     #[test]
     fn what_has_overflowed_is_flat_and_a_pole_is_not() {
         let infinite = Dual3_64::new(f64::INFINITY, f64::INFINITY, f64::INFINITY, f64::INFINITY);
-        let (large, pole) = (infinite.growing(Growth::Bursting), infinite.growing(Growth::Pole));
+        let large = infinite.growing(Growth::Bursting);
+        let pole = infinite.growing(Growth::Pole);
         let bounded = [1.0, 0.0, 0.0, 0.0];
         let flat = large.chain(bounded);
         assert_eq!((flat.re, flat.v1, flat.v2, flat.v3), (1.0, 0.0, 0.0, 0.0));
@@ -362,12 +372,15 @@ mod tests {
         {
             assert!(singular.chain(bounded).v1.is_nan() && one.quotient(singular).v1.is_nan());
         }
-        assert!(!pole.growing(Growth::Bounded).growing(Growth::Bursting).chain(bounded).v1.is_nan());
+        assert!(
+            !pole.growing(Growth::Bounded).growing(Growth::Bursting).chain(bounded).v1.is_nan()
+        );
     }
 
     #[test]
     fn quotient_times_divisor_is_the_dividend() {
-        let (a, b) = (Dual3_64::new(0.3, 1.0, -2.0, 0.5), Dual3_64::new(1.7, 0.4, 0.6, -0.8));
+        let a = Dual3_64::new(0.3, 1.0, -2.0, 0.5);
+        let b = Dual3_64::new(1.7, 0.4, 0.6, -0.8);
         let p = a.quotient(b) * b;
         assert!(
             (p.re - a.re).abs() < 1e-15
@@ -375,14 +388,16 @@ mod tests {
                 && (p.v2 - a.v2).abs() < 1e-15
                 && (p.v3 - a.v3).abs() < 1e-14
         );
-        let (a, b) = (HyperDual64::new(0.3, 1.0, -2.0, 0.5), HyperDual64::new(1.7, 0.4, 0.6, -0.8));
+        let a = HyperDual64::new(0.3, 1.0, -2.0, 0.5);
+        let b = HyperDual64::new(1.7, 0.4, 0.6, -0.8);
         let p = a.quotient(b) * b;
         assert!(
             (p.eps1 - a.eps1).abs() < 1e-15
                 && (p.eps2 - a.eps2).abs() < 1e-15
                 && (p.eps1eps2 - a.eps1eps2).abs() < 1e-15
         );
-        let (a, b) = (Dual2_64::new(0.3, 1.0, -2.0), Dual2_64::new(1.7, 0.4, 0.6));
+        let a = Dual2_64::new(0.3, 1.0, -2.0);
+        let b = Dual2_64::new(1.7, 0.4, 0.6);
         let p = a.quotient(b) * b;
         assert!((p.v1 - a.v1).abs() < 1e-15 && (p.v2 - a.v2).abs() < 1e-15);
         assert_eq!(Dual64::new(1.0, 2.0).quotient(Dual64::constant(f64::INFINITY)).eps, 0.0);

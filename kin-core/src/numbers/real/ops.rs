@@ -1,9 +1,11 @@
-//! Operators of [`Real`] with itself and with `f64` on either side, by value and by reference; comparisons of
-//! real parts.
+//! Operators of [`Real`] with itself and with `f64` on either side, by value and by reference;
+//! comparisons of real parts.
 
 use std::cmp::Ordering;
 use std::iter::{Product, Sum};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use std::ops::{
+    Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
+};
 
 use super::{Dual, Real};
 
@@ -111,8 +113,8 @@ fn remainder<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
 }
 
 impl<D: Dual> Real<D> {
-    /// a − n b with the whole number n that makes it `rest`; n is read off `rest`, since a/b may round across
-    /// a whole number.
+    /// a − n b with the whole number n that makes it `rest`; n is read off `rest`, since a/b may
+    /// round across a whole number.
     pub(super) fn less_whole(self, b: Self, rest: f64) -> Self {
         let n = ((self.value() - rest) / b.value()).round();
         let reduced = if b.is_constant() { self } else { self - b * n };
@@ -212,7 +214,9 @@ mod tests {
     #[test]
     #[allow(clippy::op_ref)]
     fn mixed_forms_agree_by_value_and_by_reference() {
-        let (x, y, c) = (x(), Real(Dual64::new(2.0, -1.0)), 2.0);
+        let x = x();
+        let y = Real(Dual64::new(2.0, -1.0));
+        let c = 2.0;
         let constant = Real::from(c);
         macro_rules! agree {
             ($($op:tt)*) => {$(
@@ -249,7 +253,8 @@ mod tests {
     #[test]
     fn values_are_those_of_f64() {
         for (a, b) in [(1.0, 3.0), (0.1, 0.7), (-5.3, 1.9), (0.0, -2.0), (2.0, 2.0)] {
-            let (x, y) = (Real(Dual2_64::new(a, 1.0, 2.0)), Real(Dual2_64::new(b, -1.0, 0.5)));
+            let x = Real(Dual2_64::new(a, 1.0, 2.0));
+            let y = Real(Dual2_64::new(b, -1.0, 0.5));
             for (dual, plain) in [
                 (x / y, a / b),
                 (x % y, a % b),
@@ -275,7 +280,8 @@ mod tests {
 
     #[test]
     fn division_by_a_constant_zero_stays_constant() {
-        let (zero, one) = (Real::<Dual64>::from(0.0), Real::<Dual64>::from(1.0));
+        let zero = Real::<Dual64>::from(0.0);
+        let one = Real::<Dual64>::from(1.0);
         for infinite in [one / zero, 1.0 / zero + one, one / 0.0 * 2.0] {
             assert_eq!(parts(infinite), (f64::INFINITY, 0.0));
         }

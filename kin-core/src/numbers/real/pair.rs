@@ -34,10 +34,11 @@ impl Composed {
     }
 
     fn powf<D: Dual>(base: Real<D>, n: Real<D>) -> Real<D> {
-        let (x, c) = (base.value(), n.value());
-        // At x = 0 the tangents of n drop out, as xⁿ ln x → 0; where they do not, at whole n, a factor 0
-        // meets 0⁻¹ and gives NaN. Falling powers, and those of large numbers: no lower power is too small
-        // for a number.
+        let x = base.value();
+        let c = n.value();
+        // At x = 0 the tangents of n drop out, as xⁿ ln x → 0; where they do not, at whole n, a
+        // factor 0 meets 0⁻¹ and gives NaN. Falling powers, and those of large numbers: no lower
+        // power is too small for a number.
         if n.is_constant() && (c < 0.0 || x.abs() > 1.0) {
             return base.power(x.powf(c), c);
         }
@@ -105,8 +106,8 @@ kin_graph::functions_of_two!(of_two);
 
 impl ByDefinition for Composed {}
 
-/// f(x, y) by other functions, with f64's own value; of one that is neither defined nor written by hand
-/// nothing but that value is known.
+/// f(x, y) by other functions, with f64's own value; of one that is neither defined nor written by
+/// hand nothing but that value is known.
 fn by_definition<D: Dual>(f: Function2, x: Real<D>, y: Real<D>) -> Real<D> {
     let value = f.value()(x.value(), y.value());
     if x.is_constant() && y.is_constant() {
@@ -128,11 +129,13 @@ impl<D: Dual> Real<D> {
 
     /// self · a + b, the value rounded once.
     pub fn mul_add(self, a: impl Into<Self>, b: impl Into<Self>) -> Self {
-        let (a, b) = (a.into(), b.into());
+        let a = a.into();
+        let b = b.into();
         (self * a + b).with_value(self.value().mul_add(a.value(), b.value()))
     }
 
-    /// |x| with the sign of `sign`, −0 being negative there; at x = ±0 the slope is that of the side x ≥ 0, as for [`Real::abs`].
+    /// |x| with the sign of `sign`, −0 being negative there; at x = ±0 the slope is that of the
+    /// side x ≥ 0, as for [`Real::abs`].
     pub fn copysign(self, sign: impl Into<Self>) -> Self {
         let size = self.abs();
         if sign.into().is_sign_negative() { -size } else { size }
@@ -166,14 +169,23 @@ mod tests {
     #[test]
     fn a_pair_by_its_definition_is_the_one_by_hand() {
         let moving = |x: f64, v: f64| Real(Dual3_64::new(x, v, 0.25, -0.5));
-        for (f, x, y) in
-            [(Function2::Hypot, 0.75, -2.5), (Function2::Powf, 1.75, 0.6), (Function2::RemEuclid, 7.3, -2.0)]
-        {
-            let (x, y) = (moving(x, 1.0), moving(y, -0.75));
-            let (by_hand, defined) = (x.call2(f, y).0, by_definition(f, x, y).0);
+        for (f, x, y) in [
+            (Function2::Hypot, 0.75, -2.5),
+            (Function2::Powf, 1.75, 0.6),
+            (Function2::RemEuclid, 7.3, -2.0),
+        ] {
+            let x = moving(x, 1.0);
+            let y = moving(y, -0.75);
+            let by_hand = x.call2(f, y).0;
+            let defined = by_definition(f, x, y).0;
             assert_eq!(by_hand.re, defined.re, "{f:?}");
-            for (a, b) in [(by_hand.v1, defined.v1), (by_hand.v2, defined.v2), (by_hand.v3, defined.v3)] {
-                assert!((a - b).abs() < 1e-13 * (1.0 + a.abs()), "{f:?}: {a}, and {b} by its definition");
+            for (a, b) in
+                [(by_hand.v1, defined.v1), (by_hand.v2, defined.v2), (by_hand.v3, defined.v3)]
+            {
+                assert!(
+                    (a - b).abs() < 1e-13 * (1.0 + a.abs()),
+                    "{f:?}: {a}, and {b} by its definition"
+                );
             }
             assert_eq!(by_definition(f, Real(3.0), Real(2.0)).0, f.value()(3.0, 2.0));
         }
@@ -191,7 +203,9 @@ mod tests {
         assert_eq!(parts(along(0.0).atan2(-2.0)), (PI, -0.5));
         assert_eq!(parts(along(-0.0).atan2(-2.0)), (-PI, -0.5));
         assert_eq!(parts(zero.atan2(0.0)), (0.0, 0.0));
-        assert!(along(0.0).atan2(0.0).0.eps.is_nan() && along(0.0).atan2(along(0.0)).0.eps.is_nan());
+        assert!(
+            along(0.0).atan2(0.0).0.eps.is_nan() && along(0.0).atan2(along(0.0)).0.eps.is_nan()
+        );
         // Around a circle at constant rate the angle has rate 1 and no second or mixed derivative.
         for k in 0..16 {
             let angle = FRAC_PI_2 / 4.0 * f64::from(k);
@@ -237,13 +251,18 @@ mod tests {
         let (value, slope) = parts(First::from(2.0).powf(along(3.0)));
         assert!(value == 8.0 && (slope - 8.0 * 2f64.ln()).abs() < 1e-15);
         assert!(
-            !Real(Dual2_64::new(0.0, 1.0, 0.0)).powf(Real(Dual2_64::new(1.0, 1.0, 0.0))).0.v2.is_finite()
+            !Real(Dual2_64::new(0.0, 1.0, 0.0))
+                .powf(Real(Dual2_64::new(1.0, 1.0, 0.0)))
+                .0
+                .v2
+                .is_finite()
         );
     }
 
     #[test]
     fn ties_take_self() {
-        let (a, b) = (Real(Dual64::new(1.0, 2.0)), Real(Dual64::new(1.0, 3.0)));
+        let a = Real(Dual64::new(1.0, 2.0));
+        let b = Real(Dual64::new(1.0, 3.0));
         assert_eq!((a.max(b).0.eps, a.min(b).0.eps), (2.0, 2.0));
         assert_eq!((b.max(1.0).0.eps, b.min(1.0).0.eps, b.clamp(1.0, 1.0).0.eps), (3.0, 3.0, 3.0));
         assert_eq!(parts(a.max(f64::NAN)), (1.0, 2.0));

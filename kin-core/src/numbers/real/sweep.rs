@@ -63,12 +63,12 @@ fn slope(f: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn each_derivative_is_the_slope_of_the_one_below() {
-    let (a, b, c) = (0.8, -0.6, 1.1);
-    let (p, v, w) = (
-        move |s: f64| a * s + b * s * s / 2.0 + c * s.powi(3) / 6.0,
-        move |s: f64| a + b * s + c * s * s / 2.0,
-        move |s: f64| b + c * s,
-    );
+    let a = 0.8;
+    let b = -0.6;
+    let c = 1.1;
+    let p = move |s: f64| a * s + b * s * s / 2.0 + c * s.powi(3) / 6.0;
+    let v = move |s: f64| a + b * s + c * s * s / 2.0;
+    let w = move |s: f64| b + c * s;
     for (f, points) in within() {
         for x in points {
             let first = |s: f64| (f.first)(Real(Dual64::new(x + p(s), v(s)))).0;
@@ -84,7 +84,9 @@ fn each_derivative_is_the_slope_of_the_one_below() {
 
 #[test]
 fn the_mixed_derivative_is_the_slope_of_a_slope() {
-    let (a, b, c) = (0.8, -0.6, 1.1);
+    let a = 0.8;
+    let b = -0.6;
+    let c = 1.1;
     for (f, points) in within() {
         for x in points {
             let mixed = (f.mixed)(Real(HyperDual64::new(x, a, b, c))).0;
@@ -100,7 +102,8 @@ fn the_mixed_derivative_is_the_slope_of_a_slope() {
 fn values_are_those_of_f64_and_constants_stay_constant() {
     for (f, _) in within() {
         for x in [-0.0, 0.0, 1.0, -1.0, 0.3, -2.5, 7.0, f64::INFINITY, f64::NAN] {
-            let (y, plain) = ((f.third)(Real::from(x)), (f.plain)(x));
+            let y = (f.third)(Real::from(x));
+            let plain = (f.plain)(x);
             assert!(
                 y.value() == plain || y.is_nan() && plain.is_nan(),
                 "{} at {x}: {} is not {plain}",

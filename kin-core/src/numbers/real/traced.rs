@@ -1,9 +1,9 @@
-//! Second-order numbers that know where they ceased to be finite. They stand in for others when an equation
-//! has failed and runs once more.
+//! Second-order numbers that know where they ceased to be finite. They stand in for others when an
+//! equation has failed and runs once more.
 //!
-//! A number that is not finite carries the number of the *fault* that made it so; faults are noted where an
-//! operation on finite numbers gives one that is not, and belong to the innermost expression of the user's
-//! that ends next ([`ended`], written by `#[constraint]`).
+//! A number that is not finite carries the number of the *fault* that made it so; faults are noted
+//! where an operation on finite numbers gives one that is not, and belong to the innermost
+//! expression of the user's that ends next ([`ended`], written by `#[constraint]`).
 
 use std::cell::RefCell;
 use std::fmt;
@@ -21,8 +21,8 @@ pub(crate) const TIME: u32 = 63;
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     number: Dual2_64,
-    /// For value, first and second derivative: the number of the fault that made it, or one before it, not
-    /// finite, counted from 1.
+    /// For value, first and second derivative: the number of the fault that made it, or one before
+    /// it, not finite, counted from 1.
     faults: [u32; 3],
     /// The coordinates behind it, one bit each.
     inputs: u64,

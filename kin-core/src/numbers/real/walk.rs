@@ -2,7 +2,9 @@
 
 use std::ops::Rem;
 
-use kin_graph::{Function, Function2, Number, compared_by_value, functions_of_one, functions_of_two};
+use kin_graph::{
+    Function, Function2, Number, compared_by_value, functions_of_one, functions_of_two,
+};
 
 use super::{Dual, Real};
 

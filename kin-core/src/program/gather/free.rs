@@ -1,5 +1,6 @@
-//! Parameters and laws that a program leaves free because they differ from case to case: the former are
-//! inputs of the stages, the latter are asked time by time instead of being written out. All else is folded.
+//! Parameters and laws that a program leaves free because they differ from case to case: the former
+//! are inputs of the stages, the latter are asked time by time instead of being written out. All
+//! else is folded.
 
 use kin_graph::{Graph, Input, Node, Op};
 
@@ -47,8 +48,8 @@ pub(crate) struct Free {
     differences: Differences,
     /// The constraint that is gathered, if it is one that differs.
     here: Option<usize>,
-    /// The constraint and number of each free parameter, [`Input::Parameter`] by its place here, and what it
-    /// is in the case of which the program was made.
+    /// The constraint and number of each free parameter, [`Input::Parameter`] by its place here,
+    /// and what it is in the case of which the program was made.
     slots: Vec<(usize, usize)>,
     pub values: Vec<f64>,
     /// The number of each free law, its constraint, and where it stands there.
@@ -69,7 +70,9 @@ impl Differences {
     pub(crate) fn new(system: &System, blocks: &[bool]) -> Self {
         let all = system.equations().blocks.iter().zip(blocks).enumerate();
         let own = all.filter(|(_, (_, wanted))| **wanted);
-        Differences(own.map(|(block, (own, _))| OfBlock::new(block, own.constraint.as_ref())).collect())
+        Differences(
+            own.map(|(block, (own, _))| OfBlock::new(block, own.constraint.as_ref())).collect(),
+        )
     }
 
     /// Notes the numbers and laws that are others in this case.
@@ -85,10 +88,12 @@ impl OfBlock {
     fn new(block: usize, constraint: &dyn Constraint) -> Self {
         let all = constraint.formula(|table, parameters, outside| {
             let graph = &table.formula().graph;
-            let mut numbers: Vec<usize> = graph.nodes().filter_map(|node| law_number(graph, node)).collect();
+            let mut numbers: Vec<usize> =
+                graph.nodes().filter_map(|node| law_number(graph, node)).collect();
             numbers.sort_unstable();
             numbers.dedup();
-            let parameters = parameters.iter().enumerate().map(|(k, value)| Own::Parameter(k, *value));
+            let parameters =
+                parameters.iter().enumerate().map(|(k, value)| Own::Parameter(k, *value));
             let law = |k: usize| Own::Law(k, Given::by(outside, k, &[]).law().cloned());
             parameters.chain(numbers.into_iter().map(law)).collect::<Vec<_>>()
         });
@@ -98,7 +103,9 @@ impl OfBlock {
 
     fn note(&mut self, constraint: &dyn Constraint) {
         constraint.formula(|_, parameters, outside| {
-            self.parts.iter_mut().for_each(|part| part.differs |= !part.own.is_among(parameters, outside));
+            self.parts
+                .iter_mut()
+                .for_each(|part| part.differs |= !part.own.is_among(parameters, outside));
         });
     }
 
@@ -152,10 +159,13 @@ impl Free {
     /// The input that stands for a parameter of the constraint in hand, if that is free.
     pub(super) fn parameter(&mut self, index: usize) -> Option<Input> {
         let block = self.own()?.block;
-        let Some(Part { own: Own::Parameter(_, value), differs: true }) = self.own()?.parts.get(index) else {
+        let Some(Part { own: Own::Parameter(_, value), differs: true }) =
+            self.own()?.parts.get(index)
+        else {
             return None;
         };
-        let (slot, value) = ((block, index), *value);
+        let slot = (block, index);
+        let value = *value;
         let known = self.slots.iter().position(|known| *known == slot);
         Some(Input::Parameter(known.unwrap_or_else(|| {
             self.slots.push(slot);
@@ -164,8 +174,8 @@ impl Free {
         })))
     }
 
-    /// The number of a law of the constraint in hand, if that is free; a new one where `laws` does not have
-    /// it.
+    /// The number of a law of the constraint in hand, if that is free; a new one where `laws` does
+    /// not have it.
     pub(super) fn law(&mut self, place: LawPlace, law: &Law, laws: &mut Vec<Law>) -> Option<usize> {
         let OfBlock { block, parts } = self.own()?;
         let is_own = |part: &&Part| matches!(part.own, Own::Law(k, _) if LawPlace::Law(k) == place);
@@ -185,8 +195,8 @@ impl Free {
         }))
     }
 
-    /// The numbers and laws of a case, `laws` being those of the program; `None` where something is another
-    /// that was folded.
+    /// The numbers and laws of a case, `laws` being those of the program; `None` where something is
+    /// another that was folded.
     pub(crate) fn case(&self, system: &System, laws: &[Law]) -> Option<Case> {
         let mut case = Case { parameters: vec![f64::NAN; self.slots.len()], laws: laws.to_vec() };
         for own in &self.differences.0 {
@@ -199,7 +209,9 @@ impl Free {
                 for ((_, index), value) in slots.filter(|((block, _), _)| *block == own.block) {
                     *value = parameters.get(*index).copied()?;
                 }
-                for (number, _, place) in self.laws.iter().filter(|(_, block, _)| *block == own.block) {
+                for (number, _, place) in
+                    self.laws.iter().filter(|(_, block, _)| *block == own.block)
+                {
                     *case.laws.get_mut(*number)? = match place {
                         LawPlace::Law(own) => Given::by(outside, *own, &[]).law().cloned()?,
                         LawPlace::Node(node) => timed(constraint, &[*node]).pop()?.1,

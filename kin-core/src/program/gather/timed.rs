@@ -1,5 +1,5 @@
-//! Values of time alone that only the user's program can compute, as laws of time: a program asks them lane
-//! by lane, with their derivatives by dual numbers.
+//! Values of time alone that only the user's program can compute, as laws of time: a program asks
+//! them lane by lane, with their derivatives by dual numbers.
 
 use kin_graph::Node;
 
@@ -26,8 +26,11 @@ impl LawFunction for Timed {
     }
 }
 
-/// These nodes of a constraint's formula with the laws that they are, its parameters being as they are now.
+/// These nodes of a constraint's formula with the laws that they are, its parameters being as they
+/// are now.
 pub(super) fn timed(constraint: &dyn Constraint, nodes: &[Node]) -> Vec<(Node, Law)> {
-    let law = |node: &Node| (*node, Law::new(Timed { constraint: constraint.clone_boxed(), node: *node }));
+    let law = |node: &Node| {
+        (*node, Law::new(Timed { constraint: constraint.clone_boxed(), node: *node }))
+    };
     nodes.iter().map(law).collect()
 }

@@ -1,4 +1,5 @@
-//! Faults within the passes that make a program: a node or a number of what one of them hands on is wrong.
+//! Faults within the passes that make a program: a node or a number of what one of them hands on is
+//! wrong.
 
 use kin_graph::{Graph, Node};
 
@@ -26,8 +27,14 @@ pub(crate) enum Pass {
 }
 
 /// Every pass.
-pub(crate) const PASSES: [Pass; 6] =
-    [Pass::Gather, Pass::Substitute, Pass::Eliminate, Pass::Rates, Pass::SecondRates, Pass::ThirdRates];
+pub(crate) const PASSES: [Pass; 6] = [
+    Pass::Gather,
+    Pass::Substitute,
+    Pass::Eliminate,
+    Pass::Rates,
+    Pass::SecondRates,
+    Pass::ThirdRates,
+];
 
 /// The change of a node, or of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,8 +57,8 @@ pub(crate) enum Wrong {
 pub(crate) const WRONGS: [Wrong; 6] =
     [Wrong::Sign, Wrong::Slight, Wrong::Lost, Wrong::Place, Wrong::Row, Wrong::Column];
 
-/// The program of a system with q⃛, with place number k of what a pass hands on made wrong; `None` where
-/// there is no such place.
+/// The program of a system with q⃛, with place number k of what a pass hands on made wrong; `None`
+/// where there is no such place.
 pub(crate) fn with_fault(
     system: &System,
     pose: Pose<'_>,
@@ -68,7 +75,8 @@ pub(crate) fn with_fault(
         misgive(&mut whole.graph, &mut order, wrong, k)?;
     }
     let (mut reduced, values) = Reduced::new(&whole, &order);
-    let [right, mut spoilt] = match [(); 2].map(|()| eliminated(&mut reduced, &whole, &order, pose)) {
+    let [right, mut spoilt] = match [(); 2].map(|()| eliminated(&mut reduced, &whole, &order, pose))
+    {
         [Ok(right), Ok(same)] => [right, same],
         [Err(reason), _] | [_, Err(reason)] => {
             return Some(Err(Refusal { constraint: String::new(), reason }));
@@ -87,7 +95,8 @@ pub(crate) fn with_fault(
     Some(Ok(finished(&whole, &order, (reduced, values), stages)))
 }
 
-/// The residuals of rows, their slopes and further derivatives; the rows and columns that are recorded.
+/// The residuals of rows, their slopes and further derivatives; the rows and columns that are
+/// recorded.
 fn miscopy(whole: &mut Whole, wrong: Wrong, k: usize) -> Option<()> {
     let Whole { graph, rows, .. } = whole;
     match wrong {
@@ -100,7 +109,9 @@ fn miscopy(whole: &mut Whole, wrong: Wrong, k: usize) -> Option<()> {
         _ => {
             let nodes = rows.iter_mut().flat_map(|row| {
                 let own = [&mut row.residual, &mut row.by_time, &mut row.second];
-                own.into_iter().chain(&mut row.third).chain(row.slopes.iter_mut().map(|(_, slope)| slope))
+                own.into_iter()
+                    .chain(&mut row.third)
+                    .chain(row.slopes.iter_mut().map(|(_, slope)| slope))
             });
             change(graph, nodes.collect(), wrong, k)
         }
@@ -150,8 +161,8 @@ fn change(graph: &mut Graph, mut nodes: Vec<&mut Node>, wrong: Wrong, k: usize) 
     Some(())
 }
 
-/// The rows that give coordinates: their factors, then their rests; their order, their rows and columns, and
-/// one that gives is left once more in place of another.
+/// The rows that give coordinates: their factors, then their rests; their order, their rows and
+/// columns, and one that gives is left once more in place of another.
 fn misgive(graph: &mut Graph, order: &mut Order, wrong: Wrong, k: usize) -> Option<()> {
     let given = order.explicit.len();
     if matches!(wrong, Wrong::Row | Wrong::Column) {
@@ -180,8 +191,8 @@ fn misgive(graph: &mut Graph, order: &mut Order, wrong: Wrong, k: usize) -> Opti
     Some(())
 }
 
-/// The cells, multipliers, cofactors and pivots of an elimination; then the order of its pivots; the rows and
-/// columns that are recorded for them and for the cofactors.
+/// The cells, multipliers, cofactors and pivots of an elimination; then the order of its pivots;
+/// the rows and columns that are recorded for them and for the cofactors.
 fn spoil(graph: &mut Graph, all: &mut Elimination<'_>, wrong: Wrong, k: usize) -> Option<()> {
     if matches!(wrong, Wrong::Row | Wrong::Column) {
         let lists = all.blocks.iter_mut().map(|block| {

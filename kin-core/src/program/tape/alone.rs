@@ -10,8 +10,8 @@ use super::times::Limits;
 use crate::numbers::lanes::Level;
 use crate::program::gather::Case;
 
-/// The second step is at most this share of the first one: the position is near then, and no other one is as
-/// near.   \[-\]
+/// The second step is at most this share of the first one: the position is near then, and no other
+/// one is as near.   \[-\]
 const SHRINKING: f64 = 0.125;
 
 /// A tape with its memory of single numbers.
@@ -24,7 +24,8 @@ pub(crate) struct Found {
     pub residual: f64,
     /// The row that has it.
     pub worst: usize,
-    /// The least of pivots and determinants, as a share of what it was at the mark, whatever their signs.
+    /// The least of pivots and determinants, as a share of what it was at the mark, whatever their
+    /// signs.
     pub pivot: f64,
 }
 
@@ -49,16 +50,24 @@ impl Alone {
         Alone(Solver::new(simd, 0.0, tape, case))
     }
 
-    /// Solves at one time, torn coordinates from where they are in `q`; nothing where Newton's steps do not
-    /// shrink quickly, C = 0 does not hold as it is written, or a pivot is small.
-    pub(crate) fn solve<S: Level>(&mut self, simd: S, t: f64, q: &[f64], limits: &Limits) -> Option<Found> {
+    /// Solves at one time, torn coordinates from where they are in `q`; nothing where Newton's
+    /// steps do not shrink quickly, C = 0 does not hold as it is written, or a pivot is small.
+    pub(crate) fn solve<S: Level>(
+        &mut self,
+        simd: S,
+        t: f64,
+        q: &[f64],
+        limits: &Limits,
+    ) -> Option<Found> {
         let Alone(solver) = self;
         solver.memory[solver.tape.t as usize] = t;
         for (place, column) in solver.tape.torn.iter().zip(&solver.tape.columns) {
             solver.memory[*place as usize] = q[*column];
         }
         let Checked { met, residual, pivot, .. } = simd.vectorize(Solving { solver, simd, limits });
-        let (steps, worst, [first, second]) = (solver.steps as usize, solver.worst(0), solver.corrections);
+        let steps = solver.steps as usize;
+        let worst = solver.worst(0);
+        let [first, second] = solver.corrections;
         let shrinks = steps < 2 || second <= SHRINKING * first;
         // A side that rounding decides is not a number.
         let decided = solver.tape.sides.iter().all(|place| !solver.at(*place).is_nan());
@@ -75,11 +84,12 @@ impl Alone {
         let _ = self.0.mark();
     }
 
-    /// q with its last correction, q̇ and q̈ of the last time. An equation may jump with the last correction,
-    /// which is left out then.
+    /// q with its last correction, q̇ and q̈ of the last time. An equation may jump with the last
+    /// correction, which is left out then.
     pub(crate) fn numbers(&self) -> [Vec<f64>; 3] {
         let Solver { tape, .. } = &self.0;
-        let all = |places: &[u32]| places.iter().map(|place| self.0.at(*place)).collect::<Vec<f64>>();
+        let all =
+            |places: &[u32]| places.iter().map(|place| self.0.at(*place)).collect::<Vec<f64>>();
         let mut q = all(&tape.values);
         if !tape.jumps() {
             q.iter_mut().zip(&tape.corrections).for_each(|(q, place)| *q += self.0.at(*place));

@@ -1,9 +1,9 @@
 //! Nodes without a history.
 //!
-//! A graph moves signs and powers of two to the outside of every product, so that equal expressions are
-//! found. The results of long expressions then carry factors into what is made of them, with which no sum can
-//! be fused. A mask is a number that stands for a node while others are made of it; at the end the node takes
-//! its place, and nothing else is simplified.
+//! A graph moves signs and powers of two to the outside of every product, so that equal expressions
+//! are found. The results of long expressions then carry factors into what is made of them, with
+//! which no sum can be fused. A mask is a number that stands for a node while others are made of
+//! it; at the end the node takes its place, and nothing else is simplified.
 
 use std::collections::HashMap;
 
@@ -78,13 +78,16 @@ impl Masks {
 mod tests {
     use super::*;
 
-    /// 2 a · 2 b stays what it is where a mask stands for each factor, and masks of masks are found.
+    /// 2 a · 2 b stays what it is where a mask stands for each factor, and masks of masks are
+    /// found.
     #[test]
     fn nodes_take_the_places_of_their_masks() {
-        let (mut graph, mut masks) = (Graph::default(), Masks::default());
+        let mut graph = Graph::default();
+        let mut masks = Masks::default();
         let [x, y] = [0, 1].map(|k| graph.input(Input::Column(k)));
         let two = graph.constant(2.0);
-        let (a, b) = (graph.mul(two, x), graph.mul(two, y));
+        let a = graph.mul(two, x);
+        let b = graph.mul(two, y);
         let own = masks.all(&mut graph, &[a, b, two, x]);
         assert_eq!(own[2..], [two, x]);
         let product = graph.mul(own[0], own[1]);

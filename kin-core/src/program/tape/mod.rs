@@ -1,5 +1,5 @@
-//! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be done is
-//! found out once a run.
+//! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be
+//! done is found out once a run.
 
 pub(crate) mod alone;
 mod masks;
@@ -46,8 +46,8 @@ pub(in crate::program) enum Kind {
     LargerProduct,
     /// Sine into `out`, cosine into `c`.
     SinCos,
-    /// The derivative of that order of the law of that number, and the two that follow it, into `out`, `b`
-    /// and `c`.
+    /// The derivative of that order of the law of that number, and the two that follow it, into
+    /// `out`, `b` and `c`.
     Law(u32, u8),
     One(Function),
     Two(Function2),
@@ -72,7 +72,8 @@ pub(in crate::program) struct Step<P = u32> {
 impl Step {
     /// The same with places of one byte, if they are that small.
     fn short(self) -> Option<Step<u8>> {
-        let [out, a, b, c] = [self.out, self.a, self.b, self.c].map(|place| u8::try_from(place).ok());
+        let [out, a, b, c] =
+            [self.out, self.a, self.b, self.c].map(|place| u8::try_from(place).ok());
         Some(Step { out: out?, a: a?, b: b?, c: c? })
     }
 }
@@ -89,8 +90,8 @@ pub(in crate::program) struct Run {
 pub(in crate::program) struct Stage {
     pub runs: Vec<Run>,
     pub steps: Vec<Step>,
-    /// All steps with places of one byte; none where some place is larger. In a memory of [`SHORT`] numbers
-    /// no such place has to be looked at before it is read.
+    /// All steps with places of one byte; none where some place is larger. In a memory of [`SHORT`]
+    /// numbers no such place has to be looked at before it is read.
     pub short: Vec<Step<u8>>,
 }
 
@@ -100,8 +101,8 @@ pub(in crate::program) const SHORT: usize = 1 << u8::BITS;
 /// A program on a memory of `places` numbers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tape {
-    /// The values of parameters alone, once a case; those of time alone; those that lead to the correction;
-    /// all others.
+    /// The values of parameters alone, once a case; those of time alone; those that lead to the
+    /// correction; all others.
     pub(in crate::program) setup: Stage,
     pub(in crate::program) time: Stage,
     pub(in crate::program) correct: Stage,
@@ -157,7 +158,8 @@ impl Stage {
 
     /// Makes places one byte, if all are that small.
     pub(in crate::program) fn shorten(&mut self) {
-        self.short = self.steps.iter().map(|step| step.short()).collect::<Option<_>>().unwrap_or_default();
+        self.short =
+            self.steps.iter().map(|step| step.short()).collect::<Option<_>>().unwrap_or_default();
     }
 }
 

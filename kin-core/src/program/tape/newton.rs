@@ -1,5 +1,5 @@
-//! Newton's method on what is torn, and what a position is judged by, over any number: that of one time, or
-//! of one in each lane.
+//! Newton's method on what is torn, and what a position is judged by, over any number: that of one
+//! time, or of one in each lane.
 
 use std::sync::Arc;
 
@@ -12,8 +12,8 @@ use crate::numbers::lanes::lanewise::{Answer, Computed};
 use crate::program::gather::Case;
 use crate::system::stop;
 
-/// A pivot or determinant that is less than this share of what it was where the elimination was chosen loses
-/// digits: other ones would have been chosen.   \[-\]
+/// A pivot or determinant that is less than this share of what it was where the elimination was
+/// chosen loses digits: other ones would have been chosen.   \[-\]
 const FAINT: f64 = 1e-4;
 
 /// A tape with its memory.
@@ -34,8 +34,8 @@ pub(super) struct Checked<N: Computed> {
     /// True where Newton's method has converged, and C = 0 holds as it was written.
     pub met: N::Answer,
     pub residual: N,
-    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is
-    /// another one.
+    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of
+    /// a block is another one.
     pub pivot: N,
     pub turned: N::Answer,
 }
@@ -49,7 +49,8 @@ impl<N: Computed> Solver<N> {
             memory[*place as usize] = zero.all(*x);
         }
         let marks = tape.guards.iter().map(|own| vec![f64::NAN; own.len()]).collect();
-        let (steps, corrections) = (zero.all(0.0), [zero.all(0.0); 2]);
+        let steps = zero.all(0.0);
+        let corrections = [zero.all(0.0); 2];
         let mut solver = Solver { tape, memory, laws: case.laws, marks, steps, corrections };
         solver.replay(simd, |tape| &tape.setup);
         solver
@@ -61,8 +62,8 @@ impl<N: Computed> Solver<N> {
         self.memory[place as usize]
     }
 
-    /// Pivots and determinants of the first lane become the marks; false where one is so small beside what it
-    /// was where the elimination was chosen that digits are lost by it.
+    /// Pivots and determinants of the first lane become the marks; false where one is so small
+    /// beside what it was where the elimination was chosen that digits are lost by it.
     pub(super) fn mark(&mut self) -> bool {
         for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
             let first = |guard: &u32| self.memory[*guard as usize].lane(0);
@@ -74,12 +75,13 @@ impl<N: Computed> Solver<N> {
 
     /// The row with the largest |C_i| in a lane.
     pub(super) fn worst(&self, lane: usize) -> usize {
-        let rows = self.tape.verify.iter().map(|place| self.at(*place).lane(lane).abs()).enumerate();
+        let rows =
+            self.tape.verify.iter().map(|place| self.at(*place).lane(lane).abs()).enumerate();
         rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst }).0
     }
 
-    /// All stages at the time that stands there, from the torn coordinates that stand there. Where a block of
-    /// times `begins`, pivots and determinants become the marks.
+    /// All stages at the time that stands there, from the torn coordinates that stand there. Where
+    /// a block of times `begins`, pivots and determinants become the marks.
     #[inline(always)]
     pub(super) fn solve<S: Level>(&mut self, simd: S, limits: &Limits, begins: bool) -> Checked<N> {
         self.replay(simd, |tape| &tape.time);
@@ -103,7 +105,8 @@ impl<N: Computed> Solver<N> {
     #[inline(always)]
     fn newton<S: Level>(&mut self, simd: S, limits: &Limits) -> N::Answer {
         let one = self.steps.all(1.0);
-        let (mut open, mut previous) = (one.equals(one), one.all(f64::INFINITY));
+        let mut open = one.equals(one);
+        let mut previous = one.all(f64::INFINITY);
         self.steps = one.all(0.0);
         if self.tape.torn.is_empty() {
             return open;
@@ -124,7 +127,8 @@ impl<N: Computed> Solver<N> {
             }
             previous = largest;
             for (place, change) in self.tape.torn.iter().zip(&self.tape.correction) {
-                let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
+                let own = self.memory[*place as usize];
+                let change = self.memory[*change as usize];
                 self.memory[*place as usize] = (own + change).where_or(open, own);
             }
             self.steps = self.steps + one.one_where(open);
@@ -139,20 +143,24 @@ impl<N: Computed> Solver<N> {
     #[cold]
     fn correct_last(&mut self, ends: N::Answer) {
         for (place, change) in self.tape.torn.iter().zip(&self.tape.correction) {
-            let (own, change) = (self.memory[*place as usize], self.memory[*change as usize]);
+            let own = self.memory[*place as usize];
+            let change = self.memory[*change as usize];
             self.memory[*place as usize] = (own + change).where_or(ends, own);
         }
     }
 
-    /// Where the correction in hand and what made it are as small as they have to be, and the largest of it
-    /// by sizes.
+    /// Where the correction in hand and what made it are as small as they have to be, and the
+    /// largest of it by sizes.
     #[inline(always)]
     fn within(&self, limits: &Limits) -> (N::Answer, N) {
-        let (tape, mut largest) = (&*self.tape, self.steps.all(0.0));
+        let tape = &*self.tape;
+        let mut largest = self.steps.all(0.0);
         let mut within = largest.equals(largest);
-        let own = tape.correction.iter().zip(&tape.torn).zip(limits.correction.iter().zip(&limits.sizes));
+        let own =
+            tape.correction.iter().zip(&tape.torn).zip(limits.correction.iter().zip(&limits.sizes));
         for ((change, place), (allowed, size)) in own {
-            let (change, q) = (self.at(*change).abs(), self.at(*place).abs());
+            let change = self.at(*change).abs();
+            let q = self.at(*place).abs();
             within = within & change.at_most(q.all(limits.rounding).fused(q, q.all(*allowed)));
             largest = largest.or_larger(change * q.all(size.recip()));
         }
@@ -175,12 +183,13 @@ impl<N: Computed> Solver<N> {
         (met, most)
     }
 
-    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of a block is
-    /// another one.
+    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of
+    /// a block is another one.
     #[inline(always)]
     fn guarded(&self) -> (N, N::Answer) {
         let one = self.steps.all(1.0);
-        let (mut least, mut turned) = (one, one.below(one));
+        let mut least = one;
+        let mut turned = one.below(one);
         for (guards, marks) in self.tape.guards.iter().zip(&self.marks) {
             let mut product = one;
             for (guard, mark) in guards.iter().zip(marks) {

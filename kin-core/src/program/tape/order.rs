@@ -1,8 +1,9 @@
 //! The order of steps, and which of them go in one run.
 //!
-//! To begin a run takes as many instructions as two steps, and most sums and products of a mechanism come by
-//! twos and threes. So a product may be a fused step that adds −0, a sum one that multiplies by 1, and
-//! likewise for differences and changes of sign: numbers are the same to the last bit, and runs are longer.
+//! To begin a run takes as many instructions as two steps, and most sums and products of a
+//! mechanism come by twos and threes. So a product may be a fused step that adds −0, a sum one that
+//! multiplies by 1, and likewise for differences and changes of sign: numbers are the same to the
+//! last bit, and runs are longer.
 
 use std::ops::Range;
 
@@ -11,7 +12,8 @@ use kin_graph::{Graph, Node};
 use super::Kind;
 use super::schedule::{Planner, REST, SETUP, Task};
 
-/// Instructions that beginning a run takes, and those by which a step of three operands exceeds one of fewer.
+/// Instructions that beginning a run takes, and those by which a step of three operands exceeds one
+/// of fewer.
 const RUN: usize = 33;
 const MORE: usize = 4;
 
@@ -73,7 +75,8 @@ impl Task {
 /// The tasks in their order, and the stretches of it that are of one family.
 fn order(planner: &Planner<'_>) -> (Vec<usize>, Vec<Range<usize>>) {
     let tasks = &planner.tasks;
-    let (mut users, mut missing) = (vec![Vec::new(); tasks.len()], vec![0_usize; tasks.len()]);
+    let mut users = vec![Vec::new(); tasks.len()];
+    let mut missing = vec![0_usize; tasks.len()];
     for (k, task) in tasks.iter().enumerate() {
         for before in task.reads.iter().flatten().filter_map(|node| planner.maker.get(*node)) {
             if tasks[before as usize].stage == task.stage {
@@ -82,7 +85,8 @@ fn order(planner: &Planner<'_>) -> (Vec<usize>, Vec<Range<usize>>) {
             }
         }
     }
-    let (mut order, mut stretches) = (Vec::with_capacity(tasks.len()), Vec::new());
+    let mut order = Vec::with_capacity(tasks.len());
+    let mut stretches = Vec::new();
     for stage in SETUP..=REST {
         let mut ready = Ready::default();
         let begins = (0..tasks.len()).filter(|k| tasks[*k].stage == stage && missing[*k] == 0);
@@ -126,20 +130,27 @@ impl Ready {
     /// The family of which most are ready; of equal ones that which came first.
     fn largest_family(&self) -> Option<Kind> {
         let count = |own: Kind| -> usize {
-            self.0.iter().filter(|(kind, _)| family(*kind) == own).map(|(_, ready)| ready.len()).sum()
+            self.0
+                .iter()
+                .filter(|(kind, _)| family(*kind) == own)
+                .map(|(_, ready)| ready.len())
+                .sum()
         };
-        let families = self.0.iter().filter(|(_, ready)| !ready.is_empty()).map(|(kind, _)| family(*kind));
+        let families =
+            self.0.iter().filter(|(_, ready)| !ready.is_empty()).map(|(kind, _)| family(*kind));
         families.rev().max_by_key(|own| count(*own))
     }
 
     /// The kind of a family of which most are ready.
     fn largest_of(&self, own: Kind) -> Option<Kind> {
-        let all = self.0.iter().rev().filter(|(kind, ready)| family(*kind) == own && !ready.is_empty());
+        let all =
+            self.0.iter().rev().filter(|(kind, ready)| family(*kind) == own && !ready.is_empty());
         all.max_by_key(|(_, ready)| ready.len()).map(|(kind, _)| *kind)
     }
 }
 
-/// The runs of a stretch that take the fewest instructions: those of one kind as they are, or several as one.
+/// The runs of a stretch that take the fewest instructions: those of one kind as they are, or
+/// several as one.
 fn merged(stretch: &[usize], kind: impl Fn(usize) -> Kind) -> Vec<Range<usize>> {
     let mut pure: Vec<Range<usize>> = Vec::new();
     for (k, task) in stretch.iter().enumerate() {
@@ -163,7 +174,8 @@ fn merged(stretch: &[usize], kind: impl Fn(usize) -> Kind) -> Vec<Range<usize>> 
         }
         least.push(best);
     }
-    let (mut runs, mut end) = (Vec::new(), pure.len());
+    let mut runs = Vec::new();
+    let mut end = pure.len();
     while end > 0 {
         let begin = least[end].1;
         runs.push(pure[begin].start..pure[end - 1].end);
@@ -181,10 +193,13 @@ mod tests {
     #[test]
     fn runs_that_take_less_together_are_one() {
         let runs = |kinds: &[(Kind, usize)]| {
-            let all: Vec<Kind> = kinds.iter().flat_map(|(kind, count)| vec![*kind; *count]).collect();
+            let all: Vec<Kind> =
+                kinds.iter().flat_map(|(kind, count)| vec![*kind; *count]).collect();
             merged(&(0..all.len()).collect::<Vec<_>>(), |k| all[k])
         };
-        let ends = |kinds: &[(Kind, usize)]| runs(kinds).into_iter().map(|run| run.end).collect::<Vec<_>>();
+        let ends = |kinds: &[(Kind, usize)]| {
+            runs(kinds).into_iter().map(|run| run.end).collect::<Vec<_>>()
+        };
         assert_eq!(ends(&[(Kind::Mul, 3), (Kind::Add, 2), (Kind::Fma, 9)]), [14]);
         assert_eq!(ends(&[(Kind::Mul, 30), (Kind::Add, 2), (Kind::Fma, 1)]), [30, 33]);
         assert_eq!(ends(&[(Kind::Mul, 30)]), [30]);

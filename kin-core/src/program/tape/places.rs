@@ -28,7 +28,12 @@ impl ByNode {
 pub(super) fn is_given(graph: &Graph, node: Node) -> bool {
     matches!(
         graph.op(node),
-        Op::Input(_) | Op::Constant(_) | Op::Truth(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Leaf(_)
+        Op::Input(_)
+            | Op::Constant(_)
+            | Op::Truth(_)
+            | Op::Decimal(_)
+            | Op::Opaque(..)
+            | Op::Leaf(_)
     )
 }
 
@@ -93,8 +98,9 @@ impl<'a> Places<'a> {
         }
         let read = self.planner.tasks.iter().flat_map(|task| task.reads).flatten();
         for node in read.chain(outputs.iter().map(|node| self.planner.behind(*node))) {
-            let value =
-                graph.constant_value(node).or(graph.truth(node).map(|holds| f64::from(u8::from(holds))));
+            let value = graph
+                .constant_value(node)
+                .or(graph.truth(node).map(|holds| f64::from(u8::from(holds))));
             if let (Some(value), None) = (value, self.place.get(node)) {
                 let place = self.take();
                 self.place.insert(node, place);
@@ -106,14 +112,16 @@ impl<'a> Places<'a> {
 
     /// The steps, with the places of their numbers.
     pub(super) fn write(&mut self, order: &[usize]) {
-        // A place that nothing writes holds no number, so that a fault of this pass cannot pass for one.
-        let (idle, nothing) = (self.take(), self.take());
+        // A place that nothing writes holds no number, so that a fault of this pass cannot pass for
+        // one.
+        let idle = self.take();
+        let nothing = self.take();
         self.constants.push((nothing, f64::NAN));
         self.nothing = nothing;
         for &k in order {
             let Task { kind, reads, makes, stage } = &self.planner.tasks[k];
-            let [a, b, c] =
-                reads.map(|node| node.map_or(nothing, |node| self.place.get(node).unwrap_or(nothing)));
+            let [a, b, c] = reads
+                .map(|node| node.map_or(nothing, |node| self.place.get(node).unwrap_or(nothing)));
             for node in reads.iter().flatten() {
                 let Some(left) = self.readers.get(*node).filter(|left| *left > 0) else { continue };
                 self.readers.insert(*node, left - 1);

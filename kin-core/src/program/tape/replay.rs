@@ -101,7 +101,9 @@ fn run<N: Computed, M: Places<N> + ?Sized>(
         Kind::Two(Function2::Max) => two(steps, memory, N::max),
         Kind::Two(Function2::Min) => two(steps, memory, N::min),
         Kind::Power(n) => one(steps, memory, |a| a.powi(n)),
-        Kind::Compare(comparison) => two(steps, memory, |a, b| a.one_where(compare(comparison, a, b))),
+        Kind::Compare(comparison) => {
+            two(steps, memory, |a, b| a.one_where(compare(comparison, a, b)))
+        }
         Kind::Both => two(steps, memory, |a, b| a * b),
         Kind::Either => two(steps, memory, N::or_larger),
         Kind::Not => one(steps, memory, |a| a.all(1.0) - a),
@@ -113,14 +115,22 @@ fn run<N: Computed, M: Places<N> + ?Sized>(
 }
 
 #[inline(always)]
-fn one<N: Computed, M: Places<N> + ?Sized>(steps: &[Step<M::Place>], memory: &mut M, f: impl Fn(N) -> N) {
+fn one<N: Computed, M: Places<N> + ?Sized>(
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+    f: impl Fn(N) -> N,
+) {
     for step in steps {
         memory.put(step.out, f(memory.get(step.a)));
     }
 }
 
 #[inline(always)]
-fn two<N: Computed, M: Places<N> + ?Sized>(steps: &[Step<M::Place>], memory: &mut M, f: impl Fn(N, N) -> N) {
+fn two<N: Computed, M: Places<N> + ?Sized>(
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+    f: impl Fn(N, N) -> N,
+) {
     for step in steps {
         memory.put(step.out, f(memory.get(step.a), memory.get(step.b)));
     }
@@ -151,13 +161,21 @@ fn compare<N: Computed>(comparison: Comparison, a: N, b: N) -> N::Answer {
 
 /// A function that goes lane by lane: a function of its own, for it calls others anyway.
 #[inline(never)]
-fn one_by_one<N: Computed, M: Places<N> + ?Sized>(f: Function, steps: &[Step<M::Place>], memory: &mut M) {
+fn one_by_one<N: Computed, M: Places<N> + ?Sized>(
+    f: Function,
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+) {
     let value = f.value();
     one(steps, memory, |a| a.map_to(|x| [value(x)])[0]);
 }
 
 #[inline(never)]
-fn two_by_two<N: Computed, M: Places<N> + ?Sized>(f: Function2, steps: &[Step<M::Place>], memory: &mut M) {
+fn two_by_two<N: Computed, M: Places<N> + ?Sized>(
+    f: Function2,
+    steps: &[Step<M::Place>],
+    memory: &mut M,
+) {
     let value = f.value();
     two(steps, memory, |a, b| a.map2(b, value));
 }
@@ -176,6 +194,9 @@ fn ask<N: Computed, M: Places<N> + ?Sized>(
             let fourth = || law.map_or(f64::NAN, |law| law.fourth(x));
             if order == 0 { [f, f1, f2] } else { [f3, fourth(), f64::NAN] }
         });
-        [step.out, step.b, step.c].into_iter().zip(jet).for_each(|(place, number)| memory.put(place, number));
+        [step.out, step.b, step.c]
+            .into_iter()
+            .zip(jet)
+            .for_each(|(place, number)| memory.put(place, number));
     }
 }

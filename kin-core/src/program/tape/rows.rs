@@ -38,7 +38,12 @@ impl<S: Level> NullaryFnOnce for Turning<'_, S> {
         let Turning { times, lanes, lists: [q, qd, qdd, qddd] } = self;
         let all = &times.lines[..];
         for (order, list) in [q, qd, qdd].into_iter().enumerate() {
-            times.turn_all(&all[Times::<S>::line(0, order)..], ORDERS * Times::<S>::STRIDE, &lanes, list);
+            times.turn_all(
+                &all[Times::<S>::line(0, order)..],
+                ORDERS * Times::<S>::STRIDE,
+                &lanes,
+                list,
+            );
         }
         if !times.tape().third_rates.is_empty() {
             times.turn_all(&all[times.line_of(0, ORDERS)..], Times::<S>::STRIDE, &lanes, qddd);
@@ -46,7 +51,8 @@ impl<S: Level> NullaryFnOnce for Turning<'_, S> {
     }
 }
 
-/// Numbers that are none: copied in one piece, where a loop that writes them takes four instructions each.
+/// Numbers that are none: copied in one piece, where a loop that writes them takes four
+/// instructions each.
 const NONE: [f64; 256] = [f64::NAN; 256];
 
 /// Room for so many numbers more, none of them a number yet.
@@ -60,16 +66,19 @@ fn lengthen(list: &mut Vec<f64>, count: usize) {
     }
 }
 
-// Places are counted by hand here: chunks and zips divide for their lengths, which takes more than what is
-// copied.
+// Places are counted by hand here: chunks and zips divide for their lengths, which takes more than
+// what is copied.
 impl<S: Level> Times<S> {
-    /// The lines of all coordinates, so many places apart, appended to a list as rows of these lanes.
+    /// The lines of all coordinates, so many places apart, appended to a list as rows of these
+    /// lanes.
     #[inline(always)]
     fn turn_all(&self, lines: &[f64], apart: usize, lanes: &Range<usize>, list: &mut Vec<f64>) {
-        let (n, begun) = (self.tape().values.len(), list.len());
+        let n = self.tape().values.len();
+        let begun = list.len();
         lengthen(list, lanes.len() * n);
         let rows = &mut list[begun..];
-        let (mut lane, mut at) = (lanes.start, 0);
+        let mut lane = lanes.start;
+        let mut at = 0;
         while lane < lanes.end {
             let is_square = lane.is_multiple_of(SIDE) && lane + SIDE <= lanes.end;
             let count = if is_square { SIDE } else { 1 };
@@ -77,7 +86,9 @@ impl<S: Level> Times<S> {
             if is_square {
                 self.turn(lines, apart, lane + 1, own);
             } else {
-                own.iter_mut().enumerate().for_each(|(column, x)| *x = lines[column * apart + lane + 1]);
+                own.iter_mut()
+                    .enumerate()
+                    .for_each(|(column, x)| *x = lines[column * apart + lane + 1]);
             }
             (lane, at) = (lane + count, at + count * n);
         }
@@ -90,7 +101,8 @@ impl<S: Level> Times<S> {
         let (a, rest) = rows.split_at_mut(n);
         let (b, rest) = rest.split_at_mut(n);
         let (c, d) = rest.split_at_mut(n);
-        let (mut rows, mut column) = ([a, b, c, d], 0);
+        let mut rows = [a, b, c, d];
+        let mut column = 0;
         while column + SIDE <= n {
             self.square::<SIDE>((lines, apart, place), &mut rows, column);
             (column, place) = (column + SIDE, place + SIDE * apart);

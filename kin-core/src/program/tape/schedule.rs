@@ -1,5 +1,5 @@
-//! From a program to its tape: sums are fused, steps of one kind are put side by side, and places are used
-//! again when their number is not read any more.
+//! From a program to its tape: sums are fused, steps of one kind are put side by side, and places
+//! are used again when their number is not read any more.
 
 use std::collections::HashMap;
 
@@ -46,7 +46,8 @@ pub(crate) fn schedule(program: Program) -> Tape {
     let lists = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|k| places.of(own(k)));
     let guards = (lists.len()..outputs.parts.len()).map(|k| places.of(own(k))).collect();
     let (torn, parameters) = inputs[1..].split_at(program.torn.len());
-    let (torn, parameters) = (torn.to_vec(), parameters.to_vec());
+    let torn = torn.to_vec();
+    let parameters = parameters.to_vec();
     let mut tape = Tape { guards, t: inputs[0], torn, parameters, ..Tape::default() };
     tape.places = places.count();
     [tape.setup, tape.time, tape.correct, tape.rest] = places.stages;
@@ -65,7 +66,9 @@ pub(crate) fn schedule(program: Program) -> Tape {
     (tape.columns, tape.rows) = (program.torn, program.rows);
     (tape.laws, tape.blocks, tape.free) = (program.laws, program.blocks, program.free);
     tape.chosen = program.chosen;
-    [&mut tape.setup, &mut tape.time, &mut tape.correct, &mut tape.rest].into_iter().for_each(Stage::shorten);
+    [&mut tape.setup, &mut tape.time, &mut tape.correct, &mut tape.rest]
+        .into_iter()
+        .for_each(Stage::shorten);
     tape
 }
 
@@ -77,7 +80,8 @@ pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> St
     planner.require(&outputs, REST);
     let order = ordered(&mut planner, neutral);
     let mut places = Places::new(&planner, planner.readers(&order, &outputs));
-    let read = planner.tasks.iter().flat_map(|task| task.reads).flatten().chain(outputs.iter().copied());
+    let read =
+        planner.tasks.iter().flat_map(|task| task.reads).flatten().chain(outputs.iter().copied());
     let mut inputs: Vec<Input> = Vec::new();
     for node in read {
         match graph.op(node) {
@@ -87,7 +91,8 @@ pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> St
     }
     let at = places.begin(&inputs, &outputs);
     places.write(&order);
-    let (outputs, places_count) = (places.of(&outputs), places.count());
+    let outputs = places.of(&outputs);
+    let places_count = places.count();
     let [mut stage, time, _, rest] = places.stages;
     [time, rest].into_iter().for_each(|more| stage.append(more));
     stage.shorten();
@@ -114,7 +119,8 @@ impl Outputs {
             &program.sides,
             &program.verify,
         ];
-        let (mut all, mut parts) = (Vec::new(), Vec::new());
+        let mut all = Vec::new();
+        let mut parts = Vec::new();
         for part in own.into_iter().chain(&program.guards) {
             parts.push(all.len()..all.len() + part.len());
             all.extend_from_slice(part);
@@ -137,8 +143,8 @@ pub(super) struct Planner<'a> {
     pub maker: ByNode,
     sines: HashMap<Node, usize>,
     laws: HashMap<(usize, u8, Node), usize>,
-    /// Nodes that are the same number as another one: a law of a coordinate and of what stands for it in
-    /// `verify`.
+    /// Nodes that are the same number as another one: a law of a coordinate and of what stands for
+    /// it in `verify`.
     same: HashMap<Node, Node>,
 }
 
@@ -163,7 +169,8 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Plans what nodes need, as far as it is not planned; what no coordinate is in goes to earlier stages.
+    /// Plans what nodes need, as far as it is not planned; what no coordinate is in goes to earlier
+    /// stages.
     fn require(&mut self, nodes: &[Node], stage: usize) {
         let mut open: Vec<Node> = nodes.iter().rev().map(|node| self.behind(*node)).collect();
         while let Some(&node) = open.last() {
@@ -172,7 +179,8 @@ impl<'a> Planner<'a> {
                 continue;
             }
             let (kind, reads) = self.step(node);
-            let missing = |node: &Node| self.maker.get(*node).is_none() && !is_given(self.graph, *node);
+            let missing =
+                |node: &Node| self.maker.get(*node).is_none() && !is_given(self.graph, *node);
             let before = open.len();
             open.extend(reads.iter().flatten().copied().filter(missing));
             if open.len() == before {
@@ -197,7 +205,10 @@ impl<'a> Planner<'a> {
             }
             Op::Law(law, x, order) => {
                 let first = order / 3;
-                (*self.laws.entry((law, first, self.behind(x))).or_insert(next), usize::from(order % 3))
+                (
+                    *self.laws.entry((law, first, self.behind(x))).or_insert(next),
+                    usize::from(order % 3),
+                )
             }
             _ => (next, 0),
         };
@@ -226,7 +237,9 @@ impl<'a> Planner<'a> {
             Op::Div(a, b) => (Kind::Div, [own(a), own(b), None]),
             Op::Neg(a) => (Kind::Neg, [own(a), None, None]),
             Op::Fma(a, b, c) => {
-                let ((s, a), (t, b), (r, c)) = (signed(a), signed(b), signed(c));
+                let (s, a) = signed(a);
+                let (t, b) = signed(b);
+                let (r, c) = signed(c);
                 let kind = match (s != t, r) {
                     (false, false) => Kind::Fma,
                     (true, false) => Kind::NegatedProduct,
@@ -242,16 +255,21 @@ impl<'a> Planner<'a> {
                 None => (Kind::Two(f), [own(a), own(b), None]),
             },
             Op::Powi(a, n) => (Kind::Power(n), [own(a), None, None]),
-            Op::Law(law, a, order) => (Kind::Law(law as u32, 3 * (order / 3)), [own(a), None, None]),
+            Op::Law(law, a, order) => {
+                (Kind::Law(law as u32, 3 * (order / 3)), [own(a), None, None])
+            }
             Op::Compare(comparison, a, b) => (Kind::Compare(comparison), [own(a), own(b), None]),
             Op::And(a, b) => (Kind::Both, [own(a), own(b), None]),
             Op::Or(a, b) => (Kind::Either, [own(a), own(b), None]),
             Op::Not(a) => (Kind::Not, [own(a), None, None]),
             Op::Select(c, a, b) => (Kind::Select, [own(c), own(a), own(b)]),
             // Programs have no foreign values, and no calls.
-            Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) | Op::Opaque(..) | Op::Leaf(_) => {
-                (Kind::Not, [None; 3])
-            }
+            Op::Input(_)
+            | Op::Constant(_)
+            | Op::Decimal(_)
+            | Op::Truth(_)
+            | Op::Opaque(..)
+            | Op::Leaf(_) => (Kind::Not, [None; 3]),
         }
     }
 
@@ -268,10 +286,11 @@ impl<'a> Planner<'a> {
         if f == Function2::Max { of(y, x).or_else(|| of(x, y)) } else { None }
     }
 
-    /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what later
-    /// stages read.
+    /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what
+    /// later stages read.
     fn readers(&self, order: &[usize], outputs: &[Node]) -> ByNode {
-        let (mut reads, mut keep) = (ByNode::new(self.graph), Vec::new());
+        let mut reads = ByNode::new(self.graph);
+        let mut keep = Vec::new();
         for &k in order {
             for node in self.tasks[k].reads.iter().flatten() {
                 let stage = self.maker.get(*node).map(|maker| self.tasks[maker as usize].stage);

@@ -1,4 +1,5 @@
-//! A tape without stages, over all times of a motion: what it reads and gives are rows of lists, one a time.
+//! A tape without stages, over all times of a motion: what it reads and gives are rows of lists,
+//! one a time.
 
 use kin_graph::Input;
 use pulp::NullaryFnOnce;
@@ -11,8 +12,8 @@ use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 /// A guard that is less than this share of its mark leaves a time to other ways.   \[-\]
 const LEAST: f64 = 0.02;
 
-/// The side of the tiles that are turned in registers, and how many of them are as long as any number of
-/// lanes.
+/// The side of the tiles that are turned in registers, and how many of them are as long as any
+/// number of lanes.
 const SIDE: usize = 4;
 const MOST: usize = 4;
 
@@ -30,8 +31,8 @@ pub(crate) struct Straight {
 /// A list with a row of so many numbers for each time.
 pub(crate) type Rows<'a> = (&'a [f64], usize);
 
-/// A tape on its way over the times of a motion. Its first outputs are guards, one for each mark, then pairs
-/// of a number and its limit.
+/// A tape on its way over the times of a motion. Its first outputs are guards, one for each mark,
+/// then pairs of a number and its limit.
 pub(crate) struct OverTimes<'a, K> {
     pub tape: &'a Straight,
     pub times: usize,
@@ -46,7 +47,13 @@ pub(crate) struct OverTimes<'a, K> {
 /// Where the outputs behind the guards go.
 pub(crate) trait Sink {
     /// Takes some lanes, the first of them of time `first`. Lanes that are not good are of no use.
-    fn take<S: Level>(&mut self, simd: S, outputs: Outputs<'_, S>, first: usize, lanes: (usize, Mask<S>));
+    fn take<S: Level>(
+        &mut self,
+        simd: S,
+        outputs: Outputs<'_, S>,
+        first: usize,
+        lanes: (usize, Mask<S>),
+    );
 }
 
 /// The outputs behind the guards, in all lanes.
@@ -72,8 +79,9 @@ impl Straight {
 }
 
 impl<K: Sink> OverTimes<'_, K> {
-    /// Hands over all times; gives those that are not good, in their order: where a guard is small, a number
-    /// is beyond its limit, or an output is not finite. `None` where the machine has no lanes.
+    /// Hands over all times; gives those that are not good, in their order: where a guard is small,
+    /// a number is beyond its limit, or an output is not finite. `None` where the machine has no
+    /// lanes.
     pub(crate) fn run(self) -> Option<Vec<usize>> {
         Lanes::Best.dispatch(self).ok()
     }
@@ -87,10 +95,18 @@ impl<K: Sink> WithLevel for OverTimes<'_, K> {
         // One more than there are places: what is not read goes there.
         let unread = tape.places.max(SHORT);
         let mut memory = vec![Wide::splat(simd, f64::NAN); unread + 1];
-        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
+        tape.constants
+            .iter()
+            .for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
         let ports = Ports::new(tape, self.port, unread as u32);
         let mut bad = Vec::new();
-        simd.vectorize(Passing { all: self, simd, memory: &mut memory, ports: &ports, bad: &mut bad });
+        simd.vectorize(Passing {
+            all: self,
+            simd,
+            memory: &mut memory,
+            ports: &ports,
+            bad: &mut bad,
+        });
         bad
     }
 }
@@ -105,8 +121,8 @@ struct Ports<'a> {
     single: Vec<(Rows<'a>, usize, u32)>,
 }
 
-/// Neighbouring columns of a list from number `first` on, and where they go: all but the inputs among them to
-/// a place that nothing reads.
+/// Neighbouring columns of a list from number `first` on, and where they go: all but the inputs
+/// among them to a place that nothing reads.
 struct Tile<'a> {
     rows: Rows<'a>,
     first: usize,
@@ -115,12 +131,17 @@ struct Tile<'a> {
 
 impl<'a> Ports<'a> {
     /// `unread` is a place that nothing reads.
-    fn new(tape: &Straight, port: &'a dyn Fn(Input) -> Option<(Rows<'a>, usize)>, unread: u32) -> Self {
+    fn new(
+        tape: &Straight,
+        port: &'a dyn Fn(Input) -> Option<(Rows<'a>, usize)>,
+        unread: u32,
+    ) -> Self {
         let own = tape.inputs.iter().filter_map(|(input, place)| Some((port(*input)?, *place)));
         let mut all: Vec<(Rows<'a>, usize, u32)> =
             own.map(|((rows, column), place)| (rows, column, place)).collect();
         all.sort_by_key(|(rows, column, _)| (rows.0.as_ptr() as usize, *column));
-        let (mut tiles, mut single) = (Vec::<Tile<'a>>::new(), Vec::new());
+        let mut tiles = Vec::<Tile<'a>>::new();
+        let mut single = Vec::new();
         for &(rows, column, place) in &all {
             let Some(last) = rows.1.checked_sub(SIDE) else {
                 single.push((rows, column, place));
@@ -130,7 +151,8 @@ impl<'a> Ports<'a> {
             match known.filter(|tile| column < tile.first + SIDE) {
                 Some(tile) => tile.places[column - tile.first] = place,
                 None => {
-                    let (first, mut places) = (column.min(last), [unread; SIDE]);
+                    let first = column.min(last);
+                    let mut places = [unread; SIDE];
                     places[column - first] = place;
                     tiles.push(Tile { rows, first, places });
                 }
@@ -211,7 +233,8 @@ impl<S: Level, K: Sink> NullaryFnOnce for Passing<'_, '_, S, K> {
     }
 }
 
-/// Where no guard is small beside its mark, no number is beyond its limit, and all outputs are finite.
+/// Where no guard is small beside its mark, no number is beyond its limit, and all outputs are
+/// finite.
 #[inline(always)]
 fn judged<S: Level>(
     simd: S,
@@ -220,7 +243,8 @@ fn judged<S: Level>(
     (marks, limited): (&[f64], usize),
 ) -> Mask<S> {
     let zero = Wide::splat(simd, 0.0);
-    let (mut good, mut none) = (Mask::splat(simd, true), zero);
+    let mut good = Mask::splat(simd, true);
+    let mut none = zero;
     for (place, mark) in outputs.iter().zip(marks) {
         good = good & memory[*place as usize].abs().ge(Wide::splat(simd, LEAST * mark.abs()));
     }

@@ -1,8 +1,8 @@
-//! Many times of one run at once, one a lane: Newton's method on what is torn, rates, C as it was written,
-//! and what each time is judged by.
+//! Many times of one run at once, one a lane: Newton's method on what is torn, rates, C as it was
+//! written, and what each time is judged by.
 //!
-//! A lane's digits never depend on its neighbours: one that has converged is not changed any more while
-//! others go on.
+//! A lane's digits never depend on its neighbours: one that has converged is not changed any more
+//! while others go on.
 
 use std::sync::Arc;
 
@@ -45,9 +45,10 @@ pub(crate) struct Limits {
 /// The findings about each lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Judged<S: Level> {
-    /// How far the prediction from either end of a step misses the other; not a number where that cannot be
-    /// said, or anything else is objected to: Newton's method has not converged, C = 0 does not hold as it is
-    /// written, a block has turned over, a pivot is small, something has turned too far.
+    /// How far the prediction from either end of a step misses the other; not a number where that
+    /// cannot be said, or anything else is objected to: Newton's method has not converged, C = 0
+    /// does not hold as it is written, a block has turned over, a pivot is small, something has
+    /// turned too far.
     pub miss: Wide<S>,
     /// The least of pivots and determinants, as a share of what it was at the mark.
     pub pivot: Wide<S>,
@@ -58,8 +59,8 @@ pub(crate) struct Judged<S: Level> {
 pub(crate) struct Times<S: Level> {
     pub(super) simd: S,
     pub(super) solver: Solver<Wide<S>>,
-    /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes; behind all of them q⃛
-    /// of each coordinate, where it is asked for.
+    /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes; behind all
+    /// of them q⃛ of each coordinate, where it is asked for.
     pub(super) lines: Vec<f64>,
     /// The numbers that choose between sides, in the last lane before.
     sides: Vec<f64>,
@@ -73,7 +74,8 @@ impl<S: Level> Times<S> {
     /// For a case.
     pub(crate) fn new(simd: S, tape: Arc<Tape>, case: Case) -> Self {
         let numbers = ORDERS * tape.values.len() + tape.third_rates.len();
-        let (lines, none) = (vec![0.0; Self::STRIDE * numbers], Wide::splat(simd, f64::NAN));
+        let lines = vec![0.0; Self::STRIDE * numbers];
+        let none = Wide::splat(simd, f64::NAN);
         let sides = vec![f64::NAN; tape.sides.len()];
         let judged = Judged { miss: none, pivot: none, residual: none };
         Times { simd, solver: Solver::new(simd, none, tape, case), lines, sides, judged }
@@ -92,7 +94,9 @@ impl<S: Level> Times<S> {
     /// The position before the first lane of the first group; of a later one it is the last lane's.
     pub(crate) fn begin(&mut self, before: [&[f64]; ORDERS]) {
         for (order, all) in before.into_iter().enumerate() {
-            all.iter().enumerate().for_each(|(column, x)| self.lines[Self::line(column, order)] = *x);
+            all.iter()
+                .enumerate()
+                .for_each(|(column, x)| self.lines[Self::line(column, order)] = *x);
         }
     }
 
@@ -130,9 +134,9 @@ impl<S: Level> Times<S> {
         self.solver.worst(lane)
     }
 
-    /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn coordinates
-    /// begin on their curves, powers of the time since `origin`. Where `begins` is true, pivots and
-    /// determinants of the first lane become the marks.
+    /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn
+    /// coordinates begin on their curves, powers of the time since `origin`. Where `begins` is
+    /// true, pivots and determinants of the first lane become the marks.
     pub(crate) fn solve(
         &mut self,
         before: f64,
@@ -186,7 +190,8 @@ impl<S: Level> NullaryFnOnce for Solving<'_, S> {
         let same = times.same_sides(begins);
         let known = times.write(begins);
         let [miss, reach] = times.missed(t - from, limits);
-        let (least, most) = (Wide::splat(simd, limits.pivot), Wide::splat(simd, limits.reach));
+        let least = Wide::splat(simd, limits.pivot);
+        let most = Wide::splat(simd, limits.reach);
         let good = met & same & known & !turned & pivot.ge(least) & reach.le(most);
         let miss = good.select(miss, Wide::splat(simd, f64::NAN));
         times.judged = Judged { miss, pivot, residual };
@@ -194,8 +199,8 @@ impl<S: Level> NullaryFnOnce for Solving<'_, S> {
 }
 
 impl<S: Level> Times<S> {
-    /// True where everything that chooses between sides is what it was a lane before; of the first lane that
-    /// is not asked where a block begins.
+    /// True where everything that chooses between sides is what it was a lane before; of the first
+    /// lane that is not asked where a block begins.
     #[inline(always)]
     fn same_sides(&mut self, begins: bool) -> Mask<S> {
         let mut same = Mask::splat(self.simd, true);
@@ -212,13 +217,14 @@ impl<S: Level> Times<S> {
         same
     }
 
-    /// q with its last correction, q̇, q̈ and q⃛ into the lines, behind what stood in the last lane; where q⃛
-    /// is finite. An equation may jump with the last correction, after which nothing is looked at: then it is
-    /// left out.
+    /// q with its last correction, q̇, q̈ and q⃛ into the lines, behind what stood in the last
+    /// lane; where q⃛ is finite. An equation may jump with the last correction, after which nothing
+    /// is looked at: then it is left out.
     #[inline(always)]
     fn write(&mut self, begins: bool) -> Mask<S> {
         let Times { simd, solver, lines, .. } = self;
-        let (tape, zero) = (&*solver.tape, Wide::splat(*simd, 0.0));
+        let tape = &*solver.tape;
+        let zero = Wide::splat(*simd, 0.0);
         let rates = tape.rates.iter().zip(&tape.second_rates);
         let places = tape.values.iter().zip(&tape.corrections).zip(rates);
         for (own, ((value, correction), (rate, second_rate))) in
@@ -247,17 +253,25 @@ impl<S: Level> Times<S> {
         none.equal(zero)
     }
 
-    /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how much anything
-    /// turns.
+    /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how
+    /// much anything turns.
     #[inline(always)]
     fn missed(&self, h: Wide<S>, limits: &Limits) -> [Wide<S>; 2] {
         let simd = self.simd;
         let zero = Wide::splat(simd, 0.0);
-        let (mut miss, mut reach, mut all) = (zero, zero, zero);
-        let own = self.lines.chunks_exact(ORDERS * Self::STRIDE).zip(limits.shares.iter().zip(&limits.turns));
+        let mut miss = zero;
+        let mut reach = zero;
+        let mut all = zero;
+        let own = self
+            .lines
+            .chunks_exact(ORDERS * Self::STRIDE)
+            .zip(limits.shares.iter().zip(&limits.turns));
         for (lines, (share, turn)) in own {
-            let before =
-                [self.wide(lines, 0), self.wide(lines, Self::STRIDE), self.wide(lines, 2 * Self::STRIDE)];
+            let before = [
+                self.wide(lines, 0),
+                self.wide(lines, Self::STRIDE),
+                self.wide(lines, 2 * Self::STRIDE),
+            ];
             let now = [
                 self.wide(lines, 1),
                 self.wide(lines, Self::STRIDE + 1),

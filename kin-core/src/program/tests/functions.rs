@@ -8,8 +8,8 @@ use crate::program::kind::SELF;
 use crate::program::tape::replay::Replay;
 use crate::program::tape::{SHORT, Straight, straight};
 
-/// The values of what `make` makes of numbers, a row of them for each value; `None` where the machine does
-/// not have these lanes.
+/// The values of what `make` makes of numbers, a row of them for each value; `None` where the
+/// machine does not have these lanes.
 pub(crate) fn in_lanes<const N: usize>(
     lanes: Lanes,
     rows: &[[f64; N]],
@@ -33,7 +33,9 @@ impl<const N: usize> WithLevel for All<'_, N> {
     fn run<S: Level>(self, simd: S) -> Vec<f64> {
         let All { tape, rows } = self;
         let mut memory = vec![Wide::splat(simd, f64::NAN); tape.places.max(SHORT)];
-        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
+        tape.constants
+            .iter()
+            .for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
         let mut values = Vec::with_capacity(rows.len());
         for group in rows.chunks(Wide::<S>::LANES) {
             for (input, place) in &tape.inputs {

@@ -7,8 +7,10 @@ use crate::{Ground, Law, Mechanism, System, deg, vec2};
 /// Every mechanism of the gallery that is made of the library's constraints.
 fn gallery() -> Vec<(String, System)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/examples");
-    let mut paths: Vec<_> =
-        std::fs::read_dir(folder).expect("the gallery").map(|file| file.expect("a file").path()).collect();
+    let mut paths: Vec<_> = std::fs::read_dir(folder)
+        .expect("the gallery")
+        .map(|file| file.expect("a file").path())
+        .collect();
     paths.sort();
     let system = |path: &std::path::PathBuf| {
         let mechanism = Mechanism::read_json(path, &Registry::new()).ok()?;
@@ -26,8 +28,8 @@ pub(crate) fn systems() -> impl Iterator<Item = (String, System)> {
 /// The four-bar of the workloads, its crank's length given.
 pub(crate) fn four_bar(crank_length: f64) -> System {
     let mut m = Mechanism::new("four-bar");
-    let (crank, coupler) =
-        (m.link("crank", crank_length).expect("a link"), m.link("coupler", 3.5).expect("a link"));
+    let crank = m.link("crank", crank_length).expect("a link");
+    let coupler = m.link("coupler", 3.5).expect("a link");
     let rocker = m.link("rocker", 3.0).expect("a link");
     m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).expect("adds");
     m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).expect("adds");
@@ -46,10 +48,12 @@ fn chain(links: usize) -> System {
         let link = m.link(&format!("link {k}"), 1.0).expect("a link");
         let law = Law::sine(0.3, 1.0, 0.1 * k as f64);
         match last {
-            None => m.add("pin 0", revolute(Ground, link, vec2(0.0, 0.0), link.start())).expect("adds"),
-            Some(last) => {
-                m.add(&format!("pin {k}"), revolute(last, link, last.end(), link.start())).expect("adds")
+            None => {
+                m.add("pin 0", revolute(Ground, link, vec2(0.0, 0.0), link.start())).expect("adds")
             }
+            Some(last) => m
+                .add(&format!("pin {k}"), revolute(last, link, last.end(), link.start()))
+                .expect("adds"),
         };
         m.add(&format!("motor {k}"), drive_angle(link, law)).expect("adds");
         last = Some(link);

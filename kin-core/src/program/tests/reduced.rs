@@ -1,5 +1,5 @@
-//! A program computes the numbers of its system: positions, velocities and accelerations at the times of a
-//! motion.
+//! A program computes the numbers of its system: positions, velocities and accelerations at the
+//! times of a motion.
 
 use kin_graph::{Node, evaluate};
 
@@ -15,9 +15,15 @@ pub(crate) fn compiled(system: &System, t: f64, q: &[f64]) -> Result<Program, Re
 }
 
 /// The same with q⃛, if that is asked for.
-pub(super) fn compiled_with(system: &System, t: f64, q: &[f64], jerk: bool) -> Result<Program, Refusal> {
+pub(super) fn compiled_with(
+    system: &System,
+    t: f64,
+    q: &[f64],
+    jerk: bool,
+) -> Result<Program, Refusal> {
     let point = system.model().linearize(q, t).expect("finite");
-    let sizes = scale::sizes(system.layout(), system.equations(), &point.values, (q, t), system.links());
+    let sizes =
+        scale::sizes(system.layout(), system.equations(), &point.values, (q, t), system.links());
     program(system, Pose { t, q, sizes: &sizes }, jerk)
 }
 
@@ -28,11 +34,15 @@ fn largest(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
     })
 }
 
-/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈, q⃛ and C beside
-/// those of the motion.
+/// Newton's method on what is torn, from values that are off; then all coordinates, q̇, q̈, q⃛ and
+/// C beside those of the motion.
 fn difference(program: &Program, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f64; 5] {
     let mut own = q.to_vec();
-    program.torn.iter().enumerate().for_each(|(k, column)| own[*column] += 1e-4 * (k as f64 + 1.0).sin());
+    program
+        .torn
+        .iter()
+        .enumerate()
+        .for_each(|(k, column)| own[*column] += 1e-4 * (k as f64 + 1.0).sin());
     let of = |nodes: &[Node], q: &[f64], given: &[f64]| {
         let results = evaluate(&program.graph, nodes, &At { t, q, given, program });
         nodes.iter().map(|node| results.number(*node).expect("evaluated")).collect::<Vec<f64>>()
@@ -44,7 +54,8 @@ fn difference(program: &Program, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f6
     let values = of(&program.values, &own, &[]);
     let verify = of(&program.verify, &own, &values);
     let [rates, second_rates, third_rates] =
-        [&program.rates, &program.second_rates, &program.third_rates].map(|nodes| of(nodes, &own, &[]));
+        [&program.rates, &program.second_rates, &program.third_rates]
+            .map(|nodes| of(nodes, &own, &[]));
     assert_eq!(third_rates.len(), qddd.len());
     let all = |a: &[f64], b: &[f64]| largest(a.iter().copied().zip(b.iter().copied()));
     [
@@ -60,7 +71,8 @@ fn difference(program: &Program, t: f64, [q, qd, qdd, qddd]: [&[f64]; 4]) -> [f6
 fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
     let nodes: Vec<Node> = program.guards.iter().flatten().copied().collect();
     let [marks, now] = [0, 1].map(|k| {
-        let results = evaluate(&program.graph, &nodes, &At { t: times[k], q: poses[k], given: &[], program });
+        let results =
+            evaluate(&program.graph, &nodes, &At { t: times[k], q: poses[k], given: &[], program });
         nodes.iter().map(|node| results.number(*node).expect("evaluated")).collect::<Vec<f64>>()
     });
     now.iter().zip(marks).any(|(now, mark)| now.abs() < 0.01 * mark.abs())
@@ -68,7 +80,8 @@ fn fades(program: &Program, times: [f64; 2], poses: [&[f64]; 2]) -> bool {
 
 #[test]
 fn the_program_has_the_positions_and_rates_of_the_system() {
-    let (mut compared, mut refused) = (0, Vec::new());
+    let mut compared = 0;
+    let mut refused = Vec::new();
     for (name, system) in systems() {
         let options = Options { jerk: true, ..Options::default() };
         let Ok(motion) = system.run_with(linspace(0.0, 0.5, 26), &options) else { continue };
@@ -85,7 +98,8 @@ fn the_program_has_the_positions_and_rates_of_the_system() {
             let t = motion.times()[k];
             // Where a pivot has faded another order is to be taken.
             let faded = fades(&program, [0.0, t], [motion.q(0), motion.q(k)]);
-            let another = faded.then(|| compiled_with(&system, t, motion.q(k), true).expect("as before"));
+            let another =
+                faded.then(|| compiled_with(&system, t, motion.q(k), true).expect("as before"));
             let [q, qd, qdd, qddd, c] = difference(another.as_ref().unwrap_or(&program), t, all);
             assert!(
                 q < 1e-11 && qd < 1e-9 && qdd < 1e-7 && qddd < 1e-6 && c < 1e-11,

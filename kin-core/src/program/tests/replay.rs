@@ -27,19 +27,23 @@ impl WithLevel for Replayed<'_> {
     fn run<S: Level>(self, simd: S) -> Self::Output {
         let tape = self.tape;
         let mut memory = vec![Wide::splat(simd, f64::NAN); self.room.max(tape.places)];
-        tape.constants.iter().for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
+        tape.constants
+            .iter()
+            .for_each(|(place, x)| memory[*place as usize] = Wide::splat(simd, *x));
         for lane in 0..Wide::<S>::LANES {
             let (t, q) = &self.poses[lane % self.poses.len()];
             memory[tape.t as usize].as_mut_slice()[lane] = *t;
-            tape.torn
-                .iter()
-                .zip(&tape.columns)
-                .for_each(|(place, column)| memory[*place as usize].as_mut_slice()[lane] = q[*column]);
+            tape.torn.iter().zip(&tape.columns).for_each(|(place, column)| {
+                memory[*place as usize].as_mut_slice()[lane] = q[*column]
+            });
         }
-        let mut replay =
-            |stage: &Stage| simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory }));
+        let mut replay = |stage: &Stage| {
+            simd.vectorize(Again(Replay { stage, laws: &tape.laws, memory: &mut memory }))
+        };
         // The steps that lead to the correction can be replayed any number of times.
-        [&tape.setup, &tape.time, &tape.correct, &tape.correct, &tape.rest].into_iter().for_each(&mut replay);
+        [&tape.setup, &tape.time, &tape.correct, &tape.correct, &tape.rest]
+            .into_iter()
+            .for_each(&mut replay);
         let lists = [
             &tape.correction,
             &tape.left,
@@ -53,7 +57,9 @@ impl WithLevel for Replayed<'_> {
         ];
         let places: Vec<u32> =
             lists.into_iter().flatten().chain(tape.guards.iter().flatten()).copied().collect();
-        let of = |lane: usize| places.iter().map(|place| memory[*place as usize].as_slice()[lane]).collect();
+        let of = |lane: usize| {
+            places.iter().map(|place| memory[*place as usize].as_slice()[lane]).collect()
+        };
         (0..Wide::<S>::LANES.min(self.poses.len())).map(of).collect()
     }
 }
@@ -73,10 +79,14 @@ fn every_number_of_a_tape_is_that_of_its_program() {
     for (name, system) in systems() {
         let Ok(motion) = system.run(linspace(0.0, 0.4, 9)) else { continue };
         let compiled = || compiled_with(&system, 0.0, motion.q(0), true).expect("compiles");
-        let (program, tape) = (compiled(), schedule(compiled()));
+        let program = compiled();
+        let tape = schedule(compiled());
         let off = |column: usize| 1e-3 * (column as f64).cos();
         let pose = |k: usize| {
-            (motion.times()[k], motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect())
+            (
+                motion.times()[k],
+                motion.q(k).iter().enumerate().map(|(column, q)| q + off(column)).collect(),
+            )
         };
         let poses: Vec<(f64, Vec<f64>)> = (0..motion.len()).map(pose).collect();
         // Places of four bytes, and of one where the memory has as many as those tell.

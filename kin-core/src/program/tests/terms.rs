@@ -1,4 +1,5 @@
-//! The gathered graph has the C, C_q, C_t, Q_d and g‴(0) of the system, at poses that need not close.
+//! The gathered graph has the C, C_q, C_t, Q_d and g‴(0) of the system, at poses that need not
+//! close.
 
 use kin_graph::{Input, LeafUse, Node, Source};
 
@@ -44,11 +45,13 @@ impl Source<f64> for At<'_> {
 
 /// The largest difference of C, C_q, −C_t, Q_d and −g‴(0), each by the largest number of its kind.
 fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
-    let (n, mut random) = (system.n_coordinates(), Random::new(seed));
+    let n = system.n_coordinates();
+    let mut random = Random::new(seed);
     let q: Vec<f64> = system.initial().iter().map(|q| q + 0.05 * random.number()).collect();
     let t = 0.3 + 0.1 * random.number();
     let [qd, qdd] = [(); 2].map(|()| (0..n).map(|_| random.number()).collect::<Vec<f64>>());
-    let (equations, model) = (system.equations(), system.model());
+    let equations = system.equations();
+    let model = system.model();
     let point = model.linearize(&q, t).expect("finite");
     let mut by_time = vec![0.0; equations.rows];
     equations.velocity_rhs(&equations.instant_at(t, &q), &mut by_time);
@@ -58,8 +61,9 @@ fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
     model.entries(&point.values).for_each(|(row, column, value)| c_q[row][column] += value);
     let at = At { t, q: &q, qd: &qd, qdd: &qdd, whole };
     let of = |nodes: Vec<Node>| numbers(&whole.graph, &nodes, &at);
-    let rows =
-        |of: fn(&crate::program::gather::Row) -> Node| whole.rows.iter().map(of).collect::<Vec<Node>>();
+    let rows = |of: fn(&crate::program::gather::Row) -> Node| {
+        whole.rows.iter().map(of).collect::<Vec<Node>>()
+    };
     let mut own = vec![vec![0.0; n]; equations.rows];
     for (row, own) in whole.rows.iter().zip(&mut own) {
         let values = of(row.slopes.iter().map(|(_, slope)| *slope).collect());
@@ -74,9 +78,9 @@ fn difference(system: &System, whole: &Whole, seed: u64) -> f64 {
     ];
     let far = |(a, b): &(Vec<f64>, Vec<f64>)| {
         let size = a.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
-        a.iter()
-            .zip(b)
-            .fold(0.0_f64, |m, (x, y)| if (x - y).abs() <= m * size { m } else { (x - y).abs() / size })
+        a.iter().zip(b).fold(0.0_f64, |m, (x, y)| {
+            if (x - y).abs() <= m * size { m } else { (x - y).abs() / size }
+        })
     };
     pairs.iter().map(far).fold(0.0, |m, x| if x <= m { m } else { x })
 }

@@ -12,8 +12,8 @@ use crate::program::stages::{At, Pose, numbers, slopes};
 use crate::program::substitute::substitute;
 use crate::system::{System, scale};
 
-/// The largest entry of C_qᵀ λ − b, of the sum of the sizes of its terms; λ by an elimination that is chosen
-/// at another position. Nothing where a pivot has faded since.
+/// The largest entry of C_qᵀ λ − b, of the sum of the sizes of its terms; λ by an elimination that
+/// is chosen at another position. Nothing where a pivot has faded since.
 fn left(system: &System, [chosen, here]: [(f64, &[f64]); 2], seed: u64) -> Option<f64> {
     let sizes = |(t, q): (f64, &[f64])| {
         let point = system.model().linearize(q, t).expect("finite");
@@ -25,10 +25,13 @@ fn left(system: &System, [chosen, here]: [(f64, &[f64]); 2], seed: u64) -> Optio
     let values = slopes(&whole, pose);
     let order = substitute(&mut whole, &values, pose.sizes);
     let cells: Vec<Vec<(usize, Node)>> = whole.rows.iter().map(|row| row.slopes.clone()).collect();
-    let (mut graph, laws) = (whole.graph.clone(), &whole.laws);
-    let at = |graph: &Graph, nodes: &[Node], pose| numbers(graph, nodes, &At { pose, laws, free: &[] });
+    let mut graph = whole.graph.clone();
+    let laws = &whole.laws;
+    let at =
+        |graph: &Graph, nodes: &[Node], pose| numbers(graph, nodes, &At { pose, laws, free: &[] });
     let chosen = |graph: &Graph, nodes: &[Node]| at(graph, nodes, pose);
-    let elimination = Elimination::new(&mut graph, &order, &cells, pose.sizes, chosen).expect("eliminates");
+    let elimination =
+        Elimination::new(&mut graph, &order, &cells, pose.sizes, chosen).expect("eliminates");
     let mut random = Random::new(seed);
     let b: Vec<f64> = (0..whole.n).map(|_| random.number()).collect();
     let nodes: Vec<Node> = b.iter().map(|b| graph.constant(*b)).collect();
@@ -55,14 +58,18 @@ fn left(system: &System, [chosen, here]: [(f64, &[f64]); 2], seed: u64) -> Optio
 
 #[test]
 fn the_transpose_is_solved_with_the_elimination_of_the_matrix() {
-    let (mut solved, mut blocks) = (0, 0);
+    let mut solved = 0;
+    let mut blocks = 0;
     for (name, system) in systems() {
         let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
         if system.is_redundant() {
             continue;
         }
-        blocks = blocks
-            .max(system.compile().map_or(0, |compiled| compiled.blocks().iter().copied().max().unwrap_or(0)));
+        blocks = blocks.max(
+            system
+                .compile()
+                .map_or(0, |compiled| compiled.blocks().iter().copied().max().unwrap_or(0)),
+        );
         for k in (0..motion.len()).step_by(5) {
             let poses = [0, k].map(|k| (motion.times()[k], motion.q(k)));
             let Some(left) = left(&system, poses, k as u64) else { continue };

@@ -25,8 +25,8 @@ pub struct Assembly {
 pub enum Complete {
     /// There is no other assembly.
     Proved,
-    /// More starts are not expected to lead to another assembly: the search has ended by its statistical
-    /// rule, not by a proof.
+    /// More starts are not expected to lead to another assembly: the search has ended by its
+    /// statistical rule, not by a proof.
     Believed,
     /// Other assemblies may exist.
     Unknown,
@@ -42,8 +42,8 @@ impl Display for Complete {
     }
 }
 
-/// The assemblies that [`crate::System::assemblies`] has found, in the order of their labels, and whether
-/// they are all there are. Reads like a slice: `all.len()`, `all[0]`, `for one in &all`.
+/// The assemblies that [`crate::System::assemblies`] has found, in the order of their labels, and
+/// whether they are all there are. Reads like a slice: `all.len()`, `all[0]`, `for one in &all`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Assemblies {
@@ -85,7 +85,8 @@ impl<'a> IntoIterator for &'a Assemblies {
 pub(super) struct Account {
     /// Starts of all groups.
     pub starts: usize,
-    /// The largest number of poses that may be missing in one group, and how often the rarest pose was met.
+    /// The largest number of poses that may be missing in one group, and how often the rarest pose
+    /// was met.
     pub missing: f64,
     pub rarest: usize,
     /// True as long as every group had exactly one solution by its form.

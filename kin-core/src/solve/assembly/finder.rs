@@ -7,7 +7,8 @@ use crate::model::units::Unit;
 use crate::system::evaluate::Instant;
 use crate::system::scaled::{Measures, Model};
 
-/// No step turns a body by more than this, or moves it by more than so many extents of the group.   \[-\]
+/// No step turns a body by more than this, or moves it by more than so many extents of the
+/// group.   \[-\]
 const STEP: f64 = 0.5;
 
 /// Rows are met to this share of their norms.   \[-\]
@@ -57,12 +58,13 @@ impl<'a> Finder<'a> {
         Finder { extent, ..self }
     }
 
-    /// Finds the extent of the group as its equations show it at a pose: the lengths over which they bend or
-    /// turn, and by which they are off. Nothing of it depends on the origin.
+    /// Finds the extent of the group as its equations show it at a pose: the lengths over which
+    /// they bend or turn, and by which they are off. Nothing of it depends on the origin.
     pub(super) fn measure(&mut self, at: &[f64]) {
         /// In typical lengths at most.   \[-\]
         const MOST: f64 = 100.0;
-        let (units, sizes) = (&self.model.layout.units, &self.measures.sizes);
+        let units = &self.model.layout.units;
+        let sizes = &self.measures.sizes;
         let lengths = || self.group.columns.iter().filter(|column| units[**column] == Unit::Metre);
         let size = lengths().map(|column| sizes[*column]).fold(0.0, f64::max);
         self.extent = if size > 0.0 { size } else { 1.0 };
@@ -72,17 +74,20 @@ impl<'a> Finder<'a> {
         }
         let before = self.values.clone();
         lengths().for_each(|column| self.q[*column] = at[*column] + size);
-        let mut rows = vec![Bend { off: 0.0, per_length: 0.0, per_angle: 0.0, change: 0.0 }; self.c.len()];
+        let mut rows =
+            vec![Bend { off: 0.0, per_length: 0.0, per_angle: 0.0, change: 0.0 }; self.c.len()];
         self.group.rows.iter().for_each(|row| rows[*row].off = self.c[*row].abs());
         if !self.look() {
             return;
         }
         for &(place, row, column) in &self.group.entries {
-            let (bend, value) = (&mut rows[self.group.rows[row]], before[place].abs());
+            let bend = &mut rows[self.group.rows[row]];
+            let value = before[place].abs();
             match units[self.group.columns[column]] {
                 Unit::Metre => {
                     bend.per_length = bend.per_length.max(value);
-                    bend.change = bend.change.max((self.values[place] - before[place]).abs() / size);
+                    bend.change =
+                        bend.change.max((self.values[place] - before[place]).abs() / size);
                 }
                 Unit::Radian => bend.per_angle = bend.per_angle.max(value),
                 Unit::One => {}
@@ -94,8 +99,9 @@ impl<'a> Finder<'a> {
         self.extent = if extent > 0.0 { extent } else { size };
     }
 
-    /// Newton's steps from a start until the group is nearly met; false where they lead nowhere. What has
-    /// been found before has no influence, except that steps are pushed `away` from the poses given.
+    /// Newton's steps from a start until the group is nearly met; false where they lead nowhere.
+    /// What has been found before has no influence, except that steps are pushed `away` from the
+    /// poses given.
     pub(super) fn newton(&mut self, from: &[f64], steps: usize, away: Option<&Known<'_>>) -> bool {
         self.q.copy_from_slice(from);
         self.solver.forget();
@@ -141,8 +147,8 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The derivatives by turns of spatial bodies: half of those by Euler parameters, without the part
-    /// along p, which turns nothing.
+    /// The derivatives by turns of spatial bodies: half of those by Euler parameters, without the
+    /// part along p, which turns nothing.
     fn turns(&self, at: &[f64], values: &[f64], rows: &mut [Bend]) {
         let mut slopes: std::collections::BTreeMap<(usize, usize), [f64; 4]> = Default::default();
         for &(place, row, column) in &self.group.entries {
@@ -150,14 +156,16 @@ impl<'a> Finder<'a> {
             if let Some(&first) =
                 self.group.turns.iter().find(|first| (**first..**first + 4).contains(&column))
             {
-                slopes.entry((self.group.rows[row], first)).or_default()[column - first] += values[place];
+                slopes.entry((self.group.rows[row], first)).or_default()[column - first] +=
+                    values[place];
             }
         }
         for ((row, first), slope) in slopes {
             let p = &at[first..first + 4];
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             let along = dot(&slope, p) / dot(p, p).max(f64::MIN_POSITIVE);
-            let across: f64 = slope.iter().zip(p).map(|(slope, p)| (slope - along * p).powi(2)).sum();
+            let across: f64 =
+                slope.iter().zip(p).map(|(slope, p)| (slope - along * p).powi(2)).sum();
             rows[row].per_angle = rows[row].per_angle.max(0.5 * across.sqrt());
         }
     }
@@ -199,7 +207,11 @@ impl<'a> Finder<'a> {
         equations.set_position(&self.q, &mut self.instant);
         for block in self.group.constraints.iter().map(|&k| &equations.blocks[k]) {
             let at = equations.at(block, &self.instant);
-            block.constraint.linearize(&at, &mut self.c[block.rows()], &mut self.values[block.values()]);
+            block.constraint.linearize(
+                &at,
+                &mut self.c[block.rows()],
+                &mut self.values[block.values()],
+            );
         }
         let Group { rows, entries, .. } = self.group;
         rows.iter().all(|row| self.c[*row].is_finite())
@@ -223,7 +235,12 @@ impl<'a> Finder<'a> {
             (push * unit * y).abs()
         };
         // Not a number counts.
-        self.group.columns.iter().zip(&self.y).map(share).fold(0.0, |m, y| if y <= m { m } else { y })
+        self.group
+            .columns
+            .iter()
+            .zip(&self.y)
+            .map(share)
+            .fold(0.0, |m, y| if y <= m { m } else { y })
     }
 
     fn correct(&mut self, factor: f64) {
@@ -253,8 +270,8 @@ struct Bend {
 }
 
 impl Bend {
-    /// The largest of: the lever; the length over which the slope changes by itself; the length over which
-    /// the equation can be met.
+    /// The largest of: the lever; the length over which the slope changes by itself; the length
+    /// over which the equation can be met.
     fn length(&self, size: f64) -> f64 {
         /// Slopes that change by less, along a typical length, are those of a straight row.   \[-\]
         const STRAIGHT: f64 = 1e-6;
@@ -271,8 +288,8 @@ impl Bend {
     }
 }
 
-/// Newton's steps in shares: of a few equations at once, of many by the recorded elimination; by least
-/// squares where there are more equations than coordinates.
+/// Newton's steps in shares: of a few equations at once, of many by the recorded elimination; by
+/// least squares where there are more equations than coordinates.
 enum Solver {
     Small(Dense),
     Square(Linear),
@@ -281,11 +298,13 @@ enum Solver {
 
 impl Solver {
     fn new(group: &Group, measures: &Measures) -> Self {
-        let (m, n) = (group.rows.len(), group.columns.len());
+        let m = group.rows.len();
+        let n = group.columns.len();
         if group.is_square() && n <= SMALL {
             return Solver::Small(Dense::new(n));
         }
-        let places: Vec<_> = group.entries.iter().map(|&(_, row, column)| Some((row, column))).collect();
+        let places: Vec<_> =
+            group.entries.iter().map(|&(_, row, column)| Some((row, column))).collect();
         if !group.is_square() {
             return Solver::LeastSquares(LeastSquares::new(m, n, &places));
         }
@@ -304,7 +323,13 @@ impl Solver {
     }
 
     /// y_j = dq_j / s_j with C_q dq = −C; false where C_q is singular.
-    fn solve(&mut self, group: &Group, measures: &Measures, [values, c]: [&[f64]; 2], y: &mut [f64]) -> bool {
+    fn solve(
+        &mut self,
+        group: &Group,
+        measures: &Measures,
+        [values, c]: [&[f64]; 2],
+        y: &mut [f64],
+    ) -> bool {
         /// Against matrices that are singular on the way.   \[-\]
         const DAMPING: f64 = 1e-9;
         let Measures { sizes, norms, .. } = measures;

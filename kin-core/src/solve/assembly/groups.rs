@@ -1,5 +1,6 @@
-//! Equations that must be solved together, group after group: each has as many coordinates as equations once
-//! those before it are solved. A driven crank is a group of its own, and the loop it moves is another one.
+//! Equations that must be solved together, group after group: each has as many coordinates as
+//! equations once those before it are solved. A driven crank is a group of its own, and the loop it
+//! moves is another one.
 
 use crate::model::coordinates::Target;
 use crate::model::layout::{Kind, Place};
@@ -21,18 +22,20 @@ pub(super) struct Group {
     pub turns: Vec<usize>,
     /// The angles of planar bodies in the group.
     pub angles: Vec<usize>,
-    /// Constraints that can close with an axis turned by 180°, and whose bodies are known after this group.
+    /// Constraints that can close with an axis turned by 180°, and whose bodies are known after
+    /// this group.
     pub branches: Vec<usize>,
 }
 
 impl Group {
     fn new(model: &Model<'_>, rows: Vec<usize>, columns: Vec<usize>) -> Self {
         let equations = model.equations;
-        let [row_in, column_in] = [(&rows, model.m()), (&columns, model.n())].map(|(all, length)| {
-            let mut places = vec![None; length];
-            all.iter().enumerate().for_each(|(k, place)| places[*place] = Some(k));
-            places
-        });
+        let [row_in, column_in] =
+            [(&rows, model.m()), (&columns, model.n())].map(|(all, length)| {
+                let mut places = vec![None; length];
+                all.iter().enumerate().for_each(|(k, place)| places[*place] = Some(k));
+                places
+            });
         let inside = |(place, entry): (usize, &Option<(usize, usize)>)| {
             let (row, column) = (*entry)?;
             Some((place, row_in[row]?, column_in[column]?))
@@ -46,7 +49,8 @@ impl Group {
                 .filter(|(_, block)| block.rows().any(|row| row_in[row].is_some()))
                 .map(|(k, _)| k)
                 .collect(),
-            is_affine: is_square && entries.iter().all(|(place, _, _)| equations.constants[*place].is_some()),
+            is_affine: is_square
+                && entries.iter().all(|(place, _, _)| equations.constants[*place].is_some()),
             angles: of_kind(Kind::Planar)
                 .map(|item| item.first + 2)
                 .filter(|column| column_in[*column].is_some())
@@ -62,7 +66,8 @@ impl Group {
         }
     }
 
-    /// True if the angle, or all Euler parameters, of the body with this first coordinate are in the group.
+    /// True if the angle, or all Euler parameters, of the body with this first coordinate are in
+    /// the group.
     pub(super) fn turns_body(&self, first: usize) -> bool {
         self.turns.contains(&(first + 3)) || self.angles.contains(&(first + 2))
     }
@@ -73,11 +78,12 @@ impl Group {
     }
 }
 
-/// The groups, each after those that it depends on; a single one where equations and coordinates do not pair
-/// up.
+/// The groups, each after those that it depends on; a single one where equations and coordinates do
+/// not pair up.
 pub(super) fn groups(model: &Model<'_>) -> Vec<Group> {
-    let mut groups = apart(model)
-        .unwrap_or_else(|| vec![Group::new(model, (0..model.m()).collect(), (0..model.n()).collect())]);
+    let mut groups = apart(model).unwrap_or_else(|| {
+        vec![Group::new(model, (0..model.m()).collect(), (0..model.n()).collect())]
+    });
     let mut group_of = vec![0; model.n()];
     for (k, group) in groups.iter().enumerate() {
         group.columns.iter().for_each(|column| group_of[*column] = k);

@@ -1,4 +1,5 @@
-//! The poses of one group that are known, how often starts have led to each, and how many may be missing.
+//! The poses of one group that are known, how often starts have led to each, and how many may be
+//! missing.
 
 use super::label::canonical;
 use crate::model::layout::Kind;
@@ -55,12 +56,13 @@ impl<'a> Known<'a> {
         self.idle = 0;
     }
 
-    /// The number of poses that are missing, as it is to be expected of as many hits if nothing is known of
-    /// how likely each pose is: w (w + 1) / (N − w − 2) of w poses by N hits (C. G. E. Boender, A. H. G.
-    /// Rinnooy Kan, Bayesian stopping rules for multistart global optimization methods, Math. Programming 37,
-    /// 1987).
+    /// The number of poses that are missing, as it is to be expected of as many hits if nothing is
+    /// known of how likely each pose is: w (w + 1) / (N − w − 2) of w poses by N hits (C. G. E.
+    /// Boender, A. H. G. Rinnooy Kan, Bayesian stopping rules for multistart global optimization
+    /// methods, Math. Programming 37, 1987).
     pub(super) fn missing(&self) -> f64 {
-        let (w, n) = (self.poses.len() as f64, self.hits as f64);
+        let w = self.poses.len() as f64;
+        let n = self.hits as f64;
         if n > w + 2.0 { w * (w + 1.0) / (n - w - 2.0) } else { f64::INFINITY }
     }
 
@@ -69,11 +71,12 @@ impl<'a> Known<'a> {
         self.poses.iter().map(|pose| pose.hits).min().unwrap_or(0)
     }
 
-    /// True if more starts are not worth it: nothing new for a while, few poses missing by the estimate, and
-    /// none that chance has hardly led to.
+    /// True if more starts are not worth it: nothing new for a while, few poses missing by the
+    /// estimate, and none that chance has hardly led to.
     pub(super) fn is_settled(&self, patience: usize) -> bool {
         let w = self.poses.len();
-        self.idle >= patience + 10 * w && (w == 0 || (self.missing() <= MISSING && self.rarest() >= OFTEN))
+        self.idle >= patience + 10 * w
+            && (w == 0 || (self.missing() <= MISSING && self.rarest() >= OFTEN))
     }
 
     /// ∇ln M · Δ for a step of shares y, M = Π (1 + ρ²/d_k²) over the known poses.
@@ -97,11 +100,13 @@ impl<'a> Known<'a> {
         self.poses.iter().map(gradient).sum()
     }
 
-    /// b − a, angles by the shorter way, Euler parameters by the nearer of the two signs: the largest, all,
-    /// and the sum of squares.
+    /// b − a, angles by the shorter way, Euler parameters by the nearer of the two signs: the
+    /// largest, all, and the sum of squares.
     fn difference(&self, a: &[f64], b: &[f64]) -> (f64, Vec<f64>, f64) {
         let mut d: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
-        for (d, _) in d.iter_mut().zip(&self.model.layout.units).filter(|(_, unit)| **unit == Unit::Radian) {
+        for (d, _) in
+            d.iter_mut().zip(&self.model.layout.units).filter(|(_, unit)| **unit == Unit::Radian)
+        {
             *d -= std::f64::consts::TAU * (*d / std::f64::consts::TAU).round();
         }
         for item in self.model.layout.items.iter().filter(|item| item.kind == Kind::Spatial) {

@@ -10,18 +10,19 @@ use crate::model::state::SpatialState;
 use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
-/// The name of one assembly among all: a sign vector, and an ordinal among those of the same signs. Written
-/// as `+-+ 2`.
+/// The name of one assembly among all: a sign vector, and an ordinal among those of the same signs.
+/// Written as `+-+ 2`.
 ///
-/// The first sign is that of det C_q, which changes only at singular positions (for redundant mechanisms it
-/// is left out). Then comes one for each pair of moving bodies that a constraint joins, in the order in which
-/// constraints were added, and one for each spatial body that is joined to the ground. For planar bodies i
-/// and j it is the sign of sin(θ_j − θ_i): the elbow to the left or to the right. For spatial bodies it is +
-/// where they are turned against each other by less than a right angle on the whole, tr(A_iᵀ A_j) > 1.
+/// The first sign is that of det C_q, which changes only at singular positions (for redundant
+/// mechanisms it is left out). Then comes one for each pair of moving bodies that a constraint
+/// joins, in the order in which constraints were added, and one for each spatial body that is
+/// joined to the ground. For planar bodies i and j it is the sign of sin(θ_j − θ_i): the elbow to
+/// the left or to the right. For spatial bodies it is + where they are turned against each other by
+/// less than a right angle on the whole, tr(A_iᵀ A_j) > 1.
 ///
-/// Ordinals count from 1 in the order of the coordinates, the first that differs by more than 1e-6 (of a
-/// radian, of the model's length) decides; angles between −π and π, Euler parameters with the first that is
-/// not zero above zero: p and −p are one pose.
+/// Ordinals count from 1 in the order of the coordinates, the first that differs by more than 1e-6
+/// (of a radian, of the model's length) decides; angles between −π and π, Euler parameters with the
+/// first that is not zero above zero: p and −p are one pose.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Label {
     /// The signs, +1 or −1.
@@ -58,14 +59,15 @@ impl FromStr for Label {
             '-' | '−' => Some(-1),
             _ => None,
         };
-        let signs = signs.trim().chars().map(sign).collect::<Option<Vec<i8>>>().ok_or_else(unknown)?;
+        let signs =
+            signs.trim().chars().map(sign).collect::<Option<Vec<i8>>>().ok_or_else(unknown)?;
         let ordinal = ordinal.parse().ok().filter(|k| *k > 0).ok_or_else(unknown)?;
         Ok(Label { signs, ordinal })
     }
 }
 
-/// q with angles between −π and π and one of the two signs of Euler parameters, lengths in units of the
-/// model's: equal for equal poses.
+/// q with angles between −π and π and one of the two signs of Euler parameters, lengths in units of
+/// the model's: equal for equal poses.
 pub(super) fn canonical(layout: &Layout, measures: &Measures, q: &[f64]) -> Vec<f64> {
     let mut all: Vec<f64> = q.iter().zip(&measures.sizes).map(|(q, size)| q / size).collect();
     for (x, _) in all.iter_mut().zip(&layout.units).filter(|(_, unit)| **unit == Unit::Radian) {
@@ -85,7 +87,8 @@ pub(super) fn canonical(layout: &Layout, measures: &Measures, q: &[f64]) -> Vec<
 /// Coordinates nearer than this are the same.   \[-\]
 pub(super) const SAME: f64 = 1e-6;
 
-/// Labels of assemblies, which come out in the canonical order: by signs, + before −, then by coordinates.
+/// Labels of assemblies, which come out in the canonical order: by signs, + before −, then by
+/// coordinates.
 pub(super) fn labelled(
     model: &Model<'_>,
     measures: &Measures,
@@ -117,12 +120,18 @@ fn signs(model: &Model<'_>, measures: &Measures, q: &[f64], t: f64) -> Vec<i8> {
     if model.m() == model.n()
         && let Ok(point) = model.linearize(q, t)
     {
-        signs.push(Echelon::new(model.scaled(&point.values, measures, &|_| true), model.n(), RANK).sign());
+        signs.push(
+            Echelon::new(model.scaled(&point.values, measures, &|_| true), model.n(), RANK).sign(),
+        );
     }
     let mut known: Vec<(Option<usize>, Option<usize>)> = Vec::new();
     for block in &model.equations.blocks {
-        let bodies: Vec<(Target, Option<usize>)> =
-            block.constraint.arguments().iter().filter_map(|a| body(model.layout, &a.target)).collect();
+        let bodies: Vec<(Target, Option<usize>)> = block
+            .constraint
+            .arguments()
+            .iter()
+            .filter_map(|a| body(model.layout, &a.target))
+            .collect();
         let [(target, i), (_, j)] = bodies[..] else { continue };
         let spatial = matches!(target, Target::Spatial(_));
         let pair = (i.min(j), i.max(j));
@@ -152,7 +161,8 @@ fn planar_sign(q: &[f64], i: Option<usize>, j: Option<usize>) -> i8 {
 }
 
 fn spatial_sign(q: &[f64], i: Option<usize>, j: Option<usize>) -> i8 {
-    let a = |first: Option<usize>| match first.and_then(|first| q.get(first..)?.first_chunk::<7>()) {
+    let a = |first: Option<usize>| match first.and_then(|first| q.get(first..)?.first_chunk::<7>())
+    {
         Some(q) => SpatialState::<f64>::new(*q).a,
         None => SpatialState::<f64>::ground().a,
     };
@@ -166,7 +176,9 @@ mod tests {
 
     #[test]
     fn label_is_what_it_is_written_as() {
-        for label in [Label { signs: vec![1, -1, 1], ordinal: 2 }, Label { signs: vec![], ordinal: 1 }] {
+        for label in
+            [Label { signs: vec![1, -1, 1], ordinal: 2 }, Label { signs: vec![], ordinal: 1 }]
+        {
             assert_eq!(label.to_string().parse::<Label>().unwrap(), label);
         }
         for wrong in ["", "+ -1", "+x 1", "+-", "+ 0", "+ + 1"] {

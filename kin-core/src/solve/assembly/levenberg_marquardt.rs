@@ -1,5 +1,5 @@
-//! Damped least squares on C (Levenberg–Marquardt): more equations than coordinates, dependent ones, and none
-//! that can be met, are all the same to it.
+//! Damped least squares on C (Levenberg–Marquardt): more equations than coordinates, dependent
+//! ones, and none that can be met, are all the same to it.
 
 use crate::linear::LeastSquares;
 use crate::system::scaled::{Measures, Model, Point};
@@ -18,19 +18,19 @@ const DAMPING: std::ops::RangeInclusive<f64> = 1e-11..=1e10;
 const ZERO: f64 = 1e-28;
 const SHORT: f64 = 1e-15;
 
-/// Five hardly damped steps in a row that lower the sum of squares by less than this share have reached the
-/// bottom.   \[-\]
+/// Five hardly damped steps in a row that lower the sum of squares by less than this share have
+/// reached the bottom.   \[-\]
 const FLAT: f64 = 1e-11;
 
 /// Weight of the norms of Euler parameters: where not everything can be met, bodies are to stay
 /// rigid.   \[-\]
 const RIGID: f64 = 10.0;
 
-/// Σ (w_i (C_i + shift_i) / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and y_n = dt /
-/// s_t where time is free too.
+/// Σ (w_i (C_i + shift_i) / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and
+/// y_n = dt / s_t where time is free too.
 ///
-/// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without squaring J:
-/// among the steps that serve equally well it is the shortest.
+/// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without
+/// squaring J: among the steps that serve equally well it is the shortest.
 pub(crate) struct LevenbergMarquardt<'a> {
     model: Model<'a>,
     measures: &'a Measures,
@@ -65,7 +65,8 @@ impl<'a> LevenbergMarquardt<'a> {
         holds: Vec<(usize, f64, f64)>,
         time_is_free: bool,
     ) -> Self {
-        let (n, m) = (model.n() + usize::from(time_is_free), model.m());
+        let n = model.n() + usize::from(time_is_free);
+        let m = model.m();
         let mut places: Vec<Option<(usize, usize)>> = model.equations.entries.clone();
         places.extend(holds.iter().enumerate().map(|(k, hold)| Some((m + k, hold.0))));
         places.extend((0..if time_is_free { m } else { 0 }).map(|row| Some((row, n - 1))));
@@ -86,8 +87,8 @@ impl<'a> LevenbergMarquardt<'a> {
     /// The place at (q, t); `None` where C or C_q is not finite.
     pub(crate) fn place(&self, q: &[f64], t: f64) -> Option<Iterate> {
         let point = self.model.linearize(q, t).ok()?;
-        let rows =
-            (0..self.weights.len()).map(|row| (self.weight(row) * (point.c[row] + self.shifts[row])).powi(2));
+        let rows = (0..self.weights.len())
+            .map(|row| (self.weight(row) * (point.c[row] + self.shifts[row])).powi(2));
         let held = self.holds.iter().map(|&hold| self.offset(q, hold).powi(2));
         let merit = rows.chain(held).sum::<f64>();
         merit.is_finite().then(|| Iterate { q: q.to_vec(), t, merit, steps: 0, point })
@@ -107,7 +108,9 @@ impl<'a> LevenbergMarquardt<'a> {
     pub(crate) fn minimise(&mut self, from: Iterate, steps: usize) -> Iterate {
         let mut here = from;
         self.damping = START;
-        let (begun, mut idle, mut flat) = (here.steps, 0, 0);
+        let begun = here.steps;
+        let mut idle = 0;
+        let mut flat = 0;
         while here.steps - begun < steps
             && here.merit > ZERO
             && DAMPING.contains(&self.damping)
@@ -121,11 +124,14 @@ impl<'a> LevenbergMarquardt<'a> {
             };
             if next.merit < here.merit {
                 let falls = next.merit < 0.9 * here.merit;
-                flat =
-                    if next.merit < (1.0 - FLAT) * here.merit || self.damping > 1e-8 { 0 } else { flat + 1 };
+                flat = if next.merit < (1.0 - FLAT) * here.merit || self.damping > 1e-8 {
+                    0
+                } else {
+                    flat + 1
+                };
                 here = next;
-                // Near a place where C is met the damping falls with C itself, so that convergence is
-                // quadratic.
+                // Near a place where C is met the damping falls with C itself, so that convergence
+                // is quadratic.
                 self.damping = (0.2 * self.damping)
                     .min(if falls { here.merit.max(1e-9) } else { f64::INFINITY })
                     .max(*DAMPING.start());
@@ -149,7 +155,8 @@ impl<'a> LevenbergMarquardt<'a> {
         }
         let y = self.least_squares.solve(rhs.into_iter());
         let last = y.last().copied().unwrap_or(0.0);
-        let (mut q, mut length) = (here.q.clone(), 0.0_f64);
+        let mut q = here.q.clone();
+        let mut length = 0.0_f64;
         for (column, ((q, y), size)) in q.iter_mut().zip(y).zip(&self.measures.sizes).enumerate() {
             *q += y * size;
             if !y.is_finite() || (self.model.turns(column) && y.abs() > TURN) {

@@ -1,12 +1,13 @@
 //! All assemblies of a mechanism at one time.
 //!
-//! The equations fall into groups that follow one another ([`groups`]). Of each group all solutions are
-//! looked for, once for each combination of solutions before it: Newton's steps from many starts. Where one
-//! of the first starts leads to a known solution, the same start is tried once more with the known ones
-//! deflated: their neighbourhoods push steps away (P. E. Farrell, Á. Birkisson, S. W. Funke, Deflation
-//! techniques for finding distinct solutions of nonlinear partial differential equations, SIAM J. Sci.
-//! Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step times 1 / (1 − ∇ln M ·
-//! Δq). The search ends by a statistical rule ([`Known::is_settled`]).
+//! The equations fall into groups that follow one another ([`groups`]). Of each group all solutions
+//! are looked for, once for each combination of solutions before it: Newton's steps from many
+//! starts. Where one of the first starts leads to a known solution, the same start is tried once
+//! more with the known ones deflated: their neighbourhoods push steps away (P. E. Farrell, Á.
+//! Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of nonlinear partial
+//! differential equations, SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M
+//! C = 0 is Newton's step times 1 / (1 − ∇ln M · Δq). The search ends by a statistical rule
+//! ([`Known::is_settled`]).
 
 use std::time::Duration;
 
@@ -29,18 +30,19 @@ use crate::system::scaled::{Measures, Model};
 /// ..AssemblyOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssemblyOptions {
-    /// Starts at most for a group of up to seven equations that must be solved together, such as a platform
-    /// on six rods; of k > 7 equations (7/k)² times as many, but at least a fifth. Default 20000.
+    /// Starts at most for a group of up to seven equations that must be solved together, such as a
+    /// platform on six rods; of k > 7 equations (7/k)² times as many, but at least a fifth.
+    /// Default 20000.
     pub starts: usize,
-    /// The search goes on for at least this many starts in a row that lead to nothing new, and ten more for
-    /// each solution that is known; default 60.
+    /// The search goes on for at least this many starts in a row that lead to nothing new, and ten
+    /// more for each solution that is known; default 60.
     pub patience: usize,
     /// Newton's steps from one start; default 60.
     pub steps: usize,
     /// The same seed gives the same assemblies; default 0.
     pub seed: u64,
-    /// Time after which no other start is begun. With a limit the result can depend on the machine; default
-    /// none.
+    /// Time after which no other start is begun. With a limit the result can depend on the machine;
+    /// default none.
     pub time_limit: Option<Duration>,
 }
 
@@ -50,8 +52,8 @@ impl Default for AssemblyOptions {
     }
 }
 
-/// More solutions of one group than this are no assemblies but poses of something that moves; more assemblies
-/// than this are not listed.
+/// More solutions of one group than this are no assemblies but poses of something that moves; more
+/// assemblies than this are not listed.
 const MOST: usize = 2000;
 
 /// The first so many starts of a group are deflated where they lead to a known solution.
@@ -64,12 +66,19 @@ const FIRST: usize = 128;
 const AT_ONCE: usize = 256;
 
 /// All assemblies that are found, in the order of their labels.
-pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOptions) -> Result<Assemblies> {
+pub(crate) fn all(
+    model: Model<'_>,
+    guess: &[f64],
+    t: f64,
+    options: &AssemblyOptions,
+) -> Result<Assemblies> {
     at_least_one(options.starts, "starts")?;
     at_least_one(options.steps, "steps")?;
-    let (measures, groups) = (model.measure(guess, t), groups(&model));
+    let measures = model.measure(guess, t);
+    let groups = groups(&model);
     let clock = Clock::new(options.time_limit);
-    let mut search = Search { model, measures: &measures, t, options, clock, account: Account::new() };
+    let mut search =
+        Search { model, measures: &measures, t, options, clock, account: Account::new() };
     let mut poses = vec![guess.to_vec()];
     for (number, group) in groups.iter().enumerate() {
         let mut finder = Finder::new(model, &measures, group, t);
@@ -78,9 +87,9 @@ pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOpt
             next.extend(search.solutions((number, group), base, &mut finder)?);
             if next.len() > MOST {
                 next.truncate(MOST);
-                search
-                    .account
-                    .doubt(|| format!("there are more than {MOST} assemblies; only so many are listed"));
+                search.account.doubt(|| {
+                    format!("there are more than {MOST} assemblies; only so many are listed")
+                });
                 break;
             }
         }
@@ -88,7 +97,8 @@ pub(crate) fn all(model: Model<'_>, guess: &[f64], t: f64, options: &AssemblyOpt
     }
     let found = search.closed(poses);
     let found = labelled(&model, &measures, found, t);
-    let assemblies: Vec<Assembly> = found.into_iter().map(|(label, q)| Assembly { label, q }).collect();
+    let assemblies: Vec<Assembly> =
+        found.into_iter().map(|(label, q)| Assembly { label, q }).collect();
     for Assembly { label, q } in &assemblies {
         search.doubt_where_singular(&label.to_string(), q);
     }
@@ -138,7 +148,8 @@ impl<'a> Search<'a> {
         finder.measure(base);
         let extent = finder.extent;
         let mut known = Known::new(self.model, self.measures);
-        let (mut start, mut ahead) = (0, std::collections::VecDeque::new());
+        let mut start = 0;
+        let mut ahead = std::collections::VecDeque::new();
         while !known.is_settled(self.options.patience) {
             if start == most || (start > 0 && self.clock.is_up()) {
                 self.doubt_of(&known, start == most, start);
@@ -146,7 +157,8 @@ impl<'a> Search<'a> {
             }
             if start < FIRST {
                 let from = self.start((number, group), base, extent, start);
-                let first = finder.newton(&from, self.options.steps, None).then(|| finder.q.clone());
+                let first =
+                    finder.newton(&from, self.options.steps, None).then(|| finder.q.clone());
                 let again = (start < DEFLATED).then_some(&from[..]);
                 self.absorb(&mut known, finder, first.as_deref(), again);
             } else {
@@ -189,7 +201,8 @@ impl<'a> Search<'a> {
         starts.into_par_iter().map_init(new, find).collect()
     }
 
-    /// Counts where a start has led. Where that was known, `again` is the start to be led away from there.
+    /// Counts where a start has led. Where that was known, `again` is the start to be led away from
+    /// there.
     fn absorb(
         &self,
         known: &mut Known<'a>,
@@ -216,8 +229,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The place of a pose among those that are known, or a new pose with all digits; `None` of one that
-    /// closes with an axis turned by 180°, which counts as no pose.
+    /// The place of a pose among those that are known, or a new pose with all digits; `None` of one
+    /// that closes with an axis turned by 180°, which counts as no pose.
     fn known_as(
         &self,
         known: &Known<'a>,
@@ -234,9 +247,15 @@ impl<'a> Search<'a> {
         Some(known.find(&finder.q).ok_or_else(|| finder.q.clone()))
     }
 
-    /// The first start is the pose in hand; of others the group's angles and Euler parameters may be any, its
-    /// lengths are around the pose in hand.
-    fn start(&self, (number, group): (usize, &Group), base: &[f64], extent: f64, start: usize) -> Vec<f64> {
+    /// The first start is the pose in hand; of others the group's angles and Euler parameters may
+    /// be any, its lengths are around the pose in hand.
+    fn start(
+        &self,
+        (number, group): (usize, &Group),
+        base: &[f64],
+        extent: f64,
+        start: usize,
+    ) -> Vec<f64> {
         /// How far, in extents of the group, by turns.
         const REACH: [f64; 3] = [0.5, 1.0, 2.0];
         let mut q = base.to_vec();
@@ -261,10 +280,12 @@ impl<'a> Search<'a> {
         if group.is_square() { q } else { turn::turned(&self.model, &q, self.t, &|_| true) }
     }
 
-    /// The poses brought onto C = 0 with all digits, each once; those that do not close are left out.
+    /// The poses brought onto C = 0 with all digits, each once; those that do not close are left
+    /// out.
     fn closed(&mut self, poses: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let mut known = Known::new(self.model, self.measures);
-        let mut onto_equations = LevenbergMarquardt::new(self.model, self.measures, Vec::new(), false);
+        let mut onto_equations =
+            LevenbergMarquardt::new(self.model, self.measures, Vec::new(), false);
         for q in poses {
             let Some(place) = onto_equations.place(&q, self.t) else { continue };
             let found = onto_equations.minimise(place, self.options.steps);
@@ -279,7 +300,9 @@ impl<'a> Search<'a> {
     /// A search has ended before its time.
     fn doubt_of(&mut self, known: &Known<'_>, is_exhausted: bool, starts: usize) {
         self.account.doubt(|| {
-            let (w, missing, rarest) = (known.poses.len(), known.missing(), known.rarest());
+            let w = known.poses.len();
+            let missing = known.missing();
+            let rarest = known.rarest();
             match (is_exhausted, w) {
                 (false, _) => "the time limit ended the search".to_string(),
                 (true, 0) => format!("none of {starts} starts led to a pose"),
@@ -295,7 +318,8 @@ impl<'a> Search<'a> {
 
     /// A singular pose may be one of a family that is not a list.
     fn doubt_where_singular(&mut self, label: &str, q: &[f64]) {
-        let (model, t) = (self.model, self.t);
+        let model = self.model;
+        let t = self.t;
         let is_regular = model
             .linearize(q, t)
             .is_ok_and(|point| model.rank(&point.values, &model.measure(q, t)) == model.n());

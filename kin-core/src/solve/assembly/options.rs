@@ -4,19 +4,19 @@ use std::time::{Duration, Instant};
 
 use crate::model::error::{Error, Result};
 
-/// How a pose is looked for from a guess that may be poor. All fields have defaults: `SearchOptions { starts:
-/// 50, ..SearchOptions::default() }`.
+/// How a pose is looked for from a guess that may be poor. All fields have defaults:
+/// `SearchOptions { starts: 50, ..SearchOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchOptions {
-    /// Starts that are tried until one leads to a pose: the guess, then others around it, ever further from
-    /// it; default 16.
+    /// Starts that are tried until one leads to a pose: the guess, then others around it, ever
+    /// further from it; default 16.
     pub starts: usize,
     /// Steps of damped least squares (Levenberg–Marquardt) from one start at most; default 200.
     pub steps: usize,
     /// The same seed gives the same starts; default 0.
     pub seed: u64,
-    /// Time after which no other start is begun. With a limit the result can depend on the machine; default
-    /// none.
+    /// Time after which no other start is begun. With a limit the result can depend on the machine;
+    /// default none.
     pub time_limit: Option<Duration>,
 }
 

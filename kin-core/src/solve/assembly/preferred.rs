@@ -1,4 +1,5 @@
-//! How near a pose is to what is preferred, and the assembly that is nearest where measures of joints are.
+//! How near a pose is to what is preferred, and the assembly that is nearest where measures of
+//! joints are.
 
 use super::modes;
 use super::options::SearchOptions;
@@ -12,9 +13,14 @@ use crate::system::{PreferredMeasure, System};
 /// others.   \[rad, or typical lengths\]
 const CLOSE: f64 = 1e-3;
 
-/// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in radians,
-/// else relative to its size.
-pub(crate) fn distance(layout: &Layout, preferred: &[(usize, f64)], q: &[f64], sizes: &[f64]) -> f64 {
+/// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in
+/// radians, else relative to its size.
+pub(crate) fn distance(
+    layout: &Layout,
+    preferred: &[(usize, f64)],
+    q: &[f64],
+    sizes: &[f64],
+) -> f64 {
     let turns = layout.items.iter().filter(|item| item.kind == Kind::Spatial).map(|item| {
         let own = item.first + 3..item.first + 7;
         let pairs = || {
@@ -28,13 +34,20 @@ pub(crate) fn distance(layout: &Layout, preferred: &[(usize, f64)], q: &[f64], s
         2.0 * pairs().map(|(q, value)| (sign * q - value).powi(2)).sum::<f64>().sqrt()
     });
     let others = preferred.iter().filter(|(column, _)| layout.units[*column] != Unit::One);
-    others.map(|&(column, value)| (q[column] - value).abs() / sizes[column]).chain(turns).fold(0.0, f64::max)
+    others
+        .map(|&(column, value)| (q[column] - value).abs() / sizes[column])
+        .chain(turns)
+        .fold(0.0, f64::max)
 }
 
 /// How far an angle is from another, whole turns apart; of other numbers the difference.
 pub(crate) fn apart(x: f64, value: f64, is_angle: bool) -> f64 {
     let d = x - value;
-    if is_angle { (d - std::f64::consts::TAU * (d / std::f64::consts::TAU).round()).abs() } else { d.abs() }
+    if is_angle {
+        (d - std::f64::consts::TAU * (d / std::f64::consts::TAU).round()).abs()
+    } else {
+        d.abs()
+    }
 }
 
 impl System {
@@ -57,9 +70,14 @@ impl System {
         Ok(())
     }
 
-    /// Where no measure is preferred, or the pose is near enough to those that are, nothing; else of all
-    /// assemblies the one that is nearest to everything that is preferred.
-    pub(crate) fn nearer(&self, q: Option<&[f64]>, t: f64, search: &SearchOptions) -> Option<Vec<f64>> {
+    /// Where no measure is preferred, or the pose is near enough to those that are, nothing; else
+    /// of all assemblies the one that is nearest to everything that is preferred.
+    pub(crate) fn nearer(
+        &self,
+        q: Option<&[f64]>,
+        t: f64,
+        search: &SearchOptions,
+    ) -> Option<Vec<f64>> {
         if self.asked.is_empty() || q.is_some_and(|q| self.is_close(q, t)) {
             return None;
         }
@@ -92,7 +110,8 @@ impl System {
         let still = vec![0.0; q.len()];
         let measures = self.asked.iter().filter_map(|asked| {
             let block = self.equations().blocks.get(asked.block)?;
-            let [x, ..] = self.equations().measure(block, asked.number, t, [q, &still, &still, &[]]);
+            let [x, ..] =
+                self.equations().measure(block, asked.number, t, [q, &still, &still, &[]]);
             let unit = if asked.is_angle || length == 0.0 { 1.0 } else { length };
             Some(apart(x, asked.value, asked.is_angle) / unit)
         });

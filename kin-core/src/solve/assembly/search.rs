@@ -10,7 +10,8 @@ use crate::system::scaled::{Measures, Model};
 /// How firmly preferred coordinates are held, stage by stage, against rows of norm 1.   \[-\]
 const HOLDS: [f64; 3] = [1.0, 0.1, 0.0];
 
-/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
+/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical
+/// lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 
 /// Where a search has ended, and how.
@@ -26,8 +27,9 @@ pub(crate) struct Found {
     pub starts: usize,
 }
 
-/// The pose nearest the guess that meets the active rows, in the preferred assembly if one is found; where no
-/// start leads to any, the place of the smallest gap. `None` where nothing is finite.
+/// The pose nearest the guess that meets the active rows, in the preferred assembly if one is
+/// found; where no start leads to any, the place of the smallest gap. `None` where nothing is
+/// finite.
 pub(crate) fn search(
     model: Model<'_>,
     guess: &[f64],
@@ -37,7 +39,8 @@ pub(crate) fn search(
 ) -> Option<Found> {
     let guess = turn::turned(&model, guess, t, active);
     let sizes = model.measure(&guess, t).sizes;
-    let (clock, mut starts) = (options.clock(), 0);
+    let clock = options.clock();
+    let mut starts = 0;
     let mut best: Option<Found> = None;
     for start in 0..options.starts.max(1) {
         if start > 0 && clock.is_up() {
@@ -70,16 +73,18 @@ fn right_way_up(
     if !found.met || turned_over::wrong(&model, &found.place.q, t, active).is_empty() {
         return found;
     }
-    turned_over::mended(model, &found.place.q, t, active, steps).unwrap_or(Found { meant: false, ..found })
+    turned_over::mended(model, &found.place.q, t, active, steps)
+        .unwrap_or(Found { meant: false, ..found })
 }
 
-/// A pose is better than none, one that is meant better than one that is not, the nearer to what is preferred
-/// the better; then the smaller gap.
+/// A pose is better than none, one that is meant better than one that is not, the nearer to what is
+/// preferred the better; then the smaller gap.
 fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
     match (new.met, known.met) {
         (true, true) if new.meant != known.meant => new.meant,
         (true, true) => distance(model, new) < distance(model, known),
-        // Where nothing is met the guess is what the user thinks of: another place must be clearly better.
+        // Where nothing is met the guess is what the user thinks of: another place must be clearly
+        // better.
         (false, false) => new.place.merit < 0.01 * known.place.merit,
         (new, _) => new,
     }
@@ -109,8 +114,11 @@ pub(crate) fn descend(
         taken += place.steps;
         let met = model.met(&place.point, &place.q, &measures, active);
         let again = model.measure(&place.q, t);
-        let close = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (0.25..4.0).contains(&(a / b)));
-        if round == 2 || (close(&again.sizes, &measures.sizes) && close(&again.norms, &measures.norms)) {
+        let close =
+            |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (0.25..4.0).contains(&(a / b)));
+        if round == 2
+            || (close(&again.sizes, &measures.sizes) && close(&again.norms, &measures.norms))
+        {
             return Some(Found {
                 place: Iterate { steps: taken, ..place },
                 measures,
@@ -134,7 +142,8 @@ fn minimise(
     (stages, most): (&[f64], usize),
 ) -> Option<Iterate> {
     let mut q = from.to_vec();
-    let (mut last, mut steps) = (None, 0);
+    let mut last = None;
+    let mut steps = 0;
     for &hold in stages {
         let holds = if hold > 0.0 {
             held.iter().map(|&(column, value)| (column, value, hold)).collect()
@@ -163,7 +172,8 @@ pub(crate) fn start_from(
         return guess.to_vec();
     }
     let reach = 3.0 * (start as f64 / options.starts as f64).sqrt();
-    let mut random = Random::new(options.seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(start as u64));
+    let mut random =
+        Random::new(options.seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(start as u64));
     let moved = |((q, size), unit): ((&f64, &f64), &Unit)| {
         let share = if *unit == Unit::One { 0.3 } else { 1.0 };
         q + share * reach * size * random.number()

@@ -6,9 +6,14 @@ use crate::system::scaled::Model;
 /// Angles that are off by less are left to the search.   \[rad\]
 const TURN: f64 = 1.0;
 
-/// q with those angles set, one after the other, as their rows ask. Rows that are not linear in their angle
-/// are left alone.
-pub(crate) fn turned(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize) -> bool) -> Vec<f64> {
+/// q with those angles set, one after the other, as their rows ask. Rows that are not linear in
+/// their angle are left alone.
+pub(crate) fn turned(
+    model: &Model<'_>,
+    q: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+) -> Vec<f64> {
     /// Rounds of rows that follow one another.
     const ROUNDS: usize = 64;
     let mut q = q.to_vec();

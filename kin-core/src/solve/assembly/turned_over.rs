@@ -1,5 +1,5 @@
-//! Joints that close the wrong way, with an axis turned by 180°: one of their bodies is turned over, and
-//! everything brought back onto C = 0.
+//! Joints that close the wrong way, with an axis turned by 180°: one of their bodies is turned
+//! over, and everything brought back onto C = 0.
 
 use super::search::{Found, descend};
 use crate::model::coordinates::Target;
@@ -7,8 +7,8 @@ use crate::model::layout::Place;
 use crate::numbers::algebra::EulerParameters;
 use crate::system::scaled::Model;
 
-/// From a position that closes the wrong way somewhere to one that closes everywhere as it is meant; `None`
-/// where that is not found.
+/// From a position that closes the wrong way somewhere to one that closes everywhere as it is
+/// meant; `None` where that is not found.
 pub(crate) fn mended(
     model: Model<'_>,
     q: &[f64],
@@ -20,7 +20,8 @@ pub(crate) fn mended(
     let mut here = q.to_vec();
     while let Some(&block) = wrong.first() {
         let better = starts(&model, &here, block, &|_| true).into_iter().find_map(|start| {
-            let found = descend(model, &start, t, active, false, steps).filter(|found| found.met)?;
+            let found =
+                descend(model, &start, t, active, false, steps).filter(|found| found.met)?;
             let left = self::wrong(&model, &found.place.q, t, active);
             (left.len() < wrong.len()).then_some((found, left))
         });
@@ -34,7 +35,12 @@ pub(crate) fn mended(
 }
 
 /// The constraints that close the wrong way.
-pub(crate) fn wrong(model: &Model<'_>, q: &[f64], t: f64, active: &dyn Fn(usize) -> bool) -> Vec<usize> {
+pub(crate) fn wrong(
+    model: &Model<'_>,
+    q: &[f64],
+    t: f64,
+    active: &dyn Fn(usize) -> bool,
+) -> Vec<usize> {
     if model.equations.branches().is_empty() {
         return Vec::new();
     }
@@ -56,9 +62,9 @@ pub(super) fn any(model: &Model<'_>, q: &[f64], t: f64, blocks: &[usize]) -> boo
     blocks.iter().any(|block| model.equations.wrong_branch(*block, &instant).is_some())
 }
 
-/// A start of a search with bodies turned over until none of these constraints closes the wrong way, or no
-/// turn helps: Newton's steps as a rule keep the side on which they begin. Only what `may_turn` by its
-/// first coordinate is turned.
+/// A start of a search with bodies turned over until none of these constraints closes the wrong
+/// way, or no turn helps: Newton's steps as a rule keep the side on which they begin. Only what
+/// `may_turn` by its first coordinate is turned.
 pub(super) fn righted(
     model: &Model<'_>,
     mut q: Vec<f64>,
@@ -79,7 +85,10 @@ pub(super) fn righted(
     let mut next = 0;
     while let Some(&block) = left.get(next) {
         let turned = starts(model, &q, block, may_turn).into_iter().map(|q| (wrong(&q), q));
-        match turned.min_by_key(|(wrong, _)| wrong.len()).filter(|(fewer, _)| fewer.len() < left.len()) {
+        match turned
+            .min_by_key(|(wrong, _)| wrong.len())
+            .filter(|(fewer, _)| fewer.len() < left.len())
+        {
             Some(better) => {
                 (left, q) = better;
                 next = 0;
@@ -90,9 +99,14 @@ pub(super) fn righted(
     q
 }
 
-/// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180° about
-/// each axis of its frame, one of which is far from any axis that may be meant.
-fn starts(model: &Model<'_>, q: &[f64], block: usize, may_turn: &dyn Fn(usize) -> bool) -> Vec<Vec<f64>> {
+/// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180°
+/// about each axis of its frame, one of which is far from any axis that may be meant.
+fn starts(
+    model: &Model<'_>,
+    q: &[f64],
+    block: usize,
+    may_turn: &dyn Fn(usize) -> bool,
+) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
     for argument in model.equations.blocks[block].constraint.arguments() {
         let Some(Place::Own { first, .. }) = model.layout.place(&argument.target) else { continue };
@@ -106,11 +120,13 @@ fn starts(model: &Model<'_>, q: &[f64], block: usize, may_turn: &dyn Fn(usize) -
                 all.push(turned);
             }
             Target::Spatial(_) => {
-                let p = EulerParameters::new(q[first + 3], q[first + 4], q[first + 5], q[first + 6]);
+                let p =
+                    EulerParameters::new(q[first + 3], q[first + 4], q[first + 5], q[first + 6]);
                 for (x, y, z) in [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)] {
                     let over = p.product(EulerParameters::new(0.0, x, y, z));
                     let mut turned = q.to_vec();
-                    turned[first + 3..first + 7].copy_from_slice(&[over.e0, over.e1, over.e2, over.e3]);
+                    turned[first + 3..first + 7]
+                        .copy_from_slice(&[over.e0, over.e1, over.e2, over.e3]);
                     all.push(turned);
                 }
             }

@@ -1,11 +1,11 @@
 //! Bifurcations: where two curves of G(x) = C(q, t) = 0 cross, G_x has rank n − 1 and two tangents.
 //!
-//! Along two directions that G_x takes to zero the curve is that of one equation f(ξ) = 0 in two unknowns
-//! (Lyapunov and Schmidt): f is what is left of G, in units of the row combination b that G_x cannot reach,
-//! when everything else is met. From B = [G_x b; Φᵀ 0], which is regular there, come f, its gradient and its
-//! Hessian, by terms of second order along two directions. f has a critical point; if it is zero there curves
-//! cross, along the two directions that the Hessian takes to zero. If it is not they come near one another
-//! and part again.
+//! Along two directions that G_x takes to zero the curve is that of one equation f(ξ) = 0 in two
+//! unknowns (Lyapunov and Schmidt): f is what is left of G, in units of the row combination b that
+//! G_x cannot reach, when everything else is met. From B = [G_x b; Φᵀ 0], which is regular there,
+//! come f, its gradient and its Hessian, by terms of second order along two directions. f has a
+//! critical point; if it is zero there curves cross, along the two directions that the Hessian
+//! takes to zero. If it is not they come near one another and part again.
 
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
@@ -20,7 +20,8 @@ const ITERATIONS: usize = 30;
 /// The search ends where a step is below this.   \[-\]
 const TOLERANCE: f64 = 1e-12;
 
-/// |f| at the critical point, by the curvature of f there, that is rounding: curves that part at a distance of 1e-6 are taken to cross.   \[-\]
+/// |f| at the critical point, by the curvature of f there, that is rounding: curves that part at a
+/// distance of 1e-6 are taken to cross.   \[-\]
 const CROSSES: f64 = 1e-12;
 
 /// The branch that goes on does so within an angle of this cosine.   \[-\]
@@ -29,8 +30,8 @@ const SMOOTH: f64 = 0.8;
 /// dt/ds by the measures below which a branch is one on which the drivers stand still.   \[-\]
 const STANDS: f64 = 1e-7;
 
-/// Time counts by this share beside coordinates in how far curves part: it counts at all so that a driver at
-/// rest leaves a distance.   \[-\]
+/// Time counts by this share beside coordinates in how far curves part: it counts at all so that a
+/// driver at rest leaves a distance.   \[-\]
 const TIME: f64 = 1e-3;
 
 /// Half the step of a difference of second-order terms.   \[-\]
@@ -39,8 +40,8 @@ const DIFFERENCE: f64 = 1e-3;
 /// Two curves that cross.
 pub(super) struct Branching {
     pub x: Vec<f64>,
-    /// The tangent of the branch that goes on smoothly, then that of the other one; of length 1 by the
-    /// measures, time going on where it moves.
+    /// The tangent of the branch that goes on smoothly, then that of the other one; of length 1 by
+    /// the measures, time going on where it moves.
     pub tangents: [Vec<f64>; 2],
     /// Rates of these branches; none where the drivers stand still.
     pub rates: [Option<Branch>; 2],
@@ -61,7 +62,9 @@ pub(super) fn find(
     let (x, hessian) = reduced.critical(x, 2.0 * s.abs(), enough)?;
     // Time has no part in the verdict: its measure depends on where the walk along the curve began.
     let rounding = curve.rounding(&x[..curve.model.n()]);
-    if reduced.f.abs() > (CROSSES + rounding) * reduced.curvature(&hessian) || hessian.determinant() >= 0.0 {
+    if reduced.f.abs() > (CROSSES + rounding) * reduced.curvature(&hessian)
+        || hessian.determinant() >= 0.0
+    {
         return None;
     }
     let mut tangents = reduced.tangents(curve, hessian, sign);
@@ -92,7 +95,8 @@ struct Reduced<'a> {
 impl<'a> Reduced<'a> {
     /// The equation reduced by the null vectors of a place that is near.
     fn new(curve: &mut Curve<'a>, near: &CurvePoint) -> Self {
-        let (model, n) = (curve.model, curve.model.n());
+        let model = curve.model;
+        let n = curve.model.n();
         let (left, right, _) = curve.linear.nearly_null();
         let b: Vec<f64> =
             left.iter().zip(curve.linear.row_units()).take(n).map(|(y, unit)| y / unit).collect();
@@ -102,14 +106,16 @@ impl<'a> Reduced<'a> {
         other.iter_mut().zip(&near.dx).for_each(|(x, dx)| *x -= along * dx);
         let length = curve.dot(&other, &other).sqrt();
         other.iter_mut().for_each(|x| *x /= length);
-        let places = model.equations.entries.iter().copied().chain((0..n).map(|row| Some((row, n))));
+        let places =
+            model.equations.entries.iter().copied().chain((0..n).map(|row| Some((row, n))));
         let places = places.chain((0..n).map(|row| Some((row, n + 1))));
         let border = (0..2).flat_map(|k| (0..=n).map(move |column| Some((n + k, column))));
         let mut linear = Linear::new(n + 2, places.chain(border), &[]);
         let sizes = curve.sizes.clone();
         linear.set_sizes(&[&sizes[..], &[1.0]].concat());
         let v = [near.dx.clone(), other];
-        let scaled = |v: &Vec<f64>| v.iter().zip(&sizes).map(|(v, size)| v / (size * size)).collect();
+        let scaled =
+            |v: &Vec<f64>| v.iter().zip(&sizes).map(|(v, size)| v / (size * size)).collect();
         let phi = [0, 1].map(|k| scaled(&v[k]));
         Reduced { model, sizes, linear, b, phi, f: f64::INFINITY, v }
     }
@@ -119,7 +125,8 @@ impl<'a> Reduced<'a> {
         let (t, q) = x.split_last()?;
         let point = self.model.linearize(q, *t).ok()?;
         let c_t = self.model.c_t(q, *t).ok()?;
-        let values = point.values.iter().chain(&c_t).chain(&self.b).chain(self.phi.iter().flatten());
+        let values =
+            point.values.iter().chain(&c_t).chain(&self.b).chain(self.phi.iter().flatten());
         self.linear.values_mut().iter_mut().zip(values).for_each(|(place, value)| *place = *value);
         (self.linear.measure() && self.linear.factor()).then_some(point.c)
     }
@@ -128,19 +135,26 @@ impl<'a> Reduced<'a> {
     fn solve(&mut self, r: &[f64], e: [f64; 2]) -> (Vec<f64>, f64) {
         self.linear.rhs_mut().iter_mut().zip(r.iter().chain(&e)).for_each(|(place, x)| *place = *x);
         self.linear.solve();
-        let (m, y) = self.linear.solution().split_last().map(|(m, y)| (*m, y.to_vec())).unwrap_or_default();
+        let (m, y) =
+            self.linear.solution().split_last().map(|(m, y)| (*m, y.to_vec())).unwrap_or_default();
         (y, m)
     }
 
     /// −(G_x v)_x v at x.
     fn second_order(&self, x: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        let ((t, q), (dt, dq)) = (x.split_last()?, v.split_last()?);
+        let (t, q) = x.split_last()?;
+        let (dt, dq) = v.split_last()?;
         self.model.second_order(q, *t, dq, *dt).ok()
     }
 
-    /// From x to the critical point of f, which must be within `reach`, by steps down to `enough`; gives it
-    /// and the Hessian there.
-    fn critical(&mut self, mut x: Vec<f64>, reach: f64, enough: f64) -> Option<(Vec<f64>, Matrix2<f64>)> {
+    /// From x to the critical point of f, which must be within `reach`, by steps down to `enough`;
+    /// gives it and the Hessian there.
+    fn critical(
+        &mut self,
+        mut x: Vec<f64>,
+        reach: f64,
+        enough: f64,
+    ) -> Option<(Vec<f64>, Matrix2<f64>)> {
         let (zeros, mut gone) = (vec![0.0; self.model.n()], Vector2::zeros());
         for _ in 0..ITERATIONS {
             let c = self.factor(&x)?;
@@ -175,7 +189,8 @@ impl<'a> Reduced<'a> {
         let combine = |a: f64, b: f64| {
             self.v[0].iter().zip(&self.v[1]).map(|(v, w)| a * v + b * w).collect::<Vec<f64>>()
         };
-        let directions = [combine(1.0, 0.0), combine(0.0, 1.0), combine(0.5, 0.5), combine(0.5, -0.5)];
+        let directions =
+            [combine(1.0, 0.0), combine(0.0, 1.0), combine(0.5, 0.5), combine(0.5, -0.5)];
         let mut along = [0.0; 4];
         for (along, v) in along.iter_mut().zip(&directions) {
             let rhs = self.second_order(x, v)?;
@@ -185,17 +200,24 @@ impl<'a> Reduced<'a> {
         Some(Matrix2::new(along[0], mixed, mixed, along[1]))
     }
 
-    /// The largest |f″| along a direction in which coordinates move by 1: the largest eigenvalue of the
-    /// Hessian by lengths of coordinates, whatever the directions that it is written in.
+    /// The largest |f″| along a direction in which coordinates move by 1: the largest eigenvalue of
+    /// the Hessian by lengths of coordinates, whatever the directions that it is written in.
     fn curvature(&self, hessian: &Matrix2<f64>) -> f64 {
         let n = self.model.n();
         let gram = |a: &[f64], b: &[f64]| -> f64 {
-            let shares = a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size));
-            shares.enumerate().map(|(k, share)| if k < n { share } else { TIME * TIME * share }).sum()
+            let shares =
+                a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size));
+            shares
+                .enumerate()
+                .map(|(k, share)| if k < n { share } else { TIME * TIME * share })
+                .sum()
         };
         let mixed = gram(&self.v[0], &self.v[1]);
-        let lengths = Matrix2::new(gram(&self.v[0], &self.v[0]), mixed, mixed, gram(&self.v[1], &self.v[1]));
-        let Some(by_lengths) = lengths.try_inverse().map(|inverse| inverse * hessian) else { return 0.0 };
+        let lengths =
+            Matrix2::new(gram(&self.v[0], &self.v[0]), mixed, mixed, gram(&self.v[1], &self.v[1]));
+        let Some(by_lengths) = lengths.try_inverse().map(|inverse| inverse * hessian) else {
+            return 0.0;
+        };
         let middle = 0.5 * by_lengths.trace();
         middle.abs() + (middle * middle - by_lengths.determinant()).max(0.0).sqrt()
     }
@@ -204,16 +226,20 @@ impl<'a> Reduced<'a> {
         v.iter().zip(&self.sizes).map(|(v, size)| (v / size).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// The two directions that an indefinite Hessian takes to zero: λ₁ a² + λ₂ b² = 0 along its axes. Time
-    /// goes on with `sign`.
+    /// The two directions that an indefinite Hessian takes to zero: λ₁ a² + λ₂ b² = 0 along its
+    /// axes. Time goes on with `sign`.
     fn tangents(&self, curve: &Curve<'_>, hessian: Matrix2<f64>, sign: f64) -> [Vec<f64>; 2] {
         let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(hessian);
         let size = eigenvalues.abs().map(f64::sqrt);
-        let (a, b) = (size[1], size[0]);
+        let a = size[1];
+        let b = size[0];
         [a, -a].map(|a| {
             let along = eigenvectors * Vector2::new(a, b);
-            let mut dx: Vec<f64> =
-                self.v[0].iter().zip(&self.v[1]).map(|(v, w)| along[0] * v + along[1] * w).collect();
+            let mut dx: Vec<f64> = self.v[0]
+                .iter()
+                .zip(&self.v[1])
+                .map(|(v, w)| along[0] * v + along[1] * w)
+                .collect();
             let length = curve.dot(&dx, &dx).sqrt();
             let dt = dx.last().copied().unwrap_or_default();
             let length = if dt * sign < 0.0 { -length } else { length };
@@ -222,10 +248,11 @@ impl<'a> Reduced<'a> {
         })
     }
 
-    /// q̇ and q̈ on a branch at x: q̈ is determined but for what can move while the drivers stand still, and
-    /// that by the terms of third order.
+    /// q̇ and q̈ on a branch at x: q̈ is determined but for what can move while the drivers stand
+    /// still, and that by the terms of third order.
     fn rates(&mut self, curve: &Curve<'_>, x: &[f64], dx: &[f64]) -> Option<Branch> {
-        let (dt, time) = (*dx.last()?, *curve.sizes.last()?);
+        let dt = *dx.last()?;
+        let time = *curve.sizes.last()?;
         let pace = (dt / time).abs();
         if pace <= STANDS {
             return None;
@@ -236,32 +263,36 @@ impl<'a> Reduced<'a> {
         let (y, _) = self.solve(&rhs, [0.0; 2]);
         let slack = *y.last()?;
         let particular: Vec<f64> = y.iter().zip(&v).map(|(y, v)| y - slack * v).collect();
-        let (a, b) = (*self.v[1].last()?, -*self.v[0].last()?);
+        let a = *self.v[1].last()?;
+        let b = -*self.v[0].last()?;
         let free: Vec<f64> = self.v[0].iter().zip(&self.v[1]).map(|(v, w)| a * v + b * w).collect();
         let share = 1.0 / self.length(&free);
         let third = |reduced: &mut Self, beta: f64| {
-            let second: Vec<f64> = particular.iter().zip(&free).map(|(p, w)| p + beta * share * w).collect();
+            let second: Vec<f64> =
+                particular.iter().zip(&free).map(|(p, w)| p + beta * share * w).collect();
             let rhs = reduced.third_order(x, &v, &second)?;
             reduced.factor(x)?;
             Some((reduced.solve(&rhs, [0.0; 2]).1, second))
         };
         let unit = self.length(&v).powi(2);
-        let (f0, f1) = (third(self, 0.0)?.0, third(self, unit)?.0);
+        let f0 = third(self, 0.0)?.0;
+        let f1 = third(self, unit)?.0;
         let (_, second) = third(self, -unit * f0 / (f1 - f0))?;
         let n = self.model.n();
         let branch = Branch { qd: v[..n].to_vec(), qdd: second[..n].to_vec() };
         branch.qd.iter().chain(&branch.qdd).all(|x| x.is_finite()).then_some(branch)
     }
 
-    /// d³/dτ³ of G(x + τ v + ½ τ² w) at τ = 0, by central differences of its second derivative (G_x v)_x v +
-    /// G_x w, twice (Richardson).
+    /// d³/dτ³ of G(x + τ v + ½ τ² w) at τ = 0, by central differences of its second derivative (G_x
+    /// v)_x v + G_x w, twice (Richardson).
     fn third_order(&self, x: &[f64], v: &[f64], w: &[f64]) -> Option<Vec<f64>> {
         let unit = DIFFERENCE / self.length(v);
         let at = |tau: f64| {
             let moved: Vec<f64> =
                 x.iter().zip(v).zip(w).map(|((x, v), w)| x + tau * (v + 0.5 * tau * w)).collect();
             let along: Vec<f64> = v.iter().zip(w).map(|(v, w)| v + tau * w).collect();
-            let mut second: Vec<f64> = self.second_order(&moved, &along)?.iter().map(|x| -x).collect();
+            let mut second: Vec<f64> =
+                self.second_order(&moved, &along)?.iter().map(|x| -x).collect();
             let (t, q) = moved.split_last()?;
             let point = self.model.linearize(q, *t).ok()?;
             self.model
@@ -271,10 +302,15 @@ impl<'a> Reduced<'a> {
         };
         let slope = |tau: f64| {
             Some(
-                at(tau)?.into_iter().zip(at(-tau)?).map(|(a, b)| (a - b) / (2.0 * tau)).collect::<Vec<f64>>(),
+                at(tau)?
+                    .into_iter()
+                    .zip(at(-tau)?)
+                    .map(|(a, b)| (a - b) / (2.0 * tau))
+                    .collect::<Vec<f64>>(),
             )
         };
-        let (near, far) = (slope(unit)?, slope(2.0 * unit)?);
+        let near = slope(unit)?;
+        let far = slope(2.0 * unit)?;
         Some(near.iter().zip(&far).map(|(near, far)| (4.0 * near - far) / 3.0).collect())
     }
 }

@@ -1,12 +1,13 @@
-//! Test whether a step of time has stayed on its branch, by numbers that are at hand: q, q̇, q̈ at both ends,
-//! pivots and their signs.
+//! Test whether a step of time has stayed on its branch, by numbers that are at hand: q, q̇, q̈ at
+//! both ends, pivots and their signs.
 //!
-//! Two solutions that are near one another lie on either side of a singular position, so det C_q differs in
-//! sign between them; and where C_q has a pivot p, by the measures, no other solution is much nearer than p.
-//! So a step is good if no block of C_q has turned over and if q + h q̇ + ½ h² q̈ from either end meets the
-//! other end much nearer than p. Where that is not so, the terms of second order along the miss tell whether
-//! Newton's method from the prediction must end there (the estimate of Newton and Kantorovich): they see
-//! equations that are linear along it, as those of a chain are in its lengths.
+//! Two solutions that are near one another lie on either side of a singular position, so det C_q
+//! differs in sign between them; and where C_q has a pivot p, by the measures, no other solution is
+//! much nearer than p. So a step is good if no block of C_q has turned over and if q + h q̇ + ½ h²
+//! q̈ from either end meets the other end much nearer than p. Where that is not so, the terms of
+//! second order along the miss tell whether Newton's method from the prediction must end there (the
+//! estimate of Newton and Kantorovich): they see equations that are linear along it, as those of a
+//! chain are in its lengths.
 
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
@@ -18,12 +19,12 @@ use crate::system::evaluate::Instant;
 /// A prediction may miss by this share of the smallest pivot.   \[-\]
 pub(super) const EASY: f64 = 0.05;
 
-/// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½ would
-/// still do.   \[-\]
+/// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½
+/// would still do.   \[-\]
 pub(super) const SAFE: f64 = 0.25;
 
-/// The smallest pivot fades where it is less than this share of what it has been: a singular position may be
-/// near.   \[-\]
+/// The smallest pivot fades where it is less than this share of what it has been: a singular
+/// position may be near.   \[-\]
 const FADED: f64 = 0.5;
 
 /// No body turns by more than this in one step.   \[rad\]
@@ -35,8 +36,8 @@ pub(crate) fn turns_too_far(reach: f64) -> bool {
     reach > REACH
 }
 
-/// True if the prediction from one end of a step misses the other by more than is sure to be one branch, of
-/// matrices whose smaller pivot is this; a miss that is not a number counts as one.
+/// True if the prediction from one end of a step misses the other by more than is sure to be one
+/// branch, of matrices whose smaller pivot is this; a miss that is not a number counts as one.
 #[inline(always)]
 pub(crate) fn misses_too_far(miss: f64, pivot: f64) -> bool {
     let is_near = miss <= EASY * pivot;
@@ -48,8 +49,8 @@ pub(crate) fn misses_too_far(miss: f64, pivot: f64) -> bool {
 pub(crate) enum Objection {
     /// The step is too long to be judged.
     Long,
-    /// A prediction from one end is too far from the other, by so much in units of order 1, for both to be
-    /// surely on one branch.
+    /// A prediction from one end is too far from the other, by so much in units of order 1, for
+    /// both to be surely on one branch.
     Missed(f64),
     /// A block of C_q has turned over.
     TurnedOver,
@@ -71,7 +72,9 @@ impl Objection {
             Objection::Long => "a step of time turns a body too far",
             Objection::Missed(_) => "the next position is not where this one leads",
             Objection::TurnedOver => "a loop of the mechanism has turned over",
-            Objection::Hidden => "what drives may move further within a step of time than its ends tell",
+            Objection::Hidden => {
+                "what drives may move further within a step of time than its ends tell"
+            }
         }
     }
 }
@@ -90,8 +93,8 @@ pub(crate) struct Check {
     /// 1 for coordinates that turn, 0 for lengths.
     turns: Padded,
     miss: Padded,
-    /// The motion of the drives between the ends of a step; it does not matter where there is one position at
-    /// each time.
+    /// The motion of the drives between the ends of a step; it does not matter where there is one
+    /// position at each time.
     drive: Drive,
     explicit: bool,
 }
@@ -99,7 +102,8 @@ pub(crate) struct Check {
 impl Check {
     pub(crate) fn new(system: &System) -> Self {
         let units = &system.layout().units;
-        let turns: Vec<f64> = units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))).collect();
+        let turns: Vec<f64> =
+            units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))).collect();
         let room = || Vec::with_capacity(units.len());
         Check {
             negative: room(),
@@ -133,14 +137,14 @@ impl Check {
         self.drive.may_sample()
     }
 
-    /// True if, by samples of what has no bounds, the step surely holds nothing that its ends do not tell;
-    /// the instant is that of its end.
+    /// True if, by samples of what has no bounds, the step surely holds nothing that its ends do
+    /// not tell; the instant is that of its end.
     pub(crate) fn samples_suffice(&mut self, span: Span<'_>, instant: &Instant) -> bool {
         self.drive.samples_suffice(span, instant)
     }
 
-    /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest pivot of the
-    /// last one is this.
+    /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest
+    /// pivot of the last one is this.
     pub(crate) fn go_on(&mut self, pivot: f64) {
         self.pivot = pivot;
     }
@@ -151,16 +155,24 @@ impl Check {
         self.pivot = f64::INFINITY;
     }
 
-    /// Judges the step h from one end to the position in hand, and accepts that if there is no objection.
+    /// Judges the step h from one end to the position in hand, and accepts that if there is no
+    /// objection.
     #[inline(always)]
-    pub(crate) fn judge(&mut self, newton: &mut Newton<'_>, h: f64, from: End<'_>) -> Result<(), Objection> {
-        let (pivot, to) = (newton.linear.smallest_pivot(), [&newton.q, &newton.qd, &newton.qdd]);
+    pub(crate) fn judge(
+        &mut self,
+        newton: &mut Newton<'_>,
+        h: f64,
+        from: End<'_>,
+    ) -> Result<(), Objection> {
+        let pivot = newton.linear.smallest_pivot();
+        let to = [&newton.q, &newton.qd, &newton.qdd];
         let [miss, reach] = padded::miss(h, from, to, newton.shares(), &self.turns);
         if turns_too_far(reach) {
             return Err(Objection::Long);
         }
         newton.linear.orientation(&mut self.now);
-        let (t, least) = (newton.instant.t(), pivot.min(self.pivot));
+        let t = newton.instant.t();
+        let least = pivot.min(self.pivot);
         if misses_too_far(miss, least) && !self.is_safe(newton, h, from, miss) {
             return Err(Objection::Missed(miss));
         }
@@ -187,30 +199,43 @@ impl Check {
         )
     }
 
-    /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the prediction;
-    /// larger by as much as `miss`, which is that from either end, is larger.
-    fn is_safe(&mut self, newton: &mut Newton<'_>, h: f64, [q, qd, qdd]: End<'_>, miss: f64) -> bool {
+    /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the
+    /// prediction; larger by as much as `miss`, which is that from either end, is larger.
+    fn is_safe(
+        &mut self,
+        newton: &mut Newton<'_>,
+        h: f64,
+        [q, qd, qdd]: End<'_>,
+        miss: f64,
+    ) -> bool {
         let ends = newton.q.iter().zip(q.iter()).zip(qd.iter().zip(qdd.iter()));
         for (miss, ((to, q), (qd, qdd))) in self.miss.iter_mut().zip(ends) {
             *miss = to - q - h * (qd + 0.5 * h * qdd);
         }
         let own = padded::largest_share(self.miss.whole(), newton.shares().whole());
         let turned = padded::largest_share(self.miss.whole(), self.turns.whole()) * (miss / own);
-        let straight = own > 0.0 && turned <= REACH && newton.bend(&self.miss) * (miss / own) <= SAFE * own;
+        let straight =
+            own > 0.0 && turned <= REACH && newton.bend(&self.miss) * (miss / own) <= SAFE * own;
         let fades = newton.linear.smallest_pivot().min(self.pivot) < FADED * self.most;
         straight && !(fades && is_singular_near(newton, &self.miss, miss / own, &self.now))
     }
 }
 
-/// True if C_q may be singular within factor · v of the present position: at either end of that a block has
-/// another sign, or the smallest pivot is less than half of its value here. Along a branch that is passed
-/// smoothly a change point shows in nothing else.
+/// True if C_q may be singular within factor · v of the present position: at either end of that a
+/// block has another sign, or the smallest pivot is less than half of its value here. Along a
+/// branch that is passed smoothly a change point shows in nothing else.
 #[cold]
 fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &[bool]) -> bool {
-    let (t, here, pivot, mut signs) =
-        (newton.instant.t(), newton.q.clone(), newton.linear.smallest_pivot(), Vec::new());
+    let t = newton.instant.t();
+    let here = newton.q.clone();
+    let pivot = newton.linear.smallest_pivot();
+    let mut signs = Vec::new();
     let mut is_regular = |factor: f64| {
-        newton.q.iter_mut().zip(here.iter().zip(v)).for_each(|(q, (here, v))| *q = here + factor * v);
+        newton
+            .q
+            .iter_mut()
+            .zip(here.iter().zip(v))
+            .for_each(|(q, (here, v))| *q = here + factor * v);
         let factored = newton.linearize(t).is_ok() && newton.linear.factor();
         newton.linear.orientation(&mut signs);
         factored && signs == negative && newton.linear.smallest_pivot() >= 0.5 * pivot

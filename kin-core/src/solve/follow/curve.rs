@@ -1,9 +1,9 @@
-//! The curve of solutions through x = (q, t), by its arc length s: regular where C_q is not, as long as [C_q
-//! C_t] has full rank.
+//! The curve of solutions through x = (q, t), by its arc length s: regular where C_q is not, as
+//! long as [C_q C_t] has full rank.
 //!
-//! [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with G(x) = C(q, t); lengths and
-//! time are measured by the sizes of the coordinates and by the time in which the drivers move something of
-//! order 1. (H. B. Keller's pseudo-arclength.)
+//! [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with G(x) = C(q, t);
+//! lengths and time are measured by the sizes of the coordinates and by the time in which the
+//! drivers move something of order 1. (H. B. Keller's pseudo-arclength.)
 
 use crate::linear::Linear;
 use crate::system::System;
@@ -17,15 +17,15 @@ const ITERATIONS: usize = 12;
 const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
 
-/// Where the second correction is about half of the first one, so is each at a singular place; rounding
-/// shrinks by less than this.   \[-\]
+/// Where the second correction is about half of the first one, so is each at a singular place;
+/// rounding shrinks by less than this.   \[-\]
 const STILL: f64 = 0.6;
 
 /// Pivots below this make no more of rounding than this one does.   \[-\]
 const SMALLEST: f64 = 1e-3;
 
-/// A prediction may be off by this share of its step, the second correction may be this share of the first,
-/// and the tangent may turn by an angle of this cosine.   \[-\]
+/// A prediction may be off by this share of its step, the second correction may be this share of
+/// the first, and the tangent may turn by an angle of this cosine.   \[-\]
 const OFF: f64 = 0.05;
 const SHRINKS: f64 = 0.2;
 const STRAIGHT: f64 = 0.97;
@@ -50,8 +50,8 @@ pub(super) struct CurvePoint {
     pub ddx: Vec<f64>,
     /// True if det [C_q C_t; x′ᵀ] is negative.
     pub negative: bool,
-    /// For each block of C_q whether its determinant is negative, and the smallest pivot; `None` where C_q is
-    /// singular.
+    /// For each block of C_q whether its determinant is negative, and the smallest pivot; `None`
+    /// where C_q is singular.
     pub blocks: Option<(Vec<bool>, f64)>,
 }
 
@@ -67,7 +67,8 @@ impl CurvePoint {
 
     /// q̇ = q′/t′ and q̈ = (q″ − q̇ t″)/t′²
     pub(super) fn rates(&self) -> [Vec<f64>; 2] {
-        let (dt, ddt) = (self.dt(), self.ddx.last().copied().unwrap_or_default());
+        let dt = self.dt();
+        let ddt = self.ddx.last().copied().unwrap_or_default();
         let n = self.x.len() - 1;
         let qd: Vec<f64> = self.dx[..n].iter().map(|dx| dx / dt).collect();
         let qdd = self.ddx.iter().zip(&qd).map(|(ddx, qd)| (ddx - qd * ddt) / (dt * dt)).collect();
@@ -88,14 +89,18 @@ impl CurvePoint {
 impl<'a> Curve<'a> {
     /// The curve of a system with as many equations as coordinates.
     pub(super) fn new(system: &'a System, sizes: &[f64], time: f64) -> Self {
-        let (model, mut own) = (system.model(), system.linear());
+        let model = system.model();
+        let mut own = system.linear();
         let n = model.n();
         own.set_sizes(sizes);
         let sizes: Vec<f64> = sizes.iter().copied().chain([time]).collect();
         let c_t = (0..n).map(|row| Some((row, n)));
         let border = (0..=n).map(|column| Some((n, column)));
-        let mut linear =
-            Linear::new(n + 1, model.equations.entries.iter().copied().chain(c_t).chain(border), &[]);
+        let mut linear = Linear::new(
+            n + 1,
+            model.equations.entries.iter().copied().chain(c_t).chain(border),
+            &[],
+        );
         linear.set_sizes(&sizes);
         Curve { model, sizes, linear, own }
     }
@@ -132,7 +137,9 @@ impl<'a> Curve<'a> {
 
     /// Newton's steps across the direction `border`; gives the length of the first one.
     pub(super) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
-        let (mut first, mut previous, mut still) = (0.0, f64::INFINITY, 0.5);
+        let mut first = 0.0;
+        let mut previous = f64::INFINITY;
+        let mut still = 0.5;
         let rounding = self.rounding(x);
         for k in 0..ITERATIONS {
             let c = self.factor(x, border)?;
@@ -142,15 +149,17 @@ impl<'a> Curve<'a> {
                 first = size;
             }
             // A small pivot makes much of rounding far from the origin.
-            let allowed = ROUNDING.max(rounding / self.linear.smallest_pivot().clamp(SMALLEST, 1.0));
+            let allowed =
+                ROUNDING.max(rounding / self.linear.smallest_pivot().clamp(SMALLEST, 1.0));
             // A size that is not a number does not count as smaller.
             let mut shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
             if k == 1 && !shrinks && size <= 0.5 * previous && size <= allowed {
-                // Rounding, which then stands still, or a singular place, where all steps are halves.
+                // Rounding, which then stands still, or a singular place, where all steps are
+                // halves.
                 (shrinks, still) = (true, STILL);
             }
-            let settled =
-                (size <= TOLERANCE && still < STILL) || (size > still * previous && size <= allowed);
+            let settled = (size <= TOLERANCE && still < STILL)
+                || (size > still * previous && size <= allowed);
             if !(shrinks || settled) {
                 return None;
             }
@@ -192,7 +201,8 @@ impl<'a> Curve<'a> {
         self.linear.solution().to_vec()
     }
 
-    /// The error of a place by rounding of x, in units of the measures: far from the origin it is large.
+    /// The error of a place by rounding of x, in units of the measures: far from the origin it is
+    /// large.
     pub(super) fn rounding(&self, x: &[f64]) -> f64 {
         let shares = x.iter().zip(&self.sizes).map(|(x, size)| (x / size).abs());
         64.0 * f64::EPSILON * shares.fold(1.0, f64::max)
@@ -240,23 +250,28 @@ mod tests {
         m.build().expect("builds")
     }
 
-    /// Tangent, curvature, rates and pivots of a place, by measures that are not 1; the direction asked along
-    /// need not be that of the curve.
+    /// Tangent, curvature, rates and pivots of a place, by measures that are not 1; the direction
+    /// asked along need not be that of the curve.
     #[test]
     fn a_place_on_a_circle() {
-        let (system, sizes) = (system(0.0, 3.0), [2.0, 5.0]);
+        let system = system(0.0, 3.0);
+        let sizes = [2.0, 5.0];
         let mut curve = Curve::new(&system, &sizes, 0.5);
         for sign in [1.0, -1.0] {
-            let place = curve.place(vec![0.8, 2.4, 0.6], &[0.0, 0.3 * sign, sign]).expect("is regular");
+            let place =
+                curve.place(vec![0.8, 2.4, 0.6], &[0.0, 0.3 * sign, sign]).expect("is regular");
             assert!(
                 (curve.dot(&place.dx, &place.dx) - 1.0).abs() < 1e-14
                     && curve.dot(&place.dx, &place.ddx).abs() < 1e-13
             );
             assert!(
-                place.dt() * sign > 0.0 && place.t() == 0.6 && place.negative == curve.linear.is_negative()
+                place.dt() * sign > 0.0
+                    && place.t() == 0.6
+                    && place.negative == curve.linear.is_negative()
             );
             let [qd, qdd] = place.rates();
-            let (v, a) = (-0.75, -1.0 / 0.512);
+            let v = -0.75;
+            let a = -1.0 / 0.512;
             for (found, exact) in qd.iter().zip([v, 3.0 * v]).chain(qdd.iter().zip([a, 3.0 * a])) {
                 assert!((found - exact).abs() < 1e-12, "{qd:?} {qdd:?}");
             }
@@ -270,7 +285,8 @@ mod tests {
         }
     }
 
-    /// A step is as good as its prediction, and goes no further than the curve is straight; either way along.
+    /// A step is as good as its prediction, and goes no further than the curve is straight; either
+    /// way along.
     #[test]
     fn steps_along_a_circle() {
         let system = system(0.0, 0.0);
@@ -279,8 +295,13 @@ mod tests {
         for s in [0.01, 0.2, -0.2, 0.05] {
             let (place, off) = curve.at(&here, s).expect("settles");
             assert!((off - s.powi(4) / 8.0).abs() < s.abs().powi(5), "{off}");
-            assert!((place.x[0].hypot(place.x[2]) - 1.0).abs() < 1e-15 && curve.step(&here, s).is_some());
-            assert!((place.x[2].atan2(place.x[0]) - 0.6_f64.atan2(0.8) - s).abs() < s.abs().powi(3));
+            assert!(
+                (place.x[0].hypot(place.x[2]) - 1.0).abs() < 1e-15
+                    && curve.step(&here, s).is_some()
+            );
+            assert!(
+                (place.x[2].atan2(place.x[0]) - 0.6_f64.atan2(0.8) - s).abs() < s.abs().powi(3)
+            );
         }
         assert!(curve.step(&here, 0.5).is_none() && curve.at(&here, 0.5).is_some());
 
@@ -357,7 +378,11 @@ mod tests {
         let exact = pivot(1.0);
         assert!(exact > 0.1 && exact < 10.0);
         for factor in [1e6, 1e12] {
-            assert!((pivot(factor) / exact - 1.0).abs() < 1e-9, "{factor}: {} {exact}", pivot(factor));
+            assert!(
+                (pivot(factor) / exact - 1.0).abs() < 1e-9,
+                "{factor}: {} {exact}",
+                pivot(factor)
+            );
         }
     }
 

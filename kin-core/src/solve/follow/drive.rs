@@ -1,18 +1,19 @@
-//! Test whether the ends of a step tell all that time does in between: a motor may go out and come back
-//! within it.
+//! Test whether the ends of a step tell all that time does in between: a motor may go out and come
+//! back within it.
 //!
-//! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω t, what is
-//! made of them. Over a step h a signal is off its polynomial of second degree at either end by no more than
-//! ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of these come from the steps of
-//! the equation and from the laws in it ([`crate::LawFunction::over`]), over stretches of many steps. Where
-//! the position is led off by no more than a prediction may miss, there is nothing that the ends do not tell.
+//! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω
+//! t, what is made of them. Over a step h a signal is off its polynomial of second degree at either
+//! end by no more than ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of
+//! these come from the steps of the equation and from the laws in it
+//! ([`crate::LawFunction::over`]), over stretches of many steps. Where the position is led off by
+//! no more than a prediction may miss, there is nothing that the ends do not tell.
 //!
-//! Constraints of which no bounds are known (laws of one's own without any, the dual route, written by hand)
-//! are sampled: C with q held, at the eighths of the step.
+//! Constraints of which no bounds are known (laws of one's own without any, the dual route, written
+//! by hand) are sampled: C with q held, at the eighths of the step.
 //!
-//! A signal that turns round within the step leaves the range between its ends too, and that may be beyond a
-//! change point that is passed smoothly there and back: neither end tells it. So that range, too, may be left
-//! by no more than a prediction may miss.
+//! A signal that turns round within the step leaves the range between its ends too, and that may be
+//! beyond a change point that is passed smoothly there and back: neither end tells it. So that
+//! range, too, may be left by no more than a prediction may miss.
 
 mod sampled;
 
@@ -27,13 +28,13 @@ use crate::model::formula::time as held;
 use crate::numbers::enclosure::{Interval, ONE, Series};
 use crate::system::evaluate::{Equations, Instant};
 
-/// Steps for which it is taken as known how far a signal moves q, and how often that is looked at before
-/// bounds are, where they depend on q.
+/// Steps for which it is taken as known how far a signal moves q, and how often that is looked at
+/// before bounds are, where they depend on q.
 const KNOWN: u32 = 64;
 const LOOKS: u32 = 4;
 
-/// Where that was looked at earlier q may have become easier to move by this factor, beside what the smallest
-/// pivot tells.   \[-\]
+/// Where that was looked at earlier q may have become easier to move by this factor, beside what
+/// the smallest pivot tells.   \[-\]
 const DRIFT: f64 = 2.0;
 
 /// Farther away than this the equations are not tested for being straight.   \[-\]
@@ -50,7 +51,8 @@ pub(crate) trait Lever {
     /// max_j |v_j| / s_j of C_q v = b, the right side being zero but for the rows from `first` on.
     fn moved(&mut self, first: usize, b: &[f64]) -> f64;
 
-    /// max_j |C_q⁻¹ (C_q v)_q v|_j / s_j of the v that was moved last; infinite where it is not known.
+    /// max_j |C_q⁻¹ (C_q v)_q v|_j / s_j of the v that was moved last; infinite where it is not
+    /// known.
     fn bend(&mut self) -> f64;
 
     /// max_j |v_j| of the angles among them.
@@ -79,8 +81,8 @@ pub(crate) struct Drive {
     /// Bounds hold between these times, and of the next ones for as long.
     stretch: [f64; 2],
     longest: f64,
-    /// How far q may be led off by signals with bounds, as a polynomial in the length of a step; the smallest
-    /// pivot when it was looked at.
+    /// How far q may be led off by signals with bounds, as a polynomial in the length of a step;
+    /// the smallest pivot when it was looked at.
     off: Bound,
     pivot: f64,
     /// Steps that need no look, and looks that need no bounds.
@@ -124,9 +126,11 @@ impl Bound {
         let mut bound = Bound::default();
         let last = y.len().min(COEFFICIENTS).checked_sub(1)?;
         let c = y.at(last);
-        // Up to the third degree Taylor's formula, and where a coefficient before it jumps by how much.
+        // Up to the third degree Taylor's formula, and where a coefficient before it jumps by how
+        // much.
         bound.0[last] = if last == 3 { c.mag() } else { 2.0 * c.radius() };
-        // Where it may turn round within the step, by how much it may leave what lies between both ends.
+        // Where it may turn round within the step, by how much it may leave what lies between both
+        // ends.
         match last {
             2 | 3 if y.at(1).contains(0.0) => bound.0[2] += 0.25 * y.at(2).mag(),
             1 if y.at(1).contains(0.0) => bound.0[1] += 0.5 * y.at(1).mag(),
@@ -142,7 +146,11 @@ impl Bound {
     }
 
     fn add(&mut self, factor: f64, other: &Bound) {
-        self.0.iter_mut().zip(other.0).filter(|(_, x)| *x > 0.0).for_each(|(sum, x)| *sum += factor * x);
+        self.0
+            .iter_mut()
+            .zip(other.0)
+            .filter(|(_, x)| *x > 0.0)
+            .for_each(|(sum, x)| *sum += factor * x);
     }
 }
 
@@ -160,7 +168,9 @@ impl Drive {
                         .or_insert_with(|| held::signals(formula).into())
                         .clone()
                 };
-                Some(table.formula()).filter(|formula| formula.rows.len() == facts.rows.len()).map(of)
+                Some(table.formula())
+                    .filter(|formula| formula.rows.len() == facts.rows.len())
+                    .map(of)
             });
             Source {
                 block,
@@ -200,8 +210,8 @@ impl Drive {
         self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
     }
 
-    /// True if the position may be led off unseen, too far to be sure of the step: this is found out by all
-    /// means, at their full cost.
+    /// True if the position may be led off unseen, too far to be sure of the step: this is found
+    /// out by all means, at their full cost.
     #[cold]
     pub(crate) fn hides(
         &mut self,
@@ -210,8 +220,12 @@ impl Drive {
     ) -> bool {
         let h = (to - from).abs();
         // However often it is weighed, the position is the same.
-        self.sources.iter_mut().flat_map(|source| &mut source.terms).for_each(|term| term.lever = f64::NAN);
-        // By the bounds that are known, by those over a longer stretch, by those over the step alone.
+        self.sources
+            .iter_mut()
+            .flat_map(|source| &mut source.terms)
+            .for_each(|term| term.lever = f64::NAN);
+        // By the bounds that are known, by those over a longer stretch, by those over the step
+        // alone.
         for reach in [None, Some(self.longest.max(h)), Some(h)] {
             let known = match reach {
                 None => self.covers(from, to) && self.looks > 0,
@@ -228,7 +242,8 @@ impl Drive {
             self.looks = self.looks.saturating_sub(1);
             self.sample(equations, lever.instant(), [from, to]);
             self.weigh(equations, lever);
-            // A bound over more than the step is of use if later steps are told by it, without a look.
+            // A bound over more than the step is of use if later steps are told by it, without a
+            // look.
             let room = if reach == Some(h) { 1.0 } else { DRIFT };
             if room * self.off.at(h) <= EASY * pivot {
                 self.rely(pivot, reach);
@@ -246,14 +261,17 @@ impl Drive {
         self.samples = if sampled { KNOWN } else { 0 };
         if let Some(reach) = reach {
             self.longest = 2.0 * reach;
-            self.looks = if self.sources.iter().all(|source| source.apart) { u32::MAX } else { LOOKS };
-            self.ends_suffice =
-                !sampled && self.looks == u32::MAX && reach.is_infinite() && self.off == Bound::default();
+            self.looks =
+                if self.sources.iter().all(|source| source.apart) { u32::MAX } else { LOOKS };
+            self.ends_suffice = !sampled
+                && self.looks == u32::MAX
+                && reach.is_infinite()
+                && self.off == Bound::default();
         }
     }
 
-    /// Bounds over a stretch of time; false where some are not known. Over a single step constraints without
-    /// bounds are sampled.
+    /// Bounds over a stretch of time; false where some are not known. Over a single step
+    /// constraints without bounds are sampled.
     fn bound(
         &mut self,
         equations: &Equations,
@@ -287,12 +305,15 @@ impl Drive {
         }
     }
 
-    /// True if the equations are nearly straight along each of the signals, as far as it may have led: then
-    /// it does not matter where it was.
+    /// True if the equations are nearly straight along each of the signals, as far as it may have
+    /// led: then it does not matter where it was.
     fn is_straight(&self, equations: &Equations, h: f64, lever: &mut dyn Lever) -> bool {
-        let all =
-            self.sources.iter().flat_map(|source| source.terms.iter().map(move |term| (source.block, term)));
-        let moving: Vec<(usize, &Term)> = all.filter(|(_, term)| term.bound != Bound::default()).collect();
+        let all = self
+            .sources
+            .iter()
+            .flat_map(|source| source.terms.iter().map(move |term| (source.block, term)));
+        let moving: Vec<(usize, &Term)> =
+            all.filter(|(_, term)| term.bound != Bound::default()).collect();
         let count = moving.len() as f64;
         moving.into_iter().all(|(block, term)| {
             lever.moved(equations.blocks[block].rows().start, &term.slopes);
@@ -307,17 +328,19 @@ impl Source {
     /// Bounds of its signals over a stretch of time, if all are known.
     fn bounds(&self, equations: &Equations, t: Series) -> Option<Vec<Bound>> {
         let signals = self.signals.as_ref()?;
-        let bounds = equations.blocks[self.block].constraint.formula(|table, parameters, outside| {
-            let found = held::over_time(table.formula(), signals, t, parameters, outside);
-            found.iter().map(Bound::of).collect::<Option<Vec<Bound>>>()
-        });
+        let bounds =
+            equations.blocks[self.block].constraint.formula(|table, parameters, outside| {
+                let found = held::over_time(table.formula(), signals, t, parameters, outside);
+                found.iter().map(Bound::of).collect::<Option<Vec<Bound>>>()
+            });
         bounds.flatten()
     }
 
     /// Takes bounds of its signals; without any its rows are sampled.
     fn take(&mut self, equations: &Equations, instant: &Instant, bounds: Option<Vec<Bound>>) {
-        let still =
-            bounds.as_ref().is_some_and(|bounds| bounds.iter().all(|bound| *bound == Bound::default()));
+        let still = bounds
+            .as_ref()
+            .is_some_and(|bounds| bounds.iter().all(|bound| *bound == Bound::default()));
         let known = !self.is_sampled
             && self.apart
             && bounds.as_ref().is_some_and(|bounds| bounds.len() == self.terms.len());
@@ -335,13 +358,17 @@ impl Source {
                 .map(|slopes| Term { slopes, bound: Bound::default(), lever: f64::NAN })
                 .collect();
         }
-        self.terms.iter_mut().zip(bounds.into_iter().flatten()).for_each(|(term, bound)| term.bound = bound);
+        self.terms
+            .iter_mut()
+            .zip(bounds.into_iter().flatten())
+            .for_each(|(term, bound)| term.bound = bound);
     }
 
     /// How its rows follow each of its signals, if that is known.
     fn slopes(&self, equations: &Equations, instant: &Instant) -> Option<Vec<Vec<f64>>> {
         let block = &equations.blocks[self.block];
-        let (signals, columns) = (self.signals.as_deref()?, equations.columns_of(block, instant));
+        let signals = self.signals.as_deref()?;
+        let columns = equations.columns_of(block, instant);
         let slopes = block.constraint.formula(|table, parameters, outside| {
             held::slopes(table.formula(), signals, (&columns, instant.t()), parameters, outside)
         });

@@ -1,5 +1,5 @@
-//! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is asked
-//! for.
+//! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is
+//! asked for.
 
 use super::branching::{self, Branching};
 use super::curve::{Curve, CurvePoint};
@@ -22,8 +22,8 @@ const TOGETHER: f64 = 1e-4;
 /// Times that differ by this share of the measure of time are one.   \[-\]
 const AT_ONCE: f64 = 1e-7;
 
-/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the run has come
-/// to it.   \[-\]
+/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the
+/// run has come to it.   \[-\]
 const AT_END: f64 = 1e-12;
 
 /// Where a passage ends.
@@ -60,7 +60,10 @@ pub(crate) fn pass(
     other: &dyn Fn(usize) -> bool,
 ) -> (Result<Passage, Lost>, usize) {
     let mut steps = 0;
-    (Walk::new(newton, q, t, to, other).ok_or(Lost::Lost).and_then(|walk| walk.go(&mut steps)), steps)
+    (
+        Walk::new(newton, q, t, to, other).ok_or(Lost::Lost).and_then(|walk| walk.go(&mut steps)),
+        steps,
+    )
 }
 
 /// A walk along the curve.
@@ -104,13 +107,16 @@ impl<'w, 'a> Walk<'w, 'a> {
         let mut s = FIRST;
         while *steps < STEPS {
             *steps += 1;
-            let stepped = self.curve.step(&self.here, s).and_then(|next| self.judge(next, s).transpose());
+            let stepped =
+                self.curve.step(&self.here, s).and_then(|next| self.judge(next, s).transpose());
             match stepped.transpose()? {
                 Some(Stepped::On(place)) => {
                     self.here = place;
                     s = (1.5 * s).min(LONGEST);
                 }
-                Some(Stepped::Landed(landed)) => return Ok(Passage { landed, passed: self.passed }),
+                Some(Stepped::Landed(landed)) => {
+                    return Ok(Passage { landed, passed: self.passed });
+                }
                 None => s *= 0.5,
             }
             if s < SHORTEST {
@@ -161,12 +167,14 @@ impl<'w, 'a> Walk<'w, 'a> {
 
     /// How many blocks of C_q turn over on the way to a place.
     fn turned_over(&self, next: &CurvePoint) -> usize {
-        let (Some((before, _)), Some((after, _))) = (&self.here.blocks, &next.blocks) else { return 0 };
+        let (Some((before, _)), Some((after, _))) = (&self.here.blocks, &next.blocks) else {
+            return 0;
+        };
         before.iter().zip(after).filter(|(before, after)| before != after).count()
     }
 
-    /// Time turns round for several loops at once, a place at which the curve is singular: it is found
-    /// between places on either side.
+    /// Time turns round for several loops at once, a place at which the curve is singular: it is
+    /// found between places on either side.
     fn turn_together(&self, next: &CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         if s > self.together() {
             return Ok(None);
@@ -178,8 +186,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         Ok(None)
     }
 
-    /// The length of a step within which loops turn over at once: shorter ones lose themselves in rounding
-    /// where the origin is far.
+    /// The length of a step within which loops turn over at once: shorter ones lose themselves in
+    /// rounding where the origin is far.
     fn together(&self) -> f64 {
         TOGETHER.max(self.curve.rounding(&self.here.x).cbrt())
     }
@@ -188,20 +196,29 @@ impl<'w, 'a> Walk<'w, 'a> {
         Lost::Turned(Box::new(self.singular_position(SingularKind::TurningPoint, x, Vec::new())))
     }
 
-    /// Past a position, if there is one on the way; a step that has to be shorter comes there once more.
-    fn go_on(&mut self, next: CurvePoint, s: f64, passed: Option<SingularPosition>) -> Option<Stepped> {
-        let stepped = if self.before(next.t()) <= 0.0 { self.land(&next, s)? } else { Stepped::On(next) };
+    /// Past a position, if there is one on the way; a step that has to be shorter comes there once
+    /// more.
+    fn go_on(
+        &mut self,
+        next: CurvePoint,
+        s: f64,
+        passed: Option<SingularPosition>,
+    ) -> Option<Stepped> {
+        let stepped =
+            if self.before(next.t()) <= 0.0 { self.land(&next, s)? } else { Stepped::On(next) };
         self.passed.extend(passed);
         Some(stepped)
     }
 
-    /// Several loops turn over in a short step, an even number of them: none is told apart from the others,
-    /// and all go on smoothly.
+    /// Several loops turn over in a short step, an even number of them: none is told apart from the
+    /// others, and all go on smoothly.
     fn cross_together(&mut self, next: CurvePoint, s: f64, at: f64) -> Option<Stepped> {
         let x = self.here.ahead(at);
-        let between =
-            |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect();
-        let ([qd, qdd], [later, still_later]) = (self.here.rates(), next.rates());
+        let between = |a: Vec<f64>, b: Vec<f64>| {
+            a.iter().zip(&b).map(|(a, b)| a + at / s * (b - a)).collect()
+        };
+        let [qd, qdd] = self.here.rates();
+        let [later, still_later] = next.rates();
         let branch = Branch { qd: between(qd, later), qdd: between(qdd, still_later) };
         let t = x.last().copied()?;
         if self.before(t).abs() <= AT_ONCE {
@@ -232,7 +249,12 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 
     /// The step leads through a bifurcation.
-    fn cross(&mut self, found: Branching, next: CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
+    fn cross(
+        &mut self,
+        found: Branching,
+        next: CurvePoint,
+        s: f64,
+    ) -> Result<Option<Stepped>, Lost> {
         let t = found.x.last().copied().unwrap_or_default();
         let before = self.before(t);
         if before < -AT_ONCE {
@@ -275,7 +297,8 @@ impl<'w, 'a> Walk<'w, 'a> {
 
     /// The place about s beyond a bifurcation on the branch with that tangent.
     fn turn_into(&mut self, x: &[f64], dx: &[f64], branch: &Branch, s: f64) -> Option<CurvePoint> {
-        let (t, dt) = (*x.last()?, *dx.last()?);
+        let t = *x.last()?;
+        let dt = *dx.last()?;
         let (mut start, _) = self.moved(x, branch, s * dt);
         start.push(t + s * dt);
         let off = self.curve.correct(&mut start, dx)?;
@@ -295,7 +318,12 @@ impl<'w, 'a> Walk<'w, 'a> {
         (q, Branch { qd, qdd: branch.qdd.clone() })
     }
 
-    fn singular_position(&self, kind: SingularKind, x: &[f64], branches: Vec<Branch>) -> SingularPosition {
+    fn singular_position(
+        &self,
+        kind: SingularKind,
+        x: &[f64],
+        branches: Vec<Branch>,
+    ) -> SingularPosition {
         let (t, q) = x.split_last().map(|(t, q)| (*t, q)).unwrap_or_default();
         SingularPosition::new(self.newton.system, kind, t, q, branches)
     }

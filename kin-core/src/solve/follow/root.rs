@@ -3,8 +3,8 @@
 /// Evaluations of one search; each second one halves the bracket at least.
 const EVALUATIONS: usize = 100;
 
-/// s between a and b, where f has the signs of `at_a` and `at_b`, to rounding of s, or where f is at most
-/// `enough`: secants that let no end stand still (Illinois). `None` where f gives none.
+/// s between a and b, where f has the signs of `at_a` and `at_b`, to rounding of s, or where f is
+/// at most `enough`: secants that let no end stand still (Illinois). `None` where f gives none.
 pub(super) fn root(
     mut a: (f64, f64),
     mut b: (f64, f64),
@@ -16,8 +16,10 @@ pub(super) fn root(
     }
     for k in 0..EVALUATIONS {
         let secant = (a.0 * b.1 - b.0 * a.1) / (b.1 - a.1);
-        let (low, high) = (a.0.min(b.0), a.0.max(b.0));
-        let s = if k % 8 == 7 || !(low..=high).contains(&secant) { 0.5 * (a.0 + b.0) } else { secant };
+        let low = a.0.min(b.0);
+        let high = a.0.max(b.0);
+        let s =
+            if k % 8 == 7 || !(low..=high).contains(&secant) { 0.5 * (a.0 + b.0) } else { secant };
         let value = f(s)?;
         if value.abs() <= enough || high - low <= f64::EPSILON * high.abs() {
             return Some(s);
@@ -57,15 +59,19 @@ mod tests {
         }
         assert_eq!(root((0.0, -1.0), (1.0, 1.0), 0.0, |_| None), None);
         assert_eq!(root((2.0, 0.0), (3.0, 1.0), 0.0, |_| None), Some(2.0));
-        // Where it is small enough, before it is zero; backwards as well; and where there is no number left
-        // between a jump.
+        // Where it is small enough, before it is zero; backwards as well; and where there is no
+        // number left between a jump.
         let small = root((0.0, -1.0), (1.0, 7.0), 0.1, |s| Some(8.0 * s * s * s - 1.0)).unwrap();
         assert!((8.0 * small.powi(3) - 1.0).abs() <= 0.1 && (small - 0.5).abs() > 1e-6);
         let back = root((3.0, 2.0), (0.0, -1.0), 0.0, |s| Some(s - 1.0)).unwrap();
         assert!((back - 1.0).abs() < 1e-15, "{back}");
-        for (from, to, at) in
-            [(0.0, 3.0, 1.0), (-3.0, -0.5, -1.0), (-0.5, -3.0, -1.0), (0.0, 3e3, 1e3), (-1e-3, -3e-3, -2e-3)]
-        {
+        for (from, to, at) in [
+            (0.0, 3.0, 1.0),
+            (-3.0, -0.5, -1.0),
+            (-0.5, -3.0, -1.0),
+            (0.0, 3e3, 1e3),
+            (-1e-3, -3e-3, -2e-3),
+        ] {
             let mut evaluations = 0;
             let jump = root(
                 (from, if from < at { -1.0 } else { 1.0 }),
@@ -77,7 +83,8 @@ mod tests {
                 },
             );
             assert!(
-                jump.is_some_and(|jump| (jump / at - 1.0).abs() < 1e-15) && evaluations < EVALUATIONS,
+                jump.is_some_and(|jump| (jump / at - 1.0).abs() < 1e-15)
+                    && evaluations < EVALUATIONS,
                 "{jump:?} {evaluations}"
             );
         }

@@ -5,13 +5,19 @@ use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::singular::{self, Singular};
 
-/// Pivots below this vanish at one singular position: where several do so at once q is known to half of its
-/// digits.   \[-\]
+/// Pivots below this vanish at one singular position: where several do so at once q is known to
+/// half of its digits.   \[-\]
 const AT_ONCE: f64 = 1e-7;
 
 impl SingularPosition {
     /// At q and t, with names by the null vectors of C_q there.
-    pub(super) fn new(system: &System, kind: SingularKind, t: f64, q: &[f64], branches: Vec<Branch>) -> Self {
+    pub(super) fn new(
+        system: &System,
+        kind: SingularKind,
+        t: f64,
+        q: &[f64],
+        branches: Vec<Branch>,
+    ) -> Self {
         let model = system.model();
         let values = model
             .linearize(q, t)
@@ -25,8 +31,8 @@ impl SingularPosition {
 
 /// Drivers that move nothing by more than this within a step of time stand still.   \[-\]
 const STILL: f64 = 1e-12;
-/// Coordinates that enter all equations linearly are measured by how far they go where they are so many
-/// times as fast as the others.   \[-\]
+/// Coordinates that enter all equations linearly are measured by how far they go where they are so
+/// many times as fast as the others.   \[-\]
 const OUTRUN: f64 = 100.0;
 
 /// The measures of the curve through (q, t).
@@ -37,11 +43,12 @@ pub(super) struct Scales {
 
 /// The sizes of coordinates by which steps are judged, and the measure of time.
 ///
-/// Along a coordinate whose column of C_q is constant no equation bends, so that it may have any size. One
-/// that is carried away fast (a feed, a carriage) must not make the others seem to stand still: it is
-/// measured by how far it goes while the fastest of the others moves by its size.
+/// Along a coordinate whose column of C_q is constant no equation bends, so that it may have any
+/// size. One that is carried away fast (a feed, a carriage) must not make the others seem to stand
+/// still: it is measured by how far it goes while the fastest of the others moves by its size.
 pub(super) fn scales(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> Scales {
-    let (time, mut sizes) = (time(newton, q, t, h), newton.sizes.clone());
+    let time = time(newton, q, t, h);
+    let mut sizes = newton.sizes.clone();
     let equations = newton.system.equations();
     let mut is_linear = vec![true; sizes.len()];
     for (entry, constant) in equations.entries.iter().zip(&equations.constants) {
@@ -63,12 +70,14 @@ pub(super) fn scales(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> Scales {
     Scales { sizes, time: slower }
 }
 
-/// The measure of time: what the fastest driver needs to move something of order 1; the step of time where
-/// all stand still, or begin to move.
+/// The measure of time: what the fastest driver needs to move something of order 1; the step of
+/// time where all stand still, or begin to move.
 pub(super) fn time(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> f64 {
     let c_t = newton.system.model().c_t(q, t).unwrap_or_default();
-    let fastest =
-        c_t.iter().zip(newton.linear.norms()).fold(0.0_f64, |most, (c_t, norm)| most.max((c_t / norm).abs()));
+    let fastest = c_t
+        .iter()
+        .zip(newton.linear.norms())
+        .fold(0.0_f64, |most, (c_t, norm)| most.max((c_t / norm).abs()));
     if fastest.is_finite() && fastest * h.abs() > STILL { fastest.recip() } else { h.abs() }
 }
 
@@ -84,8 +93,8 @@ mod tests {
         [a * x - k * t, y - 1e-3 * t]
     }
 
-    /// The time that the fastest driver needs to move something of order 1; the step where all stand still,
-    /// or where that time is not a number.
+    /// The time that the fastest driver needs to move something of order 1; the step where all
+    /// stand still, or where that time is not a number.
     #[test]
     fn the_measure_of_time() {
         let measure = |a: f64, k: f64, h: f64| {
@@ -104,7 +113,8 @@ mod tests {
             assert!((found / exact - 1.0).abs() < 1e-14, "{a} {k}: {found} {exact}");
         }
         assert_eq!((measure(1e-20, 1e300, 0.1).0, measure(1e-20, 1e300, -0.1).0), (0.1, 0.1));
-        // A driver that is nearly at rest at the beginning of a step tells little about the rest of it.
+        // A driver that is nearly at rest at the beginning of a step tells little about the rest of
+        // it.
         assert_eq!(measure(1.0, 1e-4, 1e-10).0, 1e-10);
         let still = {
             let mut m = Mechanism::new("still");

@@ -1,4 +1,5 @@
-//! Turning points: where dt/ds changes its sign there is no solution beyond t*, and two branches meet.
+//! Turning points: where dt/ds changes its sign there is no solution beyond t*, and two branches
+//! meet.
 
 use super::curve::{Curve, CurvePoint};
 use super::root::root;
@@ -6,7 +7,8 @@ use super::root::root;
 /// dt/ds, by the measures, at which the search ends: t is off by its square.   \[-\]
 const ENOUGH: f64 = 1e-12;
 
-/// The place between `here` and one that is `s` further on, where dt/ds vanishes, and how far on it is.
+/// The place between `here` and one that is `s` further on, where dt/ds vanishes, and how far on it
+/// is.
 pub(super) fn locate(
     curve: &mut Curve<'_>,
     here: &CurvePoint,
@@ -29,15 +31,17 @@ pub(super) fn at_time(
     to: f64,
 ) -> Option<CurvePoint> {
     let enough = 4.0 * f64::EPSILON * to.abs();
-    let found =
-        root((0.0, here.t() - to), (s, next.t() - to), enough, |s| Some(curve.at(here, s)?.0.t() - to))?;
+    let found = root((0.0, here.t() - to), (s, next.t() - to), enough, |s| {
+        Some(curve.at(here, s)?.0.t() - to)
+    })?;
     Some(curve.at(here, found)?.0)
 }
 
-/// x between two places near one another, where dt/ds of the curve interpolated between them vanishes: for
-/// where the curve cannot be followed itself.
+/// x between two places near one another, where dt/ds of the curve interpolated between them
+/// vanishes: for where the curve cannot be followed itself.
 pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Vec<f64>> {
-    let end = |place: &CurvePoint, k: usize| [place.x[k], s * place.dx[k], 0.5 * s * s * place.ddx[k]];
+    let end =
+        |place: &CurvePoint, k: usize| [place.x[k], s * place.dx[k], 0.5 * s * s * place.ddx[k]];
     let along = |k: usize| quintic(end(here, k), end(next, k));
     let time = along(here.x.len() - 1);
     let rate = |u: f64| (1..6).rev().fold(0.0, |sum, k| sum * u + k as f64 * time[k]);
@@ -45,10 +49,12 @@ pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Ve
     Some((0..here.x.len()).map(|k| along(k).iter().rev().fold(0.0, |sum, c| sum * u + c)).collect())
 }
 
-/// Coefficients over 0 ≤ u ≤ 1 of the polynomial of fifth degree with value, slope and half the second
-/// derivative given at both ends.
+/// Coefficients over 0 ≤ u ≤ 1 of the polynomial of fifth degree with value, slope and half the
+/// second derivative given at both ends.
 fn quintic([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 6] {
-    let (p, q, r) = (x - a - b - c, y - b - 2.0 * c, z - c);
+    let p = x - a - b - c;
+    let q = y - b - 2.0 * c;
+    let r = z - c;
     [a, b, c, 10.0 * p - 4.0 * q + r, -15.0 * p + 7.0 * q - 2.0 * r, 6.0 * p - 3.0 * q + r]
 }
 
@@ -78,11 +84,12 @@ mod tests {
         (at(a), at(b), b - a)
     }
 
-    /// By the curve itself, by what is interpolated, and where the time is one that is asked for; whatever
-    /// time is measured by.
+    /// By the curve itself, by what is interpolated, and where the time is one that is asked for;
+    /// whatever time is measured by.
     #[test]
     fn where_time_turns_round() {
-        let (system, quarter) = (system(), 0.5 * std::f64::consts::PI);
+        let system = system();
+        let quarter = 0.5 * std::f64::consts::PI;
         for (time, [before, behind]) in
             [(1.0, [0.05, 0.03]), (1.0, [0.01, 0.1]), (0.5, [0.05, 0.03]), (1e3, [0.02, 0.02])]
         {
@@ -108,7 +115,9 @@ mod tests {
         assert!(between(&here, &next, s).is_none_or(|x| (x[1] - 3.0).abs() > 1e-3));
         let backwards = places(&mut curve, [0.4, 0.3]);
         let all = [2.3, 2.35, 2.0 + 0.3_f64.sin()].map(|to| (to, (here.clone(), next.clone(), s)));
-        for (to, (here, next, s)) in all.into_iter().chain([(2.31, backwards.clone()), (2.38, backwards)]) {
+        for (to, (here, next, s)) in
+            all.into_iter().chain([(2.31, backwards.clone()), (2.38, backwards)])
+        {
             let place = at_time(&mut curve, &here, &next, s, to).expect("comes to it");
             assert!(
                 (place.t() - to).abs() <= 8.0 * f64::EPSILON * to
@@ -120,9 +129,15 @@ mod tests {
     /// Value, slope and half the second derivative at both ends are those given.
     #[test]
     fn a_polynomial_by_both_ends() {
-        let (begin, end) = ([1.0, -2.0, 0.5], [3.0, 0.25, -4.0]);
+        let begin = [1.0, -2.0, 0.5];
+        let end = [3.0, 0.25, -4.0];
         let c = quintic(begin, end);
-        let sum = |weight: fn(i32) -> i32| (0..6).map(|k| f64::from(weight(k)) * c[k as usize]).sum::<f64>();
-        assert_eq!(([c[0], c[1], c[2]], [sum(|_| 1), sum(|k| k), sum(|k| k * (k - 1) / 2)]), (begin, end));
+        let sum = |weight: fn(i32) -> i32| {
+            (0..6).map(|k| f64::from(weight(k)) * c[k as usize]).sum::<f64>()
+        };
+        assert_eq!(
+            ([c[0], c[1], c[2]], [sum(|_| 1), sum(|k| k), sum(|k| k * (k - 1) / 2)]),
+            (begin, end)
+        );
     }
 }

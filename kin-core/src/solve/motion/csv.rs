@@ -10,7 +10,10 @@ use crate::model::error::{Error, Result};
 /// Has `write` write a file, making folders that are missing.
 ///
 /// Errors: a folder or file that cannot be written, by its path.
-pub(crate) fn to_file(path: &Path, write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>) -> Result<()> {
+pub(crate) fn to_file(
+    path: &Path,
+    write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>,
+) -> Result<()> {
     let written = || {
         if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
             std::fs::create_dir_all(folder)?;
@@ -20,18 +23,19 @@ pub(crate) fn to_file(path: &Path, write: impl FnOnce(BufWriter<File>) -> std::i
     written().map_err(|source| Error::File { path: path.to_path_buf(), source })
 }
 
-/// A header or another text of a table as spreadsheets may read it: one that begins with `=`, `+`, `-`, `@`,
-/// a tab or a carriage return would be computed as a formula there, so it is written with `'` before it.
+/// A header or another text of a table as spreadsheets may read it: one that begins with `=`, `+`,
+/// `-`, `@`, a tab or a carriage return would be computed as a formula there, so it is written with
+/// `'` before it.
 pub(crate) fn as_text(text: String) -> String {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text }
 }
 
 impl Motion {
-    /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈ (and all q⃛
-    /// where the jerk was asked for) in the order of the coordinates, then the outputs; headers such as `t
-    /// [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`; 17
-    /// significant digits. A header that begins as a formula of a spreadsheet does (`=`, `+`, `-`, `@`) is
-    /// written with `'` before it.
+    /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈
+    /// (and all q⃛ where the jerk was asked for) in the order of the coordinates, then the outputs;
+    /// headers such as `t [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`,
+    /// `crank.R_x''' [m/s^3]`; 17 significant digits. A header that begins as a formula of a
+    /// spreadsheet does (`=`, `+`, `-`, `@`) is written with `'` before it.
     ///
     /// Errors: a folder or file that cannot be written, by its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
@@ -78,12 +82,13 @@ impl Motion {
         let orders = if self.has_jerk() { 4 } else { 3 };
         for (order, mark) in MARKS.into_iter().enumerate().take(orders) {
             let coordinates = self.layout.names.iter().enumerate();
-            all.extend(
-                coordinates
-                    .map(|(column, name)| format!("{name}{mark} [{}]", self.layout.unit(column, order))),
-            );
+            all.extend(coordinates.map(|(column, name)| {
+                format!("{name}{mark} [{}]", self.layout.unit(column, order))
+            }));
         }
-        all.extend(self.outputs().iter().map(|output| format!("{} [{}]", output.name(), output.unit())));
+        all.extend(
+            self.outputs().iter().map(|output| format!("{} [{}]", output.name(), output.unit())),
+        );
         all
     }
 }
@@ -121,8 +126,9 @@ mod tests {
         let text = String::from_utf8(table).unwrap();
         let header = text.lines().next().unwrap();
         assert!(
-            header
-                .starts_with("t [s],'=1+1 [m],'+a [m],'-b [m],'@SUM(A1) [m],plain [m],a=b [m],'=1+1' [m/s],"),
+            header.starts_with(
+                "t [s],'=1+1 [m],'+a [m],'-b [m],'@SUM(A1) [m],plain [m],a=b [m],'=1+1' [m/s],"
+            ),
             "{header}"
         );
         // Names stay what they are, and so do numbers below zero.

@@ -6,12 +6,13 @@ use super::{Body, Motion, PointMotion, Quantity, Vector};
 use crate::model::error::{Error, Result};
 
 impl Motion {
-    /// |r_P − r_Q| over time with its rates: how far P, local position `p` of body `a`, is from Q, local position `q` of body `b`. The length of a spring
-    /// or of a cylinder, the clearance of two edges.   \[m\]
+    /// |r_P − r_Q| over time with its rates: how far P, local position `p` of body `a`, is from Q,
+    /// local position `q` of body `b`. The length of a spring or of a cylinder, the clearance of
+    /// two edges.   \[m\]
     ///
-    /// The ground is a body too: `PlanarBody::from(ground)`, `SpatialBody::from(ground)`. As a measure to be
-    /// asked for extremes and crossings: `system.extremes(&motion, |m: &Motion| m.distance(arm, (0.4, 0.0),
-    /// frame, (0.0, 0.3)))?`.
+    /// The ground is a body too: `PlanarBody::from(ground)`, `SpatialBody::from(ground)`. As a
+    /// measure to be asked for extremes and crossings: `system.extremes(&motion, |m: &Motion|
+    /// m.distance(arm, (0.4, 0.0), frame, (0.0, 0.3)))?`.
     ///
     /// Errors: a body of another mechanism; points that meet, where a distance has no rate.
     pub fn distance<A: Body, B: Body<Vector = A::Vector>>(
@@ -21,15 +22,17 @@ impl Motion {
         b: B,
         q: impl Into<A::Vector>,
     ) -> Result<Quantity> {
-        let (p, q) = (self.point(a, p)?, self.point(b, q)?);
+        let p = self.point(a, p)?;
+        let q = self.point(b, q)?;
         let mut orders: [Vec<f64>; 4] = Default::default();
         for (k, &t) in self.times().iter().enumerate() {
-            let components =
-                (0..<A::Vector as Vector>::NAMES.len()).map(|c| component(&p, k, c) - component(&q, k, c));
+            let components = (0..<A::Vector as Vector>::NAMES.len())
+                .map(|c| component(&p, k, c) - component(&q, k, c));
             // The largest taken out, so that no square overflows.
             let components: Vec<Dual3_64> = components.collect();
             let size = components.iter().fold(0.0_f64, |m, x| m.max(x.re.abs()));
-            let distance = components.iter().map(|x| (*x / size).powi(2)).sum::<Dual3_64>().sqrt() * size;
+            let distance =
+                components.iter().map(|x| (*x / size).powi(2)).sum::<Dual3_64>().sqrt() * size;
             let all = [distance.re, distance.v1, distance.v2, distance.v3];
             if all.iter().any(|x| !x.is_finite()) {
                 return Err(Error::OutputNotFinite {

@@ -6,10 +6,10 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 
 impl Motion {
-    /// A motion from states that are given: at each time q, q̇ and q̈ in the order of the coordinates
-    /// ([`System::coordinate_names`]). Nothing is solved, and nothing is asked of them but that they are
-    /// finite; [`Motion::residuals`] tells how far they are from C(q, t) = 0. For forces of a measured
-    /// motion.   \[s, m, rad\]
+    /// A motion from states that are given: at each time q, q̇ and q̈ in the order of the
+    /// coordinates ([`System::coordinate_names`]). Nothing is solved, and nothing is asked of them
+    /// but that they are finite; [`Motion::residuals`] tells how far they are from C(q, t) = 0. For
+    /// forces of a measured motion.   \[s, m, rad\]
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -31,8 +31,8 @@ impl Motion {
     /// # }
     /// ```
     ///
-    /// Errors: lists of different lengths, rows of another length than the coordinates, numbers that are not
-    /// finite; times that do not only increase or only decrease.
+    /// Errors: lists of different lengths, rows of another length than the coordinates, numbers
+    /// that are not finite; times that do not only increase or only decrease.
     pub fn from_states(
         system: &System,
         times: &[f64],
@@ -48,7 +48,9 @@ impl Motion {
         }
         ordered(times)?;
         for (k, &t) in times.iter().enumerate() {
-            let (q, qd, qdd) = (q[k].as_ref(), qd[k].as_ref(), qdd[k].as_ref());
+            let q = q[k].as_ref();
+            let qd = qd[k].as_ref();
+            let qdd = qdd[k].as_ref();
             system.check(q, "q")?;
             system.check(qd, "q'")?;
             system.check(qdd, "q''")?;

@@ -1,4 +1,5 @@
-//! Measures of planar bodies over time: angles between them, the transmission angle, instant centres.
+//! Measures of planar bodies over time: angles between them, the transmission angle, instant
+//! centres.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -31,27 +32,38 @@ impl<B: Into<PlanarBody>, V: Into<Vec2>> From<(B, V)> for Line {
 }
 
 impl Motion {
-    /// θ_a − θ_b over time: how far `a` is turned against `b` (or the ground), counter-clockwise, with any
-    /// number of turns.   \[rad\]
+    /// θ_a − θ_b over time: how far `a` is turned against `b` (or the ground), counter-clockwise,
+    /// with any number of turns.   \[rad\]
     ///
     /// Errors: a body of another mechanism.
-    pub fn relative_angle(&self, a: impl Into<PlanarBody>, b: impl Into<PlanarBody>) -> Result<Quantity> {
-        let (a, b) = (self.coordinate(a.into().theta())?, self.coordinate(b.into().theta())?);
+    pub fn relative_angle(
+        &self,
+        a: impl Into<PlanarBody>,
+        b: impl Into<PlanarBody>,
+    ) -> Result<Quantity> {
+        let a = self.coordinate(a.into().theta())?;
+        let b = self.coordinate(b.into().theta())?;
         let orders = [a.orders(), b.orders()];
-        let difference = |k: usize| orders[0][k].iter().zip(orders[1][k]).map(|(a, b)| a - b).collect();
+        let difference =
+            |k: usize| orders[0][k].iter().zip(orders[1][k]).map(|(a, b)| a - b).collect();
         Ok(Quantity::new("relative angle", "rad", self.clock(), [0, 1, 2, 3].map(difference)))
     }
 
-    /// The transmission angle over time: between the line of a coupler and that of what it drives, from 0 to
-    /// π/2, with its rates. The nearer to π/2, the better the coupler pushes.   \[rad\]
+    /// The transmission angle over time: between the line of a coupler and that of what it drives,
+    /// from 0 to π/2, with its rates. The nearer to π/2, the better the coupler pushes.   \[rad\]
     ///
-    /// Of a four-bar `transmission_angle(coupler, rocker)`; of a slider, against the direction across its
-    /// way: `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle turns round, and its
-    /// rates are those of one side.
+    /// Of a four-bar `transmission_angle(coupler, rocker)`; of a slider, against the direction
+    /// across its way: `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle
+    /// turns round, and its rates are those of one side.
     ///
     /// Errors: a body of another mechanism.
-    pub fn transmission_angle(&self, coupler: impl Into<Line>, driven: impl Into<Line>) -> Result<Quantity> {
-        let (coupler, driven) = (coupler.into(), driven.into());
+    pub fn transmission_angle(
+        &self,
+        coupler: impl Into<Line>,
+        driven: impl Into<Line>,
+    ) -> Result<Quantity> {
+        let coupler = coupler.into();
+        let driven = driven.into();
         let mut all = self.relative_angle(coupler.body, driven.body)?;
         let between = coupler.h.y.atan2(coupler.h.x) - driven.h.y.atan2(driven.h.x);
         let [angles, rates, second, third] = all.orders_mut();
@@ -68,20 +80,22 @@ impl Motion {
         Ok(all.renamed("transmission angle"))
     }
 
-    /// The instant centre of two planar bodies (or of one and the ground) at each time: the point that has
-    /// the same velocity in both, in the global frame; `None` where they do not turn against each
-    /// other.   \[m\]
+    /// The instant centre of two planar bodies (or of one and the ground) at each time: the point
+    /// that has the same velocity in both, in the global frame; `None` where they do not turn
+    /// against each other.   \[m\]
     ///
-    /// With v the velocity of the one against the other at the origin and ω their relative angular velocity
-    /// it is (−v_y, v_x)/ω. Shabana, *Computational Dynamics*, section 2.4. Errors: a body of another
-    /// mechanism.
+    /// With v the velocity of the one against the other at the origin and ω their relative angular
+    /// velocity it is (−v_y, v_x)/ω. Shabana, *Computational Dynamics*, section 2.4. Errors: a body
+    /// of another mechanism.
     pub fn instant_centre(
         &self,
         a: impl Into<PlanarBody>,
         b: impl Into<PlanarBody>,
     ) -> Result<Vec<Option<Vec2>>> {
-        let [a, b] = [a.into(), b.into()].map(|body| self.columns(&Target::Planar(body), "instant_centre"));
-        let (a, b) = (a?, b?);
+        let [a, b] =
+            [a.into(), b.into()].map(|body| self.columns(&Target::Planar(body), "instant_centre"));
+        let a = a?;
+        let b = b?;
         let still = STILL * self.fastest_turn();
         let centre = |k: usize| {
             // The velocity of the body's plane at the origin, and ω.
@@ -89,7 +103,8 @@ impl Motion {
                 [&[x, y, _], &[vx, vy, omega], ..] => [vx + omega * y, vy - omega * x, omega],
                 _ => [0.0; 3],
             };
-            let (a, b) = (spin(&a), spin(&b));
+            let a = spin(&a);
+            let b = spin(&b);
             let [vx, vy, omega] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
             let centre = Vec2::new(-vy / omega, vx / omega);
             (omega.abs() > still && centre.x.is_finite() && centre.y.is_finite()).then_some(centre)

@@ -11,8 +11,8 @@ use crate::model::mechanism::Marker;
 use crate::model::units::Unit;
 use crate::model::units::Units;
 
-/// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where the run
-/// was asked for it.
+/// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where
+/// the run was asked for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion<V> {
     times: Vec<f64>,
@@ -39,12 +39,17 @@ impl Motion {
         self.add_point(&marker.name, marker.body, marker.u)
     }
 
-    /// Position, velocity and acceleration over time of the point with local position `local` of a body or
-    /// link; the ground as a body is welcome too.   \[m, m/s, m/s²\]
+    /// Position, velocity and acceleration over time of the point with local position `local` of a
+    /// body or link; the ground as a body is welcome too.   \[m, m/s, m/s²\]
     ///
     /// Errors: a body of another mechanism.
-    pub fn point<B: Body>(&self, body: B, local: impl Into<B::Vector>) -> Result<PointMotion<B::Vector>> {
-        let (local, target) = (local.into(), body.target());
+    pub fn point<B: Body>(
+        &self,
+        body: B,
+        local: impl Into<B::Vector>,
+    ) -> Result<PointMotion<B::Vector>> {
+        let local = local.into();
+        let target = body.target();
         let columns = self.columns(&target, "point")?;
         let room = || Vec::with_capacity(self.len());
         let mut all = PointMotion {
@@ -74,8 +79,9 @@ impl Motion {
             Some(Place::Own { first, .. }) => Ok(first..first + target.columns()),
             Some(Place::Ground(_)) => Ok(0..0),
             None => {
-                let (mechanism, place, argument) =
-                    (self.name.to_string(), place.to_string(), "body".to_string());
+                let mechanism = self.name.to_string();
+                let place = place.to_string();
+                let argument = "body".to_string();
                 Err(Error::ForeignBody { mechanism, place, argument })
             }
         }
@@ -120,18 +126,24 @@ impl<V: Vector> PointMotion<V> {
         self.units.text(Unit::Metre, order)
     }
 
-    /// n · r with its rates, n being any global direction: one coordinate of the point, as what can be asked
-    /// for its extremes.   \[m\]
+    /// n · r with its rates, n being any global direction: one coordinate of the point, as what can
+    /// be asked for its extremes.   \[m\]
     pub fn along(&self, n: impl Into<V>) -> Quantity {
         let n = n.into();
         let dot = |x: &V| (0..V::NAMES.len()).map(|k| n.component(k) * x.component(k)).sum();
-        let orders = [&self.r, &self.v, &self.a, &self.jerk].map(|all| all.iter().map(dot).collect());
+        let orders =
+            [&self.r, &self.v, &self.a, &self.jerk].map(|all| all.iter().map(dot).collect());
         Quantity::new("along", &self.unit(0), (&self.times, &self.units), orders)
     }
 
     /// |v| over time.   \[m/s\]
     pub fn speed(&self) -> Series {
-        Series::new("speed", self.unit(1), (&self.times, &self.units), self.v.iter().map(size).collect())
+        Series::new(
+            "speed",
+            self.unit(1),
+            (&self.times, &self.units),
+            self.v.iter().map(size).collect(),
+        )
     }
 
     /// |a| over time.   \[m/s²\]
@@ -147,11 +159,16 @@ impl<V: Vector> PointMotion<V> {
     /// |ȧ| over time; empty unless the run was asked for the jerk.   \[m/s³\]
     pub fn jerk_magnitude(&self) -> Series {
         let times = if self.jerk.is_empty() { &[] } else { &self.times[..] };
-        Series::new("jerk", self.unit(3), (times, &self.units), self.jerk.iter().map(size).collect())
+        Series::new(
+            "jerk",
+            self.unit(3),
+            (times, &self.units),
+            self.jerk.iter().map(size).collect(),
+        )
     }
 
-    /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x', y', x'',
-    /// ….
+    /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x',
+    /// y', x'', ….
     pub fn components(&self) -> Vec<Series> {
         let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(0..);
         let component = |((all, mark), order): ((&Vec<V>, &'static str), usize), k: usize| {

@@ -14,7 +14,8 @@ pub struct Quantity {
     pub rate: Series,
     /// ẍ   \[m/s² or rad/s²\]
     pub second_rate: Series,
-    /// x⃛, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³ or rad/s³\]
+    /// x⃛, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³ or
+    /// rad/s³\]
     pub third_rate: Series,
 }
 
@@ -42,35 +43,51 @@ impl Quantity {
         (times, units): (&[f64], &Units),
         orders: [Vec<f64>; 4],
     ) -> Self {
-        let mut orders = orders.into_iter().zip(MARKS).enumerate().map(|(order, (values, mark))| {
-            let times = if values.is_empty() { &[] } else { times };
-            Series::new(format!("{name}{mark}"), units.rate(unit, order), (times, units), values)
-        });
-        let mut next = || orders.next().unwrap_or_else(|| Series::new("", "", (&[], units), Vec::new()));
+        let mut orders =
+            orders.into_iter().zip(MARKS).enumerate().map(|(order, (values, mark))| {
+                let times = if values.is_empty() { &[] } else { times };
+                Series::new(
+                    format!("{name}{mark}"),
+                    units.rate(unit, order),
+                    (times, units),
+                    values,
+                )
+            });
+        let mut next =
+            || orders.next().unwrap_or_else(|| Series::new("", "", (&[], units), Vec::new()));
         Quantity { value: next(), rate: next(), second_rate: next(), third_rate: next() }
     }
 
     /// x, ẋ, ẍ and x⃛ (or nothing).
     pub(crate) fn orders(&self) -> [&[f64]; 4] {
-        [self.value.values(), self.rate.values(), self.second_rate.values(), self.third_rate.values()]
+        [
+            self.value.values(),
+            self.rate.values(),
+            self.second_rate.values(),
+            self.third_rate.values(),
+        ]
     }
 
     pub(crate) fn orders_mut(&mut self) -> [&mut [f64]; 4] {
-        [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate].map(Series::values_mut)
+        [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate]
+            .map(Series::values_mut)
     }
 
     /// The same under another name.
     #[must_use]
     pub fn renamed(mut self, name: &str) -> Self {
         let all = [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate];
-        all.into_iter().zip(MARKS).for_each(|(series, mark)| series.rename(format!("{name}{mark}")));
+        all.into_iter()
+            .zip(MARKS)
+            .for_each(|(series, mark)| series.rename(format!("{name}{mark}")));
         self
     }
 }
 
 impl Motion {
-    /// Makes a quantity of `values` that were computed from this motion, with x in `unit`. It is for a
-    /// measure that is a function of a motion ([`crate::Measure`]). Kin does not check the rates.
+    /// Makes a quantity of `values` that were computed from this motion, with x in `unit`. It is
+    /// for a measure that is a function of a motion ([`crate::Measure`]). Kin does not check the
+    /// rates.
     ///
     /// Errors: a list that is not one number a time; a number that is infinite or not a number.
     pub fn quantity(&self, name: &str, unit: &str, values: QuantityValues) -> Result<Quantity> {
@@ -83,8 +100,15 @@ impl Motion {
                 return Err(Error::WrongLength { what, expected: self.len(), found: values.len() });
             }
             if let Some(k) = values.iter().position(|value| !value.is_finite()) {
-                let (output, value, t) = (format!("{name}{mark}"), values[k], self.times()[k]);
-                return Err(Error::OutputNotFinite { output, value, t, units: self.unit_words().clone() });
+                let output = format!("{name}{mark}");
+                let value = values[k];
+                let t = self.times()[k];
+                return Err(Error::OutputNotFinite {
+                    output,
+                    value,
+                    t,
+                    units: self.unit_words().clone(),
+                });
             }
         }
         Ok(Quantity::new(name, unit, (self.times(), self.unit_words()), orders))

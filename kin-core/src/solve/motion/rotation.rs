@@ -21,17 +21,25 @@ pub struct RotationMotion {
 }
 
 impl Motion {
-    /// Angular velocity and acceleration of a spatial body over time, global components, from its Euler
-    /// parameters:
+    /// Angular velocity and acceleration of a spatial body over time, global components, from its
+    /// Euler parameters:
     ///
     /// ω = 2 (e0 ė − ė0 e + e × ė),  α = 2 (e0 ë − ë0 e + e × ë).   \[rad/s, rad/s²\]
     ///
-    /// A planar body has θ̇ and θ̈ instead: [`Motion::coordinate`]. Errors: a body of another mechanism.
+    /// A planar body has θ̇ and θ̈ instead: [`Motion::coordinate`]. Errors: a body of another
+    /// mechanism.
     pub fn rotation(&self, body: impl Into<SpatialBody>) -> Result<RotationMotion> {
         let columns = self.columns(&Target::Spatial(body.into()), "rotation")?;
-        let (times, units) = (self.times().to_vec(), self.unit_words().clone());
-        let mut all =
-            RotationMotion { times, units, omega: vec![], alpha: vec![], alpha_rate: vec![], p: vec![] };
+        let times = self.times().to_vec();
+        let units = self.unit_words().clone();
+        let mut all = RotationMotion {
+            times,
+            units,
+            omega: vec![],
+            alpha: vec![],
+            alpha_rate: vec![],
+            p: vec![],
+        };
         for k in 0..self.len() {
             let orders = self
                 .orders(k, columns.clone())
@@ -66,7 +74,8 @@ impl Motion {
 
 /// 2 (a0 b − b0 a + a × b), twice the vector part of b a*.
 fn turn([a0, a1, a2, a3]: [f64; 4], [b0, b1, b2, b3]: [f64; 4]) -> Vec3 {
-    let (a, b) = (Vec3::new(a1, a2, a3), Vec3::new(b1, b2, b3));
+    let a = Vec3::new(a1, a2, a3);
+    let b = Vec3::new(b1, b2, b3);
     (b * a0 - a * b0 + a.cross(b)) * 2.0
 }
 
@@ -127,8 +136,8 @@ impl RotationMotion {
         )
     }
 
-    /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its axis is
-    /// `in_body().about(axis)`.   \[rad/s\]
+    /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its
+    /// axis is `in_body().about(axis)`.   \[rad/s\]
     pub fn about(&self, h: impl Into<Vec3>) -> Series {
         let h = h.into();
         let h = h / h.norm();
@@ -144,10 +153,19 @@ impl RotationMotion {
     pub fn components(&self) -> Vec<Series> {
         let quantities = [("omega", 1, &self.omega), ("alpha", 2, &self.alpha)];
         let axes = [("x", 0), ("y", 1), ("z", 2)];
-        let component = |(name, order, all): (&str, usize, &Vec<Vec3>), (axis, k): (&str, usize)| {
+        let component = |(name, order, all): (&str, usize, &Vec<Vec3>),
+                         (axis, k): (&str, usize)| {
             let values = all.iter().map(|v| v.to_array()[k]).collect();
-            Series::new(format!("{name}_{axis}"), self.unit(order), (&self.times, &self.units), values)
+            Series::new(
+                format!("{name}_{axis}"),
+                self.unit(order),
+                (&self.times, &self.units),
+                values,
+            )
         };
-        quantities.into_iter().flat_map(|quantity| axes.map(|axis| component(quantity, axis))).collect()
+        quantities
+            .into_iter()
+            .flat_map(|quantity| axes.map(|axis| component(quantity, axis)))
+            .collect()
     }
 }

@@ -1,5 +1,5 @@
-//! Summary of a motion: counts, Newton's steps, residuals, and how far its first position is from where
-//! bodies are drawn.
+//! Summary of a motion: counts, Newton's steps, residuals, and how far its first position is from
+//! where bodies are drawn.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -11,7 +11,8 @@ use crate::numbers::algebra::{EulerParameters, Vec3};
 /// Bodies that are told at most.
 const SHOWN: usize = 4;
 
-/// Bodies nearer than this share of the mechanism's size, or of a radian, are where they are drawn.   \[-\]
+/// Bodies nearer than this share of the mechanism's size, or of a radian, are where they are
+/// drawn.   \[-\]
 const THERE: f64 = 1e-3;
 
 /// How far the first position of a body or angle is from its guess.
@@ -25,21 +26,23 @@ pub struct Displaced {
     pub moved: Option<f64>,
     /// How far it has been turned, of a spatial body between 0 and π.   \[rad\]
     pub turned: Option<f64>,
-    /// The likely cause, where the first position is farther from the guess than assembly leads as a rule.
+    /// The likely cause, where the first position is farther from the guess than assembly leads as
+    /// a rule.
     pub hint: Option<String>,
 }
 
 impl Motion {
-    /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the largest
-    /// residual in one line; then the engine, where a program has computed times or there could be none
-    /// ([`Motion::engine`], [`Motion::why_plain`]); then how far the first position is from the drawn one,
-    /// where it is, the worst first ([`Motion::displaced`]), with a hint where a slip is likely; and warnings
-    /// among the events ([`crate::EventKind::is_warning`]).
+    /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the
+    /// largest residual in one line; then the engine, where a program has computed times or there
+    /// could be none ([`Motion::engine`], [`Motion::why_plain`]); then how far the first position
+    /// is from the drawn one, where it is, the worst first ([`Motion::displaced`]), with a hint
+    /// where a slip is likely; and warnings among the events ([`crate::EventKind::is_warning`]).
     pub fn summary(&self) -> String {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
         let unit = self.unit_words().length();
-        let told: Vec<String> = displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
+        let told: Vec<String> =
+            displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
         if !told.is_empty() {
             text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
         }
@@ -110,17 +113,18 @@ impl Motion {
         )
     }
 
-    /// The largest |C| of a motion of redundant equations that were allowed to contradict one another
-    /// ([`crate::Options::closure`]), of the norm of its row: of the mechanism's size where the row is a
-    /// length. 0 where all are met.   \[-\]
+    /// The largest |C| of a motion of redundant equations that were allowed to contradict one
+    /// another ([`crate::Options::closure`]), of the norm of its row: of the mechanism's size where
+    /// the row is a length. 0 where all are met.   \[-\]
     pub fn misfit(&self) -> f64 {
         self.misfit
     }
 
-    /// How far each body and bare angle is at the first time from its guess, by its share of the mechanism's
-    /// size, or by radians, the worst first. Bodies that are there are left out.
+    /// How far each body and bare angle is at the first time from its guess, by its share of the
+    /// mechanism's size, or by radians, the worst first. Bodies that are there are left out.
     pub fn displaced(&self) -> Vec<Displaced> {
-        let (guess, first) = (&self.guess, self.q(0));
+        let guess = &self.guess;
+        let first = self.q(0);
         if guess.len() != first.len() {
             return Vec::new();
         }
@@ -133,17 +137,22 @@ impl Motion {
 
     /// One body with its share of what assembly has to do; `None` where it is as it was guessed.
     fn displacement(&self, item: &Item, size: f64) -> Option<(f64, Displaced)> {
-        let (guess, first) = (&self.guess[..], self.q(0));
+        let guess = &self.guess[..];
+        let first = self.q(0);
         let drawn = is_drawn(item, guess);
         let (moved, turned) = match item.kind {
             Kind::Length => return None,
             Kind::Angle => (None, Some((first[item.first] - guess[item.first]).abs())),
             Kind::Planar | Kind::Spatial => {
-                let (a, b) = (origin(item, guess), origin(item, first));
+                let a = origin(item, guess);
+                let b = origin(item, first);
                 let moved = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
                 let turned = match item.kind {
                     Kind::Planar => (first[item.first + 2] - guess[item.first + 2]).abs(),
-                    _ => turn(&guess[item.first + 3..item.first + 7], &first[item.first + 3..item.first + 7]),
+                    _ => turn(
+                        &guess[item.first + 3..item.first + 7],
+                        &first[item.first + 3..item.first + 7],
+                    ),
                 };
                 (drawn.then_some(moved), (drawn || turned > TAU).then_some(turned))
             }
@@ -161,7 +170,8 @@ impl Motion {
         Some((share, Displaced { name: item.name.clone(), moved, turned, hint }))
     }
 
-    /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is drawn.
+    /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is
+    /// drawn.
     fn drawn_size(&self) -> f64 {
         let drawn = self
             .layout
@@ -171,8 +181,9 @@ impl Motion {
             .map(|item| origin(item, &self.guess));
         let origins: Vec<[f64; 3]> = drawn.collect();
         let spread = |k: usize| {
-            let (low, high) =
-                origins.iter().fold((0.0_f64, 0.0_f64), |(low, high), r| (low.min(r[k]), high.max(r[k])));
+            let (low, high) = origins
+                .iter()
+                .fold((0.0_f64, 0.0_f64), |(low, high), r| (low.min(r[k]), high.max(r[k])));
             high - low
         };
         spread(0).hypot(spread(1)).hypot(spread(2))
@@ -182,15 +193,17 @@ impl Motion {
 impl Displaced {
     /// "`plate` 2.50 m and 0.30 rad"
     fn sentence(&self, unit: &str) -> Option<String> {
-        let length = self.moved.filter(|moved| *moved > 0.0).map(|moved| format!("{moved:.4} {unit}"));
-        let angle = self.turned.filter(|turned| *turned > THERE).map(|turned| format!("{turned:.3} rad"));
+        let length =
+            self.moved.filter(|moved| *moved > 0.0).map(|moved| format!("{moved:.4} {unit}"));
+        let angle =
+            self.turned.filter(|turned| *turned > THERE).map(|turned| format!("{turned:.3} rad"));
         let both: Vec<String> = length.into_iter().chain(angle).collect();
         (!both.is_empty()).then(|| format!("`{}` {}", self.name, both.join(" and ")))
     }
 }
 
-/// True if a pose was given for a body: links by their lengths alone stand at the origin until they are
-/// assembled.
+/// True if a pose was given for a body: links by their lengths alone stand at the origin until they
+/// are assembled.
 fn is_drawn(item: &Item, guess: &[f64]) -> bool {
     match item.kind {
         Kind::Planar | Kind::Spatial => origin(item, guess) != [0.0; 3],
@@ -211,7 +224,12 @@ fn turn(a: &[f64], b: &[f64]) -> f64 {
     2.0 * vector.norm().atan2(relative.e0.abs())
 }
 
-fn hint(item: &Item, moved: Option<f64>, turned: Option<f64>, (size, unit): (f64, &str)) -> Option<String> {
+fn hint(
+    item: &Item,
+    moved: Option<f64>,
+    turned: Option<f64>,
+    (size, unit): (f64, &str),
+) -> Option<String> {
     let name = &item.name;
     match (moved, turned) {
         (_, Some(turned)) if item.kind != Kind::Spatial && turned > TAU => Some(format!(
@@ -222,10 +240,12 @@ fn hint(item: &Item, moved: Option<f64>, turned: Option<f64>, (size, unit): (f64
              `m.local({}, point)` finds them.",
             variable(name)
         )),
-        (_, Some(turned)) if item.kind == Kind::Spatial && turned > FRAC_PI_2 - THERE => Some(format!(
-            "`{name}` is turned by {turned:.3} rad from how it is drawn: axes are seen from their bodies, `m.local_direction({}, h)` finds them.",
-            variable(name)
-        )),
+        (_, Some(turned)) if item.kind == Kind::Spatial && turned > FRAC_PI_2 - THERE => {
+            Some(format!(
+                "`{name}` is turned by {turned:.3} rad from how it is drawn: axes are seen from their bodies, `m.local_direction({}, h)` finds them.",
+                variable(name)
+            ))
+        }
         _ => None,
     }
 }

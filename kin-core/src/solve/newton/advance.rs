@@ -1,6 +1,6 @@
-//! From one solved time to the next: in one step of time if that works, else in smaller ones, which grow
-//! again. Plain steps and those of redundant mechanisms are taken by this one loop; programs take whole
-//! steps only, and leave the rest to it where that needs smaller ones.
+//! From one solved time to the next: in one step of time if that works, else in smaller ones, which
+//! grow again. Plain steps and those of redundant mechanisms are taken by this one loop; programs
+//! take whole steps only, and leave the rest to it where that needs smaller ones.
 
 use super::Outcome;
 use super::options::resolution;
@@ -8,8 +8,8 @@ use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
-/// The curve is followed for this many of the last, short steps of time at least, and for this share of the
-/// time asked for.
+/// The curve is followed for this many of the last, short steps of time at least, and for this
+/// share of the time asked for.
 const PASSED_STEPS: f64 = 32.0;
 const PASSED_SHARE: f64 = 1.0 / 64.0;
 
@@ -19,22 +19,23 @@ pub(super) const SHORTEST: f64 = 1e-9;
 /// Smaller steps of one step of time after which it is estimated how many more there will be.
 const MANY: f64 = 8192.0;
 
-/// The effort that a run may spend on smaller steps of time, which are no results: so many steps times
-/// coordinates, `OVERHEAD` of them for what each step does beside its coordinates. A processor of today
-/// takes some seconds for it. And so many smaller steps for each time of the run.
+/// The effort that a run may spend on smaller steps of time, which are no results: so many steps
+/// times coordinates, `OVERHEAD` of them for what each step does beside its coordinates. A
+/// processor of today takes some seconds for it. And so many smaller steps for each time of the
+/// run.
 const EFFORT: f64 = 1e7;
 const OVERHEAD: f64 = 4.0;
 const EACH: f64 = 20.0;
 
-/// The length of a step may be all that is wrong with it where it is more than this share of the time asked
-/// for.   \[-\]
+/// The length of a step may be all that is wrong with it where it is more than this share of the
+/// time asked for.   \[-\]
 const CLEARLY_SHORT: f64 = 1e-6;
 
 /// A step along a curve takes as long as so many of these.
 const ALONG: f64 = 10.0;
 
-/// The work that a run may still spend on smaller steps of time. It is counted, not timed, so that the
-/// verdict is the same on each machine.
+/// The work that a run may still spend on smaller steps of time. It is counted, not timed, so that
+/// the verdict is the same on each machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
     /// Smaller steps that are left.
@@ -93,7 +94,12 @@ pub(super) trait Stepping {
     fn keep(&mut self);
 
     /// One step of time h to `target`, judged.
-    fn attempt(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Self::Trouble>;
+    fn attempt(
+        &mut self,
+        h: f64,
+        target: f64,
+        asked: Asked,
+    ) -> std::result::Result<Outcome, Self::Trouble>;
 
     /// A step that is smaller than what was asked for has been taken.
     fn confirm(&mut self);
@@ -104,8 +110,8 @@ pub(super) trait Stepping {
     /// True if steps shorter than h help no more.
     fn is_short(&mut self, h: f64, target: f64, asked: Asked, trouble: &Self::Trouble) -> bool;
 
-    /// On from t by other means, as far as `goal`, where shorter steps help no more; or the error that ends
-    /// the run.
+    /// On from t by other means, as far as `goal`, where shorter steps help no more; or the error
+    /// that ends the run.
     fn give_up(
         &mut self,
         trouble: Self::Trouble,
@@ -129,7 +135,9 @@ pub(super) trait Stepping {
 #[inline(always)]
 pub(super) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outcome> {
     let Asked { from, to } = asked;
-    let (mut t, mut h, mut tried) = (from, to - from, 0.0);
+    let mut t = from;
+    let mut h = to - from;
+    let mut tried = 0.0;
     loop {
         let target = if (to - t).abs() <= h.abs() * 1.001 { to } else { t + h };
         stepper.keep();

@@ -1,9 +1,10 @@
-//! Runs in which a program computes most times, many at once; every time is judged as single steps are.
+//! Runs in which a program computes most times, many at once; every time is judged as single steps
+//! are.
 //!
-//! Plain steps and blocks of the program take turns: a block begins at a plain step, which the program has to
-//! give the same q, q̇ and q̈ for, and ends at another one, which is judged from the block's last time. Any
-//! objection hands the rest of the block to plain steps, so halving, toggles, change points and errors have
-//! one implementation.
+//! Plain steps and blocks of the program take turns: a block begins at a plain step, which the
+//! program has to give the same q, q̇ and q̈ for, and ends at another one, which is judged from the
+//! block's last time. Any objection hands the rest of the block to plain steps, so halving,
+//! toggles, change points and errors have one implementation.
 
 mod block;
 mod cases;
@@ -31,8 +32,9 @@ pub(crate) use position::position;
 /// After blocks that came to nothing so many times more are left to plain steps, up to this many.
 const PATIENCE: usize = 64;
 
-/// From so many times on a program may pay, and so many times a node of a constraint's equation: compiling
-/// takes what 1200 plain steps of a four-bar take more than those of its program, and 4000 of a platform.
+/// From so many times on a program may pay, and so many times a node of a constraint's equation:
+/// compiling takes what 1200 plain steps of a four-bar take more than those of its program, and
+/// 4000 of a platform.
 const ENOUGH: usize = 1000;
 const A_NODE: usize = 20;
 
@@ -57,7 +59,8 @@ pub(crate) fn refused(refusal: &Refusal) -> Error {
     Error::InvalidOptions { reason }
 }
 
-/// The means that compute the times of a run: found out at the first one, and the same for all its parts.
+/// The means that compute the times of a run: found out at the first one, and the same for all its
+/// parts.
 pub(crate) struct Computing {
     wanted: Wanted,
     lanes: Lanes,
@@ -68,11 +71,17 @@ pub(crate) struct Computing {
 }
 
 impl Computing {
-    /// As these options ask for it, for so many times. Errors: options that a program does not know, where
-    /// one is asked for.
+    /// As these options ask for it, for so many times. Errors: options that a program does not
+    /// know, where one is asked for.
     pub(crate) fn new(system: &System, times: usize, options: &Options) -> Result<Self> {
         let (wanted, plain) = wanted(system, times, options)?;
-        Ok(Computing { wanted, lanes: Lanes::Best, begun: false, tape: None, plain: plain.map(Into::into) })
+        Ok(Computing {
+            wanted,
+            lanes: Lanes::Best,
+            begun: false,
+            tape: None,
+            plain: plain.map(Into::into),
+        })
     }
 
     /// By this tape, or plain for that reason.
@@ -80,17 +89,24 @@ impl Computing {
         Computing { wanted: Wanted::Plain, lanes, begun: false, tape, plain }
     }
 
-    /// The same of a run in parts: numbers must not hang on where parts end, so that a program computes them
-    /// only where it is asked for by name.
+    /// The same of a run in parts: numbers must not hang on where parts end, so that a program
+    /// computes them only where it is asked for by name.
     pub(crate) fn in_parts(system: &System, options: &Options) -> Result<Self> {
         let times = if options.engine == Engine::Compiled { usize::MAX } else { 0 };
         Self::new(system, times, options)
     }
 
-    /// Position, velocity and acceleration at each of the times, the next ones of the run, into a motion that
-    /// has none yet.
-    pub(crate) fn run(&mut self, run: &mut Run<'_>, times: &[f64], motion: &mut Motion) -> Result<()> {
-        if let (Some(first), false) = (times.first(), std::mem::replace(&mut self.begun, !times.is_empty())) {
+    /// Position, velocity and acceleration at each of the times, the next ones of the run, into a
+    /// motion that has none yet.
+    pub(crate) fn run(
+        &mut self,
+        run: &mut Run<'_>,
+        times: &[f64],
+        motion: &mut Motion,
+    ) -> Result<()> {
+        if let (Some(first), false) =
+            (times.first(), std::mem::replace(&mut self.begun, !times.is_empty()))
+        {
             self.begin(run, *first, motion)?;
         }
         motion.plain.clone_from(&self.plain);
@@ -153,7 +169,8 @@ impl WithLevel for Work<'_, '_> {
     fn run<S: Level>(self, simd: S) -> Result<()> {
         let Work { run, times, motion, tape, case } = self;
         let mut block = Block::new(simd, Arc::clone(tape), case.clone(), run);
-        let (mut pause, mut patience) = (0_usize, 1);
+        let mut pause = 0_usize;
+        let mut patience = 1;
         while let Some(&t) = times.get(motion.len()) {
             run.reach(t, motion)?;
             if pause > 0 || motion.len() < block.begins_after() {
@@ -162,7 +179,8 @@ impl WithLevel for Work<'_, '_> {
             }
             let taken = block.take(run, times, motion)?;
             motion.engine.compiled += taken;
-            (pause, patience) = if taken > 0 { (0, 1) } else { (patience - 1, (2 * patience).min(PATIENCE)) };
+            (pause, patience) =
+                if taken > 0 { (0, 1) } else { (patience - 1, (2 * patience).min(PATIENCE)) };
         }
         motion.engine.handed_back = block.objections;
         Ok(())
@@ -178,9 +196,13 @@ pub(super) enum Wanted {
     Compiled,
 }
 
-/// The way that these options ask for, for so many times, and what stands in the way of a program that would
-/// have paid. Errors: options that a program does not know, where one is asked for.
-fn wanted(system: &System, times: usize, options: &Options) -> Result<(Wanted, Option<&'static str>)> {
+/// The way that these options ask for, for so many times, and what stands in the way of a program
+/// that would have paid. Errors: options that a program does not know, where one is asked for.
+fn wanted(
+    system: &System,
+    times: usize,
+    options: &Options,
+) -> Result<(Wanted, Option<&'static str>)> {
     let stands_in_the_way = (!options.predict).then_some("a program always predicts");
     match (options.engine, stands_in_the_way) {
         (Engine::Plain, _) => Ok((Wanted::Plain, None)),

@@ -1,5 +1,5 @@
-//! Driven bodies are turned to where their drivers ask before anything else: a motor that stands at 300 turns
-//! when the run begins is no reason for 300 turns' worth of careful steps.
+//! Driven bodies are turned to where their drivers ask before anything else: a motor that stands at
+//! 300 turns when the run begins is no reason for 300 turns' worth of careful steps.
 
 use super::{Newton, TURN};
 use crate::model::units::Unit;
@@ -7,8 +7,9 @@ use crate::model::units::Unit;
 /// Rounds in which rows that are not linear in their angles are sorted out.
 const ROUNDS: usize = 64;
 
-/// Sets angles that are far from where a row of angles alone, all but this one known, puts them: drivers, and
-/// what follows them by equations between angles. A row that is not linear in its angle is left alone.
+/// Sets angles that are far from where a row of angles alone, all but this one known, puts them:
+/// drivers, and what follows them by equations between angles. A row that is not linear in its
+/// angle is left alone.
 pub(super) fn turn(newton: &mut Newton<'_>, t: f64) {
     if newton.linearize(t).is_err() || follow(newton, t) {
         return;
@@ -32,14 +33,16 @@ pub(super) fn turn(newton: &mut Newton<'_>, t: f64) {
     }
 }
 
-/// The same all at once, every row taken as linear in its angles; false, and nothing done, if one was not.
+/// The same all at once, every row taken as linear in its angles; false, and nothing done, if one
+/// was not.
 fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
     if all_are_near(newton) {
         return true;
     }
     let mut rows = Rows::new(newton);
     let mut turned = Vec::new();
-    let mut queue: Vec<usize> = (0..rows.open.len()).rev().filter(|row| rows.open[*row] == 1).collect();
+    let mut queue: Vec<usize> =
+        (0..rows.open.len()).rev().filter(|row| rows.open[*row] == 1).collect();
     while let Some(row) = queue.pop() {
         let Some((column, value)) = rows.only(row) else { continue };
         let dq = -rows.c[row] / value;
@@ -63,32 +66,40 @@ fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
     turned.iter().for_each(|&(_, column, dq)| newton.q[column] += dq);
     let evaluated = newton.linearize(t).is_ok();
     let linear = evaluated
-        && turned.iter().zip(before).all(|(&(row, _, _), before)| newton.c[row].abs() <= 1e-3 * before);
+        && turned
+            .iter()
+            .zip(before)
+            .all(|(&(row, _, _), before)| newton.c[row].abs() <= 1e-3 * before);
     if !linear {
         newton.q = start;
     }
     linear
 }
 
-/// True if no row of angles alone is so far off that it could ask one of them to turn by [`TURN`]. The first
-/// one that asks is as far off as it is before anything is turned.
+/// True if no row of angles alone is so far off that it could ask one of them to turn by [`TURN`].
+/// The first one that asks is as far off as it is before anything is turned.
 fn all_are_near(newton: &Newton<'_>) -> bool {
-    let (equations, units) = (newton.system.equations(), &newton.system.layout().units);
+    let equations = newton.system.equations();
+    let units = &newton.system.layout().units;
     equations.blocks.iter().all(|block| {
         let entries = equations.entries.get(block.values()).unwrap_or_default();
         let values = newton.linear.values().get(block.values()).unwrap_or_default();
-        let own = || entries.iter().zip(values).filter_map(|(entry, value)| Some(((*entry)?, *value)));
+        let own =
+            || entries.iter().zip(values).filter_map(|(entry, value)| Some(((*entry)?, *value)));
         let own = || own().filter(|(_, value)| *value != 0.0);
-        let is_of_angles =
-            |row: usize| own().all(|((other, column), _)| other != row || units[column] == Unit::Radian);
-        !own().any(|((row, _), value)| newton.c[row].abs() > TURN * value.abs() && is_of_angles(row))
+        let is_of_angles = |row: usize| {
+            own().all(|((other, column), _)| other != row || units[column] == Unit::Radian)
+        };
+        !own()
+            .any(|((row, _), value)| newton.c[row].abs() > TURN * value.abs() && is_of_angles(row))
     })
 }
 
 /// The rows of angles alone, while their angles become known one after the other.
 struct Rows {
     c: Vec<f64>,
-    /// How many of its angles are not known, and the sum of their numbers; 0 for rows with other coordinates.
+    /// How many of its angles are not known, and the sum of their numbers; 0 for rows with other
+    /// coordinates.
     open: Vec<usize>,
     sum: Vec<usize>,
     /// Rows and values of each angle.
@@ -100,11 +111,14 @@ impl Rows {
         let units = &newton.system.layout().units;
         let entries = newton.system.equations().entries.iter().zip(newton.linear.values());
         let entries: Vec<_> = entries
-            .filter_map(|(entry, value)| entry.filter(|_| *value != 0.0).map(|(i, j)| (i, j, *value)))
+            .filter_map(|(entry, value)| {
+                entry.filter(|_| *value != 0.0).map(|(i, j)| (i, j, *value))
+            })
             .collect();
         let mut angles = vec![true; newton.c.len()];
         entries.iter().for_each(|&(row, column, _)| angles[row] &= units[column] == Unit::Radian);
-        let (open, columns) = (vec![0; newton.c.len()], vec![Vec::new(); newton.q.len()]);
+        let open = vec![0; newton.c.len()];
+        let columns = vec![Vec::new(); newton.q.len()];
         let mut rows = Rows { c: newton.c.to_vec(), sum: open.clone(), open, columns };
         for &(row, column, value) in entries.iter().filter(|(row, _, _)| angles[*row]) {
             rows.open[row] += 1;
@@ -130,7 +144,11 @@ impl Rows {
             self.open[row] -= 1;
             self.sum[row] -= column;
         }
-        self.columns[column].iter().map(|known| known.0).filter(|row| self.open[*row] == 1).collect()
+        self.columns[column]
+            .iter()
+            .map(|known| known.0)
+            .filter(|row| self.open[*row] == 1)
+            .collect()
     }
 }
 
@@ -140,7 +158,8 @@ fn asked(newton: &Newton<'_>, known: &[bool]) -> Vec<(usize, usize, f64)> {
     // Of each row its only open column and the value there; `None` after a second one.
     let mut open: Vec<Option<Option<(usize, f64)>>> = vec![Some(None); newton.c.len()];
     for (entry, &value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
-        let Some((row, column)) = entry.filter(|&(_, column)| value != 0.0 && !known[column]) else {
+        let Some((row, column)) = entry.filter(|&(_, column)| value != 0.0 && !known[column])
+        else {
             continue;
         };
         open[row] = match open[row] {

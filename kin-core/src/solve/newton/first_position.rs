@@ -1,23 +1,25 @@
 //! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly.
 //!
-//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton steps.
-//! Where they fail, or an assembly is preferred, damped least squares on C (Levenberg–Marquardt, which needs
-//! no regular C_q) with the preferred coordinates held softly, then ever more softly, then not at all; Newton
-//! ends it. Where that fails too, the same from a few other starts, always the same ones.
+//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton
+//! steps. Where they fail, or an assembly is preferred, damped least squares on C
+//! (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly,
+//! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a
+//! few other starts, always the same ones.
 //!
-//! A guess that meets every equation is an assembly, also where it is singular: it is refused by its name,
-//! and not left for another assembly unless that one is nearer to what is preferred.
+//! A guess that meets every equation is an assembly, also where it is singular: it is refused by
+//! its name, and not left for another assembly unless that one is nearer to what is preferred.
 
 use super::{Failure, Follow, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};
 use crate::solve::assembly::{self, search, turned_over};
 use crate::system::scale;
 
-/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical lengths\]
+/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical
+/// lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 
-/// An assembly that is nearer to what is preferred by less than this is the same one.   \[rad, or typical
-/// lengths\]
+/// An assembly that is nearer to what is preferred by less than this is the same one.   \[rad, or
+/// typical lengths\]
 const OTHER: f64 = 1e-6;
 
 /// Sizes of guess and solution that differ by less than this factor are the same.   \[-\]
@@ -30,13 +32,14 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     }
     measure(newton, t);
     let found = search(newton, t);
-    let outcome = match newton.system.nearer(found.is_ok().then_some(&newton.q), t, &newton.options.search) {
-        Some(q) => {
-            newton.q.copy_from_slice(&q);
-            attempt_any_way_up(newton, t).or(found)?
-        }
-        None => found?,
-    };
+    let outcome =
+        match newton.system.nearer(found.is_ok().then_some(&newton.q), t, &newton.options.search) {
+            Some(q) => {
+                newton.q.copy_from_slice(&q);
+                attempt_any_way_up(newton, t).or(found)?
+            }
+            None => found?,
+        };
     if newton.options.follow != Follow::Unchecked {
         take_reaches(newton, t)?;
     }
@@ -62,8 +65,8 @@ fn measure(newton: &mut Newton<'_>, t: f64) {
     take(newton, sizes);
 }
 
-/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are worth
-/// nothing.
+/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are
+/// worth nothing.
 fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
     if differ(&sizes, &newton.sizes, 8.0) {
         newton.linear.forget();
@@ -74,7 +77,8 @@ fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
 /// Characteristic sizes of the point in hand, by its C_q if that is finite.
 fn sizes(newton: &mut Newton<'_>, finite: bool) -> Vec<f64> {
     let system = newton.system;
-    let (layout, equations) = (system.layout(), system.equations());
+    let layout = system.layout();
+    let equations = system.equations();
     let t = newton.instant.t();
     if !newton.turned.serves(&newton.q, &newton.sizes) {
         newton.turned = scale::Turned::new(layout, equations, (&newton.q, t));
@@ -83,10 +87,12 @@ fn sizes(newton: &mut Newton<'_>, finite: bool) -> Vec<f64> {
     scale::sizes_with(&newton.turned, layout, equations, values, (&newton.q, t), system.links())
 }
 
-/// Takes the sizes by which steps of time are judged, where these are others, and solves once more with them.
+/// Takes the sizes by which steps of time are judged, where these are others, and solves once more
+/// with them.
 fn take_reaches(newton: &mut Newton<'_>, t: f64) -> Result<()> {
     let system = newton.system;
-    let reaches = scale::reaches(system.layout(), system.equations(), (&newton.q, t), newton.sizes.clone());
+    let reaches =
+        scale::reaches(system.layout(), system.equations(), (&newton.q, t), newton.sizes.clone());
     if reaches == newton.sizes {
         return Ok(());
     }
@@ -96,15 +102,18 @@ fn take_reaches(newton: &mut Newton<'_>, t: f64) -> Result<()> {
 }
 
 fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
-    sizes.iter().zip(others).any(|(size, other)| !(factor.recip()..factor).contains(&(size / other)))
+    sizes
+        .iter()
+        .zip(others)
+        .any(|(size, other)| !(factor.recip()..factor).contains(&(size / other)))
 }
 
-/// Newton from the point in hand; then once more with the sizes of the solution, which takes no step, if they
-/// are others.
+/// Newton from the point in hand; then once more with the sizes of the solution, which takes no
+/// step, if they are others.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     let tried = newton.solve(t, steps).or_else(|failure| match failure {
-        // A derivative without bounds at an earlier start, such as that of an angle at its pole, makes all
-        // others seem small.
+        // A derivative without bounds at an earlier start, such as that of an angle at its pole,
+        // makes all others seem small.
         Failure::Singular => {
             newton.linear.forget();
             newton.solve(t, steps)
@@ -122,13 +131,18 @@ fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     tried.map_err(|failure| newton.error(failure, t, None))
 }
 
-/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with that body
-/// turned over.
+/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with
+/// that body turned over.
 fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let tried = attempt(newton, t, Steps::Damped);
     if let Err(Error::WrongBranch { .. }) = tried
-        && let Some(found) =
-            turned_over::mended(newton.system.model(), &newton.q, t, &|_| true, newton.options.search.steps)
+        && let Some(found) = turned_over::mended(
+            newton.system.model(),
+            &newton.q,
+            t,
+            &|_| true,
+            newton.options.search.steps,
+        )
     {
         newton.steps += found.place.steps;
         newton.q.copy_from_slice(&found.place.q);
@@ -137,8 +151,8 @@ fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     tried
 }
 
-/// Start after start until one ends in the preferred assembly; else the nearest to it, else the error that
-/// says most.
+/// Start after start until one ends in the preferred assembly; else the nearest to it, else the
+/// error that says most.
 fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let preferred = newton.system.preferred();
     let mut failure: Option<Error> = None;
@@ -184,16 +198,18 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     if let Some((_, error)) = drawn {
         return Err(error);
     }
-    Err(failure
-        .unwrap_or_else(|| newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)))
+    Err(failure.unwrap_or_else(|| {
+        newton.error(Failure::NoConvergence { row: 0, residual: f64::INFINITY }, t, None)
+    }))
 }
 
-/// The error for a guess that meets every equation and is singular, and how far it is from what is preferred;
-/// `None` of other guesses.
+/// The error for a guess that meets every equation and is singular, and how far it is from what is
+/// preferred; `None` of other guesses.
 #[cold]
 fn drawn(newton: &mut Newton<'_>, guess: &[f64], t: f64) -> Option<(f64, Error)> {
     let model = newton.system.model();
-    let (point, measures) = (model.linearize(guess, t).ok()?, model.measure(guess, t));
+    let point = model.linearize(guess, t).ok()?;
+    let measures = model.measure(guess, t);
     let is_met = model.met(&point, guess, &measures, &|_| true);
     if !is_met || model.rank(&point.values, &measures) == model.n() {
         return None;
@@ -218,7 +234,8 @@ fn more_telling(known: Option<Error>, new: Error) -> Error {
     };
     match known {
         Some(known) => {
-            let (a, b) = (weight(&known), weight(&new));
+            let a = weight(&known);
+            let b = weight(&new);
             if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) { new } else { known }
         }
         None => new,
@@ -230,10 +247,16 @@ fn distance(newton: &Newton<'_>) -> f64 {
     assembly::distance(newton.system.layout(), newton.system.preferred(), &newton.q, &newton.sizes)
 }
 
-/// The guess, from the second start on with everything but the preferred coordinates moved at random.
+/// The guess, from the second start on with everything but the preferred coordinates moved at
+/// random.
 fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
-    let start =
-        search::start_from(&newton.system.model(), guess, &newton.sizes, start, &newton.options.search);
+    let start = search::start_from(
+        &newton.system.model(),
+        guess,
+        &newton.sizes,
+        start,
+        &newton.options.search,
+    );
     newton.q.copy_from_slice(&start);
     for &(column, value) in newton.system.preferred() {
         newton.q[column] = value;
@@ -242,9 +265,14 @@ fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
 
 /// Damped least squares from the point in hand, the preferred coordinates held ever more softly.
 fn approach(newton: &mut Newton<'_>, t: f64) {
-    if let Some(found) =
-        search::descend(newton.system.model(), &newton.q, t, &|_| true, true, newton.options.search.steps)
-    {
+    if let Some(found) = search::descend(
+        newton.system.model(),
+        &newton.q,
+        t,
+        &|_| true,
+        true,
+        newton.options.search.steps,
+    ) {
         newton.steps += found.place.steps;
         newton.q.copy_from_slice(&found.place.q);
     }

@@ -19,8 +19,8 @@ pub(super) enum Ending {
 
 /// A position that is looked for by Newton's steps.
 pub(super) trait Iterating {
-    /// Evaluates C and C_q at the point in hand, and factors C_q where it has changed; true where both can be
-    /// worked with.
+    /// Evaluates C and C_q at the point in hand, and factors C_q where it has changed; true where
+    /// both can be worked with.
     fn look(&mut self) -> bool;
 
     /// max |C_i|, rows as they are written.
@@ -29,20 +29,23 @@ pub(super) trait Iterating {
     /// Solves C_q dq = −C.
     fn solve(&mut self);
 
-    /// The largest of the next correction, each coordinate against its size; infinite where it is not finite.
+    /// The largest of the next correction, each coordinate against its size; infinite where it is
+    /// not finite.
     fn correction(&self) -> f64;
 
-    /// The same where rounding of large coordinates, which is no error, is allowed for ([`stop::share`]).
+    /// The same where rounding of large coordinates, which is no error, is allowed for
+    /// ([`stop::share`]).
     fn correction_but_for_rounding(&self, tolerance: f64) -> f64;
 
     /// True where C = 0 holds to the tolerance, each row by its own measure.
     fn is_met(&mut self, tolerance: f64) -> bool;
 
-    /// True where C = 0 holds and a correction that no longer shrinks is rounding of coordinates that are far
-    /// from zero.
+    /// True where C = 0 holds and a correction that no longer shrinks is rounding of coordinates
+    /// that are far from zero.
     fn rests(&mut self, correction: f64, tolerance: f64) -> bool;
 
-    /// True if an equation has jumped with the last step: then the correction may have grown by that.
+    /// True if an equation has jumped with the last step: then the correction may have grown by
+    /// that.
     fn has_changed_branch(&mut self) -> bool;
 
     /// The iteration has converged with a correction in hand, which costs nothing any more.
@@ -52,8 +55,8 @@ pub(super) trait Iterating {
     fn step(&mut self, correction: f64) -> bool;
 }
 
-/// Newton's method; true where it ends at a position, whose matrix is factored then. Corrections must shrink
-/// if the start is `near`.
+/// Newton's method; true where it ends at a position, whose matrix is factored then. Corrections
+/// must shrink if the start is `near`.
 #[inline(always)]
 pub(super) fn newton<I: Iterating>(point: &mut I, options: &Options, near: bool) -> bool {
     let mut previous = f64::INFINITY;

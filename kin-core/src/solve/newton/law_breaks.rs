@@ -27,8 +27,8 @@ struct Asked {
 }
 
 impl LawBreaks {
-    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last one. A jump
-    /// of a value, or of the slope of a law of time, is an error.
+    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last
+    /// one. A jump of a value, or of the slope of a law of time, is an error.
     #[inline(always)]
     pub(super) fn look(
         &mut self,
@@ -38,7 +38,9 @@ impl LawBreaks {
     ) -> Result<(), Error> {
         match self.last.replace(instant.t()) {
             None => self.asked = questions(system, instant),
-            Some(before) if !self.asked.is_empty() => return self.cross(system, instant, before, crossed),
+            Some(before) if !self.asked.is_empty() => {
+                return self.cross(system, instant, before, crossed);
+            }
             Some(_) => {}
         }
         Ok(())
@@ -52,30 +54,42 @@ impl LawBreaks {
         before: f64,
         crossed: &mut Vec<CrossedBreak>,
     ) -> Result<(), Error> {
-        let (t, known) = (instant.t(), crossed.len());
+        let t = instant.t();
+        let known = crossed.len();
         for asked in &mut self.asked {
             let block = &system.equations().blocks[asked.block];
-            let (mut number, mut jumps) = (0, None);
-            block.constraint.laws(&system.equations().at(block, instant), &mut |law, function, x| {
-                number += 1;
-                if number != asked.number + 1 {
-                    return;
-                }
-                let from = std::mem::replace(&mut asked.x, x);
-                let to = x + turns(function, from, x);
-                let stops = |b: &Break| {
-                    b.order == 0
-                        || (b.order == 1 && is_of_time(system, instant, asked.block, asked.number, x))
-                };
-                let named = |found: Break| {
-                    let (constraint, law) = (block.name.clone(), law.to_owned());
-                    CrossedBreak { between: (before, t), constraint, law, found }
-                };
-                match between(function, [from, to], MOST_CROSSED.saturating_sub(crossed.len()), stops) {
-                    Ok(all) => crossed.extend(all.into_iter().map(named)),
-                    Err(jump) => jumps = Some(named(jump)),
-                }
-            });
+            let mut number = 0;
+            let mut jumps = None;
+            block.constraint.laws(
+                &system.equations().at(block, instant),
+                &mut |law, function, x| {
+                    number += 1;
+                    if number != asked.number + 1 {
+                        return;
+                    }
+                    let from = std::mem::replace(&mut asked.x, x);
+                    let to = x + turns(function, from, x);
+                    let stops = |b: &Break| {
+                        b.order == 0
+                            || (b.order == 1
+                                && is_of_time(system, instant, asked.block, asked.number, x))
+                    };
+                    let named = |found: Break| {
+                        let constraint = block.name.clone();
+                        let law = law.to_owned();
+                        CrossedBreak { between: (before, t), constraint, law, found }
+                    };
+                    match between(
+                        function,
+                        [from, to],
+                        MOST_CROSSED.saturating_sub(crossed.len()),
+                        stops,
+                    ) {
+                        Ok(all) => crossed.extend(all.into_iter().map(named)),
+                        Err(jump) => jumps = Some(named(jump)),
+                    }
+                },
+            );
             if let Some(CrossedBreak { constraint, law, found, .. }) = jumps {
                 // The run ends before them.
                 crossed.truncate(known);
@@ -94,14 +108,18 @@ impl LawBreaks {
     }
 }
 
-/// The turns between two arguments of a law: an angle that went over its cut. Only a law that repeats is
-/// asked there.   \[rad\]
+/// The turns between two arguments of a law: an angle that went over its cut. Only a law that
+/// repeats is asked there.   \[rad\]
 fn turns(law: &Law, from: f64, to: f64) -> f64 {
-    if (to - from).abs() > PI && law.is_periodic(TAU) { TAU * ((from - to) / TAU).round() } else { 0.0 }
+    if (to - from).abs() > PI && law.is_periodic(TAU) {
+        TAU * ((from - to) / TAU).round()
+    } else {
+        0.0
+    }
 }
 
-/// The breaks of a law between two arguments, as many as there is room for; the first one that stops the run,
-/// if one does.
+/// The breaks of a law between two arguments, as many as there is room for; the first one that
+/// stops the run, if one does.
 fn between(
     law: &Law,
     [from, to]: [f64; 2],
@@ -120,7 +138,8 @@ fn between(
     let here = all.iter().filter(|b| passed(b));
     // The one that is met first.
     let mut jump =
-        if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }.copied();
+        if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }
+            .copied();
     if jump.is_none() && full {
         jump = law.sharpest_break(from, to).filter(|b| passed(b) && stops(b));
     }
@@ -147,7 +166,8 @@ fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, n
     let block = &system.equations().blocks[block];
     let mut later = system.equations().at(block, instant).with_timed(&[]);
     later.t += 1.0;
-    let (mut number, mut moves) = (0, false);
+    let mut number = 0;
+    let mut moves = false;
     block.constraint.laws(&later, &mut |_, _, x| {
         moves |= number == wanted && x != now;
         number += 1;

@@ -1,9 +1,10 @@
 //! Prediction of the next position from what is known of the last ones.
 //!
-//! q + h q̇ + ½ h² q̈ from the last solution; after three equal steps of time the same from three: q̇ is
-//! interpolated by the polynomial that meets q̇ and q̈ at all three (Hermite), and integrated over the step,
-//! so that the error falls from h³ to h⁷. Where the grid is too coarse for that, the short formula is the
-//! better one: whichever would have been nearer at the last time is used for the next.
+//! q + h q̇ + ½ h² q̈ from the last solution; after three equal steps of time the same from three:
+//! q̇ is interpolated by the polynomial that meets q̇ and q̈ at all three (Hermite), and integrated
+//! over the step, so that the error falls from h³ to h⁷. Where the grid is too coarse for that, the
+//! short formula is the better one: whichever would have been nearer at the last time is used for
+//! the next.
 
 use wide::f64x4;
 
@@ -45,7 +46,8 @@ pub(super) fn is_same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 
-/// The position a step after the last solution, by the rates of three times that lie such a step apart.
+/// The position a step after the last solution, by the rates of three times that lie such a step
+/// apart.
 #[derive(Clone, Copy)]
 struct Long([f64x4; 3], [f64x4; 3]);
 
@@ -53,7 +55,8 @@ impl Long {
     /// For a step h.
     #[inline(always)]
     fn new(h: f64) -> Self {
-        let all = |weights: [f64; 3], share: f64| weights.map(|weight| f64x4::splat(weight * share));
+        let all =
+            |weights: [f64; 3], share: f64| weights.map(|weight| f64x4::splat(weight * share));
         Long(all(RATES, h), all(SECOND_RATES, h * h))
     }
 
@@ -97,20 +100,24 @@ impl Predictor {
     /// The position a step h after the last solution, into `q`.
     pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Padded) {
         if self.trusted && self.pace.knows(h) {
-            self.long(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
+            self.long(h, last)
+                .zip(q.whole_mut())
+                .for_each(|(predicted, q)| *q = predicted.to_array());
         } else {
             short(h, last).zip(q.whole_mut()).for_each(|(predicted, q)| *q = predicted.to_array());
         }
     }
 
-    /// The step h from the last solution has ended at `q` and took Newton steps: was the right formula used?
+    /// The step h from the last solution has ended at `q` and took Newton steps: was the right
+    /// formula used?
     pub(super) fn compare(&mut self, h: f64, last: Last<'_>, q: &[f64], sizes: &[f64]) {
         if self.pace.knows(h) {
             self.trusted = far(self.long(h, last), q, sizes) <= far(short(h, last), q, sizes);
         }
     }
 
-    /// A step h has ended: what was the last solution's is now the past, and its place is free for new rates.
+    /// A step h has ended: what was the last solution's is now the past, and its place is free for
+    /// new rates.
     pub(super) fn advance(&mut self, h: f64, qd: &mut Padded, qdd: &mut Padded) {
         self.pace.advance(h);
         self.past.swap(0, 1);
@@ -136,7 +143,8 @@ impl Predictor {
     }
 
     fn long(&self, h: f64, last: Last<'_>) -> impl Iterator<Item = f64x4> {
-        let (long, [one, two]) = (Long::new(h), &self.past);
+        let long = Long::new(h);
+        let [one, two] = &self.past;
         let rates = quads(last.qd).zip(quads(&one.qd)).zip(quads(&two.qd));
         let second_rates = quads(last.qdd).zip(quads(&one.qdd)).zip(quads(&two.qdd));
         quads(last.q)
@@ -182,8 +190,13 @@ mod tests {
             let t = 1.0 - h * (k + 1) as f64;
             predictor.advance(h, &mut one(t.cos()), &mut one(-t.sin()));
         }
-        let (t, mut q) = (1.0 - h, one(0.0));
-        predictor.predict(h, Last { q: &one(t.sin()), qd: &one(t.cos()), qdd: &one(-t.sin()) }, &mut q);
+        let t = 1.0 - h;
+        let mut q = one(0.0);
+        predictor.predict(
+            h,
+            Last { q: &one(t.sin()), qd: &one(t.cos()), qdd: &one(-t.sin()) },
+            &mut q,
+        );
         (q[0] - 1.0_f64.sin()).abs()
     }
 

@@ -5,8 +5,8 @@ use crate::numbers::padded;
 use crate::system::evaluate::{Bad, JERK_RHS, finite};
 
 impl Newton<'_> {
-    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has left
-    /// factored.
+    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has
+    /// left factored.
     pub(crate) fn rates(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
@@ -24,7 +24,8 @@ impl Newton<'_> {
 
     /// q⃛ from C_q q⃛ = −g‴(0), with the same factors.
     fn jerk(&mut self) -> Result<(), Failure> {
-        let (equations, rhs) = (self.system.equations(), self.linear.rhs_mut());
+        let equations = self.system.equations();
+        let rhs = self.linear.rhs_mut();
         let known = equations
             .jerk_rhs(&self.qdd, &mut self.instant, rhs)
             .map_err(|row| Bad { row, quantity: JERK_RHS });
@@ -33,10 +34,13 @@ impl Newton<'_> {
         if padded::take(self.qddd.whole_mut(), self.linear.whole_solution()) && right_side.is_ok() {
             return Ok(());
         }
-        Err(Failure::NotFinite(right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" })))
+        Err(Failure::NotFinite(
+            right_side.err().unwrap_or(Bad { row: self.worst().0, quantity: "q'''" }),
+        ))
     }
 
-    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are lost.
+    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are
+    /// lost.
     pub(crate) fn bend(&mut self, v: &[f64]) -> f64 {
         let equations = self.system.equations();
         equations.set_rates(v, &mut self.instant);
@@ -49,7 +53,8 @@ impl Newton<'_> {
     fn overflow(&mut self) -> Bad {
         let equations = self.system.equations();
         let own_row = |bad: Bad| Bad { row: self.worst().0, ..bad };
-        let (qd, qdd) = (finite(&self.qd, "q'").map_err(own_row), finite(&self.qdd, "q''").map_err(own_row));
+        let qd = finite(&self.qd, "q'").map_err(own_row);
+        let qdd = finite(&self.qdd, "q''").map_err(own_row);
         let rhs = self.linear.rhs_mut();
         equations.velocity_rhs(&self.instant, rhs);
         let c_t = finite(rhs, "C_t");

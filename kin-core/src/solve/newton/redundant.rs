@@ -1,9 +1,9 @@
 //! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a
 //! parallelogram, a spatial four-bar of five-row revolutes, a slider in two guides.
 //!
-//! As many independent equations are solved as there are coordinates, and the others asked to be met
-//! ([`crate::linear::Independent`]); where they may contradict one another a little ([`Options::closure`]),
-//! all of them in the sense of least squares.
+//! As many independent equations are solved as there are coordinates, and the others asked to be
+//! met ([`crate::linear::Independent`]); where they may contradict one another a little
+//! ([`Options::closure`]), all of them in the sense of least squares.
 
 mod begin;
 mod errors;
@@ -30,8 +30,8 @@ use rows::Rows;
 use solver::Solver;
 pub(crate) use solver::solved;
 
-/// Equations at a solution may differ by this share of their terms in velocities; where their positions may,
-/// by so many times that.   \[-\]
+/// Equations at a solution may differ by this share of their terms in velocities; where their
+/// positions may, by so many times that.   \[-\]
 pub(crate) const CONSISTENT: f64 = 1e-8;
 pub(crate) const ALLOWED: f64 = 30.0;
 
@@ -50,14 +50,20 @@ impl<'a> Stepper<'a> {
     }
 
     /// Solves at the next time and appends it to the motion.
-    pub(super) fn reach(&mut self, t: f64, law_breaks: &mut LawBreaks, motion: &mut Motion) -> Result<()> {
+    pub(super) fn reach(
+        &mut self,
+        t: f64,
+        law_breaks: &mut LawBreaks,
+        motion: &mut Motion,
+    ) -> Result<()> {
         let (position, outcome) = match &mut self.position {
             Some(position) => {
                 let outcome = position.advance(t)?;
                 (position, outcome)
             }
             None => {
-                let (position, outcome) = Position::assembled(self.system, self.options, t, self.explain)?;
+                let (position, outcome) =
+                    Position::assembled(self.system, self.options, t, self.explain)?;
                 (self.position.insert(position), outcome)
             }
         };
@@ -68,8 +74,16 @@ impl<'a> Stepper<'a> {
     }
 
     /// Appends the pose at time t to `motion`, reached from time k of a known motion.
-    pub(super) fn go_from(&mut self, known: &Motion, k: usize, t: f64, motion: &mut Motion) -> Result<()> {
-        let (system, options, start) = (self.system, self.options, known.q(k));
+    pub(super) fn go_from(
+        &mut self,
+        known: &Motion,
+        k: usize,
+        t: f64,
+        motion: &mut Motion,
+    ) -> Result<()> {
+        let system = self.system;
+        let options = self.options;
+        let start = known.q(k);
         let (position, _) = Position::near(system, options, known.times()[k], start)?;
         let position = self.position.insert(position);
         let outcome = position.advance(t)?;
@@ -98,7 +112,13 @@ pub(crate) fn at(
         smallest_pivot: position.solver.smallest_pivot(),
         compiled: false,
     };
-    Ok(Solution { t, q: position.q.to_vec(), qd: position.qd.to_vec(), qdd: position.qdd.to_vec(), report })
+    Ok(Solution {
+        t,
+        q: position.q.to_vec(),
+        qd: position.qd.to_vec(),
+        qdd: position.qdd.to_vec(),
+        report,
+    })
 }
 
 /// The point in hand, and the means to go on from it.
@@ -151,7 +171,8 @@ impl Position<'_> {
         Ok(Outcome { iterations: self.iterations, ..outcome })
     }
 
-    /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
+    /// A step h has succeeded; the rates in hand are still those of the time before, and become the
+    /// past.
     fn settle(&mut self, h: f64, iterations: usize) {
         if self.options.predict && iterations > 0 {
             let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
@@ -168,8 +189,8 @@ impl Position<'_> {
             .map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
     }
 
-    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at the solution
-    /// is factored.
+    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at
+    /// the solution is factored.
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let options = self.options;
         let mut rows = Rows { position: self, t, iterations: 0, before: Vec::new() };
@@ -181,12 +202,14 @@ impl Position<'_> {
     /// True if a constraint that can jump has done so with the last correction.
     fn has_jumped(&self, t: f64) -> bool {
         let met = |point: Point| self.model.met(&point, &self.q, &self.measures, &|_| true);
-        !self.model.equations.jumping().is_empty() && !self.model.linearize(&self.q, t).is_ok_and(met)
+        !self.model.equations.jumping().is_empty()
+            && !self.model.linearize(&self.q, t).is_ok_and(met)
     }
 
     fn outcome(&mut self, iterations: usize) -> Outcome {
         let rows = self.point.c.iter().map(|c| c.abs()).enumerate();
-        let (worst, residual) = rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        let (worst, residual) =
+            rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
         if self.options.closure > 0.0 {
             let share = self
                 .point
@@ -202,7 +225,8 @@ impl Position<'_> {
 
     /// C and C_q at the point in hand, the matrix factored.
     fn factor(&mut self, t: f64) -> Option<()> {
-        let (equations, Point { c, values }) = (self.model.equations, &mut self.point);
+        let equations = self.model.equations;
+        let Point { c, values } = &mut self.point;
         if self.instant.t() != t {
             equations.set_time(t, &mut self.instant);
         }
@@ -220,8 +244,8 @@ impl Position<'_> {
         self.x.iter_mut().zip(y).zip(&self.measures.sizes).for_each(|((x, y), size)| *x = y * size);
     }
 
-    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not finite or
-    /// the equations ask for different ones.
+    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not
+    /// finite or the equations ask for different ones.
     fn rates(&mut self, t: f64) -> Option<()> {
         let equations = self.model.equations;
         equations.set_position(&self.q, &mut self.instant);
@@ -233,26 +257,28 @@ impl Position<'_> {
         self.agree()?;
         padded::copy(self.qdd.whole_mut(), self.x.whole());
         if self.options.jerk {
-            self.rhs.copy_from_slice(&self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?);
+            self.rhs
+                .copy_from_slice(&self.model.jerk_rhs(&self.q, t, &self.qd, &self.qdd).ok()?.ok()?);
             self.agree()?;
             self.qddd = self.x.to_vec();
         }
         Some(())
     }
 
-    /// Solves for the right side in hand; `None` where the solution is not finite or does not meet every row.
+    /// Solves for the right side in hand; `None` where the solution is not finite or does not meet
+    /// every row.
     fn agree(&mut self) -> Option<()> {
         finite(&self.rhs, "").ok()?;
         self.solve_for_rhs();
-        let terms =
-            padded::largest(self.rhs.whole()).max(padded::largest_share(self.x.whole(), self.shares.whole()));
+        let terms = padded::largest(self.rhs.whole())
+            .max(padded::largest_share(self.x.whole(), self.shares.whole()));
         self.solver.leave(&mut self.rhs);
         let share = CONSISTENT.max(ALLOWED * self.options.closure);
         (terms.is_finite() && padded::largest(self.rhs.whole()) <= share * terms).then_some(())
     }
 
-    /// The error for a time that cannot be reached from the position in hand, which is one that `closes` or a
-    /// guess of one.
+    /// The error for a time that cannot be reached from the position in hand, which is one that
+    /// `closes` or a guess of one.
     fn blamed(&self, closes: bool, t: f64) -> Error {
         let start = if closes { Start::Pose(&self.q) } else { Start::Guess(&self.q) };
         match self.explain {
@@ -324,7 +350,14 @@ impl Stepping for Position<'_> {
     }
 
     /// No other means are known: singular positions of rectangular matrices are not passed.
-    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, _: f64, _: Asked) -> Result<Outcome> {
+    fn give_up(
+        &mut self,
+        trouble: Trouble,
+        t: f64,
+        target: f64,
+        _: f64,
+        _: Asked,
+    ) -> Result<Outcome> {
         Err(match trouble {
             Trouble::Unsolved => self.blamed(false, target),
             Trouble::Wrong(error) | Trouble::Disagreed(error) => error,

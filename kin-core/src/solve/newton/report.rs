@@ -4,8 +4,8 @@ use super::{Failure, Newton, Outcome, Report};
 use crate::model::error::Error;
 use crate::system::Solution;
 
-/// A position whose smallest pivot is above this is not called singular, whatever has stopped Newton's method
-/// there.   \[-\]
+/// A position whose smallest pivot is above this is not called singular, whatever has stopped
+/// Newton's method there.   \[-\]
 const REGULAR: f64 = 1e-6;
 
 /// A row that is off by more than this, of the norm of the row, is told as not met where C_q is
@@ -15,8 +15,10 @@ const UNMET: f64 = 1e-2;
 impl Newton<'_> {
     /// The equation that is far from being met at the point in hand, if one is.
     fn unmet(&self) -> Option<Box<str>> {
-        let shares = self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
-        let (row, share) = shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
+        let shares =
+            self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
+        let (row, share) =
+            shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
         (share > UNMET).then(|| self.system.equations().equation(row).into())
     }
 
@@ -31,7 +33,12 @@ impl Newton<'_> {
         let report = Report {
             iterations: self.steps,
             residual: outcome.residual,
-            worst: self.system.names_of_equations().get(self.worst().0).cloned().unwrap_or_default(),
+            worst: self
+                .system
+                .names_of_equations()
+                .get(self.worst().0)
+                .cloned()
+                .unwrap_or_default(),
             smallest_pivot: self.linear.smallest_pivot(),
             compiled: false,
         };
@@ -42,10 +49,15 @@ impl Newton<'_> {
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
         match failure {
-            Failure::NotFinite(bad) => equations.not_finite(bad, self.system.layout(), &self.instant),
-            Failure::WrongBranch(block) => equations.closes_wrong(block, self.system.layout(), &self.instant),
+            Failure::NotFinite(bad) => {
+                equations.not_finite(bad, self.system.layout(), &self.instant)
+            }
+            Failure::WrongBranch(block) => {
+                equations.closes_wrong(block, self.system.layout(), &self.instant)
+            }
             Failure::Singular => match self.system.singular(t, &self.q, self.unmet()) {
-                // The singular point that stopped the iteration was not there: the iterates went astray.
+                // The singular point that stopped the iteration was not there: the iterates went
+                // astray.
                 Error::SingularAt { pivot, .. } if pivot > REGULAR => {
                     let (row, residual) = self.worst();
                     self.error(Failure::NoConvergence { row, residual }, t, last)

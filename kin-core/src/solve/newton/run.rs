@@ -10,7 +10,8 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
-/// Asked before each plain step, with the number of times that are done: the run ends where it says no.
+/// Asked before each plain step, with the number of times that are done: the run ends where it says
+/// no.
 pub(crate) type Progress<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
 
 /// Position, velocity and acceleration at each of the times.
@@ -35,7 +36,8 @@ pub(crate) fn run_by<'a>(
     progress: Option<Progress<'a>>,
     mut computing: compiled::Computing,
 ) -> Result<Motion> {
-    let (mut run, mut motion) = (Run::new(system, options, explain)?, Motion::new(system, times.len()));
+    let mut run = Run::new(system, options, explain)?;
+    let mut motion = Motion::new(system, times.len());
     run.progress = progress.map(|progress| (progress, times.len()));
     if let Err(error) = computing.run(&mut run, times, &mut motion) {
         return Err(run.failed(error, motion));
@@ -64,7 +66,11 @@ enum AnyStepper<'a> {
 
 impl<'a> Run<'a> {
     /// A run that has not begun. Errors: options out of range, a jerk that is not known.
-    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Option<Explain>) -> Result<Self> {
+    pub(crate) fn new(
+        system: &'a System,
+        options: &'a Options,
+        explain: Option<Explain>,
+    ) -> Result<Self> {
         options.check()?;
         if options.jerk {
             system.knows_jerk()?;
@@ -74,7 +80,14 @@ impl<'a> Run<'a> {
         } else {
             AnyStepper::Plain(Box::new(Stepper::new(system, options)))
         };
-        Ok(Run { system, options, explain, stepper, law_breaks: LawBreaks::default(), progress: None })
+        Ok(Run {
+            system,
+            options,
+            explain,
+            stepper,
+            law_breaks: LawBreaks::default(),
+            progress: None,
+        })
     }
 
     /// The same at each of the times, one by one.
@@ -82,7 +95,8 @@ impl<'a> Run<'a> {
         times.iter().try_for_each(|t| self.reach(*t, motion))
     }
 
-    /// Solves at the next time and appends it to the motion, with what has been met since the last one.
+    /// Solves at the next time and appends it to the motion, with what has been met since the last
+    /// one.
     #[inline]
     pub(crate) fn reach(&mut self, t: f64, motion: &mut Motion) -> Result<()> {
         if let Some((progress, all)) = &mut self.progress
@@ -93,7 +107,9 @@ impl<'a> Run<'a> {
         }
         let stepper = match &mut self.stepper {
             AnyStepper::Plain(stepper) => stepper,
-            AnyStepper::Redundant(stepper) => return stepper.reach(t, &mut self.law_breaks, motion),
+            AnyStepper::Redundant(stepper) => {
+                return stepper.reach(t, &mut self.law_breaks, motion);
+            }
         };
         let reached = stepper.reach(t);
         if !stepper.passed.is_empty() {
@@ -105,9 +121,15 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Appends the pose at time t to `motion`, reached by judged steps from time k of a known motion: it is
-    /// on the branch of that time. Errors: those of a run from there to t.
-    pub(crate) fn go_from(&mut self, known: &Motion, k: usize, t: f64, motion: &mut Motion) -> Result<()> {
+    /// Appends the pose at time t to `motion`, reached by judged steps from time k of a known
+    /// motion: it is on the branch of that time. Errors: those of a run from there to t.
+    pub(crate) fn go_from(
+        &mut self,
+        known: &Motion,
+        k: usize,
+        t: f64,
+        motion: &mut Motion,
+    ) -> Result<()> {
         match &mut self.stepper {
             AnyStepper::Redundant(stepper) => stepper.go_from(known, k, t, motion),
             AnyStepper::Plain(stepper) => {
@@ -166,19 +188,22 @@ impl<'a> Run<'a> {
         self.law_breaks.look(self.system, instant, &mut motion.breaks)
     }
 
-    /// Plain steps go on from the last times of the motion, which a program has solved, the smallest pivot
-    /// being this.
+    /// Plain steps go on from the last times of the motion, which a program has solved, the
+    /// smallest pivot being this.
     pub(crate) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         if let AnyStepper::Plain(stepper) = &mut self.stepper {
             stepper.go_on(motion, pivot);
         }
     }
 
-    /// The error that ends the run, with what was computed before and, if it is to be said, what is wrong.
+    /// The error that ends the run, with what was computed before and, if it is to be said, what is
+    /// wrong.
     pub(crate) fn failed(&self, error: Error, motion: Motion) -> Error {
         let error = error.with_motion(motion);
         match (&self.stepper, self.explain) {
-            (AnyStepper::Plain(_), Some(explain)) => (explain.explained)(error, self.system, self.options),
+            (AnyStepper::Plain(_), Some(explain)) => {
+                (explain.explained)(error, self.system, self.options)
+            }
             _ => error,
         }
     }
@@ -193,8 +218,8 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
             Surface::chosen().many_times()
         ));
     }
-    // Times increase as a rule; those between finite ends are finite then. All pairs are looked at without a
-    // way out, so that registers do it.
+    // Times increase as a rule; those between finite ends are finite then. All pairs are looked at
+    // without a way out, so that registers do it.
     if times.windows(2).fold(true, |rise, pair| rise & (pair[0] < pair[1]))
         && (times[times.len() - 1] - times[0]).is_finite()
     {
@@ -203,7 +228,8 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
     if let Some((k, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
         return fail(format!("number {k} is {t}; give finite times"));
     }
-    let (first, last) = (times[0], times[times.len() - 1]);
+    let first = times[0];
+    let last = times[times.len() - 1];
     if !(last - first).is_finite() {
         return fail(format!(
             "from {first:e} to {last:e} is further than the largest number, {:e}; give times that are closer together",

@@ -12,8 +12,8 @@ use crate::numbers::padded::{self, Padded};
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::system::System;
 
-/// A step in which nothing moves by more than this, and that is objected to all the same, leads past a
-/// singular position.   \[-\]
+/// A step in which nothing moves by more than this, and that is objected to all the same, leads
+/// past a singular position.   \[-\]
 const SHORT: f64 = 0.05;
 
 /// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
@@ -32,8 +32,8 @@ pub(super) struct Stepper<'a> {
     untouched: bool,
     /// The check of each step, if one is asked for.
     check: Option<Check>,
-    /// Singular positions that have been met since the last time, and how many bifurcations there were
-    /// before.
+    /// Singular positions that have been met since the last time, and how many bifurcations there
+    /// were before.
     pub passed: Vec<SingularPosition>,
     bifurcations: usize,
     effort: Effort,
@@ -95,14 +95,15 @@ impl<'a> Stepper<'a> {
         self.check.is_none() && h.abs() <= self.shortest(asked)
     }
 
-    /// By how much anything moves in a step h from the last solution to `target`: by its rates, and by what
-    /// drives, which may have stood still.
+    /// By how much anything moves in a step h from the last solution to `target`: by its rates, and
+    /// by what drives, which may have stood still.
     #[cold]
     fn moved(&mut self, h: f64, target: f64) -> f64 {
         let newton = &mut self.newton;
         let rates = newton.qd.iter().zip(&newton.qdd).zip(newton.shares());
-        let by_rates =
-            largest(rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share));
+        let by_rates = largest(
+            rates.map(|((qd, qdd), share)| (h * qd).abs().max((0.5 * h * h * qdd).abs()) * share),
+        );
         let known = newton.linearize(target).is_ok() && newton.linear.factor();
         newton.linear.solve();
         let driven = if known {
@@ -114,8 +115,8 @@ impl<'a> Stepper<'a> {
         by_rates.max(driven)
     }
 
-    /// One step of time by Newton steps from the prediction; damped from the last solution if it is the last
-    /// resort.
+    /// One step of time by Newton steps from the prediction; damped from the last solution if it is
+    /// the last resort.
     #[inline(always)]
     fn step(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Failure> {
         let newton = &mut self.newton;
@@ -144,7 +145,8 @@ impl<'a> Stepper<'a> {
         self.newton.options.predict || self.check.is_some()
     }
 
-    /// A step h has succeeded; the rates in hand are still those of the time before, and become the past.
+    /// A step h has succeeded; the rates in hand are still those of the time before, and become the
+    /// past.
     #[inline(always)]
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
@@ -173,10 +175,15 @@ impl Stepping for Stepper<'_> {
         }
     }
 
-    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble the rates
-    /// in hand are those before it.
+    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble
+    /// the rates in hand are those before it.
     #[inline(always)]
-    fn attempt(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Trouble> {
+    fn attempt(
+        &mut self,
+        h: f64,
+        target: f64,
+        asked: Asked,
+    ) -> std::result::Result<Outcome, Trouble> {
         let outcome = self.step(h, target, asked).map_err(Trouble::Failed)?;
         self.settle(h, outcome);
         let remembers = self.remembers();
@@ -206,8 +213,8 @@ impl Stepping for Stepper<'_> {
         self.untouched = false;
     }
 
-    /// True if shorter steps of time to `target` than this will help no more, by the coordinates that move in
-    /// it.
+    /// True if shorter steps of time to `target` than this will help no more, by the coordinates
+    /// that move in it.
     fn is_short(&mut self, h: f64, target: f64, asked: Asked, trouble: &Trouble) -> bool {
         let shortest = self.shortest(asked);
         if self.check.is_none() {
@@ -225,7 +232,14 @@ impl Stepping for Stepper<'_> {
         (moved <= SHORT && moves) || h.abs() <= shortest
     }
 
-    fn give_up(&mut self, trouble: Trouble, t: f64, target: f64, goal: f64, asked: Asked) -> Result<Outcome> {
+    fn give_up(
+        &mut self,
+        trouble: Trouble,
+        t: f64,
+        target: f64,
+        goal: f64,
+        asked: Asked,
+    ) -> Result<Outcome> {
         self.pass(trouble, t, target, goal, asked)
     }
 

@@ -24,10 +24,14 @@ impl Culprit {
         let qd: Vec<f64> = counts().flat_map(|(k, n)| rates.columns(k, n)).copied().collect();
         let asked = |term| Asked { t: at.t, q: &q, qd: &qd, row, term, moves: &moves };
         let blame = term.and_then(|term| block.constraint.blame(&asked(term)));
-        let coordinate =
-            |column: usize| Some((layout.names.get((*columns.get(column)?)?)?.clone(), *q.get(column)?));
+        let coordinate = |column: usize| {
+            Some((layout.names.get((*columns.get(column)?)?)?.clone(), *q.get(column)?))
+        };
         let Some(blame) = blame else {
-            return Culprit { found: None, inputs: (0..columns.len()).filter_map(coordinate).collect() };
+            return Culprit {
+                found: None,
+                inputs: (0..columns.len()).filter_map(coordinate).collect(),
+            };
         };
         let named = |input: &Input| match input {
             Input::Column(column) => coordinate(*column),

@@ -36,8 +36,10 @@ impl Equations {
             let mut known: HashMap<*const Table, bool> = HashMap::new();
             let mut jumps = |block: &Block| {
                 let jumps = block.constraint.formula(|table, _, _| {
-                    let can =
-                        || table.formula().rows.len() != block.rows().len() || can_jump(table.formula());
+                    let can = || {
+                        table.formula().rows.len() != block.rows().len()
+                            || can_jump(table.formula())
+                    };
                     *known.entry(std::ptr::from_ref(table)).or_insert_with(can)
                 });
                 jumps.unwrap_or(true) && block.constraint.facts().dependence.curved
@@ -46,15 +48,16 @@ impl Equations {
         })
     }
 
-    /// True if each coordinate is given by a row, c q_j + rest = 0 with the same c for good and a rest of
-    /// coordinates that are given before it. Then there is one position at each time, none is singular, and
-    /// there is no other branch.
+    /// True if each coordinate is given by a row, c q_j + rest = 0 with the same c for good and a
+    /// rest of coordinates that are given before it. Then there is one position at each time, none
+    /// is singular, and there is no other branch.
     pub(crate) fn is_explicit(&self) -> bool {
         *self.explicit.get_or_init(|| self.jumping().is_empty() && self.gives_all())
     }
 
     fn gives_all(&self) -> bool {
-        let (mut slopes, mut readers) = (vec![Vec::<Slope>::new(); self.rows], Vec::<Vec<usize>>::new());
+        let mut slopes = vec![Vec::<Slope>::new(); self.rows];
+        let mut readers = Vec::<Vec<usize>>::new();
         for (&(row, column), constant) in self
             .entries
             .iter()
@@ -72,10 +75,13 @@ impl Equations {
         }
         // A row with one coordinate left gives that.
         let mut open: Vec<usize> = slopes.iter().map(Vec::len).collect();
-        let (mut given, mut count) = (vec![false; readers.len()], 0);
+        let mut given = vec![false; readers.len()];
+        let mut count = 0;
         let mut next: Vec<usize> = (0..self.rows).filter(|row| open[*row] == 1).collect();
         while let Some(row) = next.pop() {
-            let Some(slope) = slopes[row].iter().find(|slope| !given[slope.column]) else { return false };
+            let Some(slope) = slopes[row].iter().find(|slope| !given[slope.column]) else {
+                return false;
+            };
             if slope.constant.is_none_or(|c| c == 0.0) {
                 return false;
             }
@@ -89,8 +95,8 @@ impl Equations {
         count == self.rows
     }
 
-    /// True if a constraint that can jump is far from being met at q, which the instant is set to; `allowed`
-    /// is how far each row may be off.
+    /// True if a constraint that can jump is far from being met at q, which the instant is set to;
+    /// `allowed` is how far each row may be off.
     pub(crate) fn has_jumped(&self, q: &[f64], instant: &mut Instant, allowed: &[f64]) -> bool {
         self.set_position(q, instant);
         self.jumping().iter().map(|k| &self.blocks[*k]).any(|block| {
@@ -100,8 +106,8 @@ impl Equations {
         })
     }
 
-    /// The branches that constraints take at the position of the instant, as numbers that are constant on
-    /// each branch. Constraints whose formula is not known have none.
+    /// The branches that constraints take at the position of the instant, as numbers that are
+    /// constant on each branch. Constraints whose formula is not known have none.
     pub(crate) fn choices(&self, instant: &Instant, to: &mut Vec<f64>) {
         to.clear();
         for block in self.jumping().iter().map(|k| &self.blocks[*k]) {
@@ -111,7 +117,8 @@ impl Equations {
 
     /// The same of one constraint, appended to a list.
     pub(crate) fn choices_of(&self, block: &Block, instant: &Instant, to: &mut Vec<f64>) {
-        let (q, t) = (self.columns_of(block, instant), instant.t);
+        let q = self.columns_of(block, instant);
+        let t = instant.t;
         block.constraint.formula(|table, parameters, outside| {
             choices(table.formula(), &Numbers { q: &q, t, parameters, outside }, to);
         });
@@ -119,7 +126,8 @@ impl Equations {
 
     /// The coordinates of a constraint, one argument after the other.
     pub(crate) fn columns_of(&self, block: &Block, instant: &Instant) -> Vec<f64> {
-        let (at, arguments) = (self.at(block, instant), block.constraint.arguments());
+        let at = self.at(block, instant);
+        let arguments = block.constraint.arguments();
         let all = arguments
             .iter()
             .enumerate()
@@ -127,12 +135,13 @@ impl Equations {
         all.copied().collect()
     }
 
-    /// C, C_t and C_tt of a constraint at another time, the position of the instant held; the instant is of
-    /// no use to others then.
+    /// C, C_t and C_tt of a constraint at another time, the position of the instant held; the
+    /// instant is of no use to others then.
     pub(crate) fn held(&self, block: &Block, t: f64, instant: &mut Instant) -> [Vec<f64>; 3] {
         block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         instant.t = t;
-        let (at, no_rates) = (self.at(block, instant), self.plan.no_rates());
+        let at = self.at(block, instant);
+        let no_rates = self.plan.no_rates();
         let [mut c, mut c_t, mut c_tt] = [0; 3].map(|_| vec![0.0; block.rows().len()]);
         block.constraint.residual(&at, &mut c);
         block.constraint.velocity_rhs(&at, &mut c_t);
@@ -173,8 +182,12 @@ mod tests {
         let mut m = Mechanism::new("alone");
         let [x, y] = ["x", "y"].map(|name| m.length(name, 0.0).expect("a length"));
         m.add("y", drive(y, Law::ramp(1.0))).expect("adds");
-        if stepped { m.add("x", by_steps(x, y)) } else { m.add("x", drive(x, Law::sine(1.0, 1.0, 0.0))) }
-            .expect("adds");
+        if stepped {
+            m.add("x", by_steps(x, y))
+        } else {
+            m.add("x", drive(x, Law::sine(1.0, 1.0, 0.0)))
+        }
+        .expect("adds");
         m.build().expect("builds")
     }
 

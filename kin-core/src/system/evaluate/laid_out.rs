@@ -26,7 +26,8 @@ impl Equations {
         };
         let mut planned = Planned::new(layout.len());
         all.blocks.reserve_exact(constraints.len());
-        // Copies made in a row lie side by side in memory: a pass over all of them reads it from end to end.
+        // Copies made in a row lie side by side in memory: a pass over all of them reads it from
+        // end to end.
         let copies: Vec<Box<dyn Constraint>> =
             constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
         for ((name, _), constraint) in constraints.into_iter().zip(copies) {
@@ -38,16 +39,19 @@ impl Equations {
 
     /// Constraint `k` is asked for what it has.
     fn ask(&mut self, k: usize) {
-        let (block, asked) = (&self.blocks[k], &mut self.asked);
+        let block = &self.blocks[k];
+        let asked = &mut self.asked;
         let facts = block.constraint.facts();
         let depends = facts.dependence;
         let mut linear = None;
         if !depends.curved {
-            let (entries, values) = (&self.entries[block.values()], &self.constants[block.values()]);
+            let entries = &self.entries[block.values()];
+            let values = &self.constants[block.values()];
             // On the ground coordinates are not zero, as those who tell take them to be.
             let can_tell = depends.c_on_t && entries.iter().all(Option::is_some);
-            let is_whole =
-                |first: &usize| first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize;
+            let is_whole = |first: &usize| {
+                first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize
+            };
             let told = facts.sides_of_time.filter(|first| can_tell && is_whole(first));
             let sides = told.map_or(self.timed, |first| block.timed.first as usize + first);
             if self.linear.append(block.rows(), entries, values, sides) {
@@ -75,13 +79,15 @@ impl Equations {
         constraint: Box<dyn Constraint>,
         planned: &mut Planned,
     ) {
-        let (first_argument, first) = (self.plan.arguments().len(), self.entries.len());
+        let first_argument = self.plan.arguments().len();
+        let first = self.entries.len();
         planned.columns.clear();
         for argument in constraint.arguments() {
             let place = layout.place(&argument.target).unwrap_or(Place::Ground(0.0));
             self.plan.argument(&argument.target, place, planned);
         }
-        let global = |entry: &Entry| Some((self.rows + entry.row, (*planned.columns.get(entry.column)?)?));
+        let global =
+            |entry: &Entry| Some((self.rows + entry.row, (*planned.columns.get(entry.column)?)?));
         let facts = constraint.facts();
         self.entries.extend(facts.pattern.iter().map(global));
         self.constants.extend_from_slice(facts.constants);
@@ -102,7 +108,8 @@ impl Equations {
         });
     }
 
-    /// Hand-written constraints need not say that they drive: it is seen from their values at a few times.
+    /// Hand-written constraints need not say that they drive: it is seen from their values at a few
+    /// times.
     pub(crate) fn find_drivers(&mut self, q: &[f64]) {
         /// Times that no law repeats itself at.   \[s\]
         const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
@@ -123,8 +130,11 @@ impl Equations {
             let first = values(block, &instants[0]);
             instants[1..].iter().any(|instant| values(block, instant) != first)
         };
-        let drives: Vec<bool> =
-            self.blocks.iter().map(|block| block.drives || (silent(block) && changes(block))).collect();
+        let drives: Vec<bool> = self
+            .blocks
+            .iter()
+            .map(|block| block.drives || (silent(block) && changes(block)))
+            .collect();
         self.blocks.iter_mut().zip(drives).for_each(|(block, drives)| block.drives = drives);
     }
 }

@@ -1,5 +1,5 @@
-//! Rows that are linear in the coordinates for good, as those of most drivers and of straight guides: C = C_q
-//! q + C(0, t). Their constraints are asked only when the time changes.
+//! Rows that are linear in the coordinates for good, as those of most drivers and of straight
+//! guides: C = C_q q + C(0, t). Their constraints are asked only when the time changes.
 
 use std::ops::Range;
 
@@ -17,8 +17,8 @@ struct Row {
     row: u32,
     others: u32,
     first: Term,
-    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so much further
-    /// on each −C_t and −C_tt, which is all that Q_d has here.
+    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so
+    /// much further on each −C_t and −C_tt, which is all that Q_d has here.
     sides: u32,
     step: u32,
 }
@@ -45,8 +45,9 @@ pub(super) enum Side {
 }
 
 impl LinearRows {
-    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at `sides`:
-    /// C(0, t) of all rows, −C_t, −C_tt; false if the values are not all known or a row has none.
+    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at
+    /// `sides`: C(0, t) of all rows, −C_t, −C_tt; false if the values are not all known or a row
+    /// has none.
     pub(super) fn append(
         &mut self,
         rows: Range<usize>,
@@ -58,17 +59,27 @@ impl LinearRows {
             .iter()
             .zip(values)
             .filter_map(|(entry, value)| entry.map(|entry| Some((entry, (*value)?))));
-        let Some(mut known) = own.collect::<Option<Vec<((usize, usize), f64)>>>() else { return false };
+        let Some(mut known) = own.collect::<Option<Vec<((usize, usize), f64)>>>() else {
+            return false;
+        };
         known.sort_by_key(|(entry, _)| *entry);
         if !rows.clone().all(|row| known.iter().any(|((i, _), _)| *i == row)) {
             return false;
         }
         let step = rows.len() as u32;
         for (k, terms) in known.chunk_by(|a, b| a.0.0 == b.0.0).enumerate() {
-            let (row, sides) = (terms[0].0.0 as u32, (sides + k) as u32);
-            let mut terms = terms.iter().map(|&((_, column), factor)| Term { column: column as u32, factor });
+            let row = terms[0].0.0 as u32;
+            let sides = (sides + k) as u32;
+            let mut terms =
+                terms.iter().map(|&((_, column), factor)| Term { column: column as u32, factor });
             let first = terms.next();
-            self.rows.extend(first.map(|first| Row { row, others: terms.len() as u32, first, sides, step }));
+            self.rows.extend(first.map(|first| Row {
+                row,
+                others: terms.len() as u32,
+                first,
+                sides,
+                step,
+            }));
             self.others.extend(terms);
         }
         true
@@ -92,7 +103,8 @@ impl LinearRows {
     #[inline]
     pub(super) fn write_side(&self, side: Side, timed: &[f64], factor: f64, rhs: &mut [f64]) {
         for row in &self.rows {
-            rhs[row.row as usize] = factor * timed[row.sides as usize + side as usize * row.step as usize];
+            rhs[row.row as usize] =
+                factor * timed[row.sides as usize + side as usize * row.step as usize];
         }
     }
 }

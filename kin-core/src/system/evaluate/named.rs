@@ -37,7 +37,11 @@ impl Equations {
     /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
     #[inline]
     pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
-        self.asked.branches.iter().copied().find(|block| self.wrong_branch(*block, instant).is_some())
+        self.asked
+            .branches
+            .iter()
+            .copied()
+            .find(|block| self.wrong_branch(*block, instant).is_some())
     }
 
     /// The error for it.
@@ -64,7 +68,14 @@ impl Equations {
         let found = self.block_of(bad.row);
         let culprit = found.map(|(block, row)| {
             let rates = self.rates(block, &instant.rates);
-            Culprit::of(block, layout, self.at(block, instant), rates, row, Term::named(bad.quantity))
+            Culprit::of(
+                block,
+                layout,
+                self.at(block, instant),
+                rates,
+                row,
+                Term::named(bad.quantity),
+            )
         });
         Error::NotFinite {
             t: instant.t,

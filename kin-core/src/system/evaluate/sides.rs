@@ -21,7 +21,8 @@ impl Equations {
         self.second_order(instant, 1.0, q_d);
     }
 
-    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite or not.
+    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite
+    /// or not.
     pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
         rhs.fill(0.0);
         let mut at = At::new(instant.t, &instant.states, &[]);
@@ -37,26 +38,38 @@ impl Equations {
         self.linear.write_side(Side::Acceleration, &instant.timed, t_dot * t_dot, rhs);
     }
 
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈, whether it is
-    /// finite or not.
+    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈,
+    /// whether it is finite or not.
     ///
     /// Errors: the first row of a constraint that does not know it.
-    pub(crate) fn jerk_rhs(&self, qdd: &[f64], instant: &mut Instant, rhs: &mut [f64]) -> Result<(), usize> {
+    pub(crate) fn jerk_rhs(
+        &self,
+        qdd: &[f64],
+        instant: &mut Instant,
+        rhs: &mut [f64],
+    ) -> Result<(), usize> {
         instant.second_rates.resize(instant.rates.len(), 0.0);
         self.plan.set_rates(qdd, &mut instant.second_rates);
         rhs.fill(0.0);
         // A constraint without second derivatives has no third ones.
         let linear = self.asked.linear.iter().map(|linear| &linear.block);
         for block in self.asked.q_d.iter().chain(linear).map(|&k| &self.blocks[k]) {
-            let [qd, qdd] = [&instant.rates, &instant.second_rates].map(|rates| self.rates(block, rates));
-            if !block.constraint.jerk_rhs(&self.at(block, instant), &qd, &qdd, &mut rhs[block.rows.range()]) {
+            let [qd, qdd] =
+                [&instant.rates, &instant.second_rates].map(|rates| self.rates(block, rates));
+            if !block.constraint.jerk_rhs(
+                &self.at(block, instant),
+                &qd,
+                &qdd,
+                &mut rhs[block.rows.range()],
+            ) {
                 return Err(block.rows().start);
             }
         }
         Ok(())
     }
 
-    /// Measure k of a constraint with its first three derivatives, at rows of q, q̇, q̈ and q⃛ (or nothing).
+    /// Measure k of a constraint with its first three derivatives, at rows of q, q̇, q̈ and q⃛ (or
+    /// nothing).
     pub(crate) fn measure(
         &self,
         block: &Block,

@@ -1,5 +1,6 @@
-//! A function over intervals and in series of them: whatever is between the bounds of the argument, values
-//! and derivatives are between those of the result; and bounds are known where the entry says so.
+//! A function over intervals and in series of them: whatever is between the bounds of the argument,
+//! values and derivatives are between those of the result; and bounds are known where the entry
+//! says so.
 
 use kin_graph::Function;
 use kin_graph::functions::Place;
@@ -35,7 +36,8 @@ pub fn holds(bounds: Interval, exact: &Digits) -> bool {
 fn over(complaints: &mut Complaints, f: Function, points: &[&Point]) {
     let [a, b] = [points[0].x, points[points.len() - 1].x];
     let x = Interval::new(a, b);
-    let (bounds, series) = (x.call(f), Series::variable(x, ONE, ORDER + 1));
+    let bounds = x.call(f);
+    let series = Series::variable(x, ONE, ORDER + 1);
     let result = series.call(f);
     for point in points {
         let Some(exact) = point.value() else {
@@ -100,9 +102,11 @@ fn samples(complaints: &mut Complaints, f: Function, x: Interval, bounds: Interv
 
 /// Of one number: bounds are narrow, and the coefficients hold the derivatives.
 fn thin(complaints: &mut Complaints, f: Function, point: &Point) {
-    let (name, x) = (f.name(), point.x);
+    let name = f.name();
+    let x = point.x;
     let Some(exact) = point.value() else { return };
-    let (bounds, value) = (Interval::from(x).call(f), f.value()(x));
+    let bounds = Interval::from(x).call(f);
+    let value = f.value()(x);
     if value.is_finite() && value.abs() > 1e-290 && value.abs() < 1e300 {
         let places = bounds.radius() / (f64::EPSILON * value.abs());
         // Of large angles the number of turns is not known.

@@ -166,7 +166,8 @@ impl Number for Digits {
     }
 
     fn call2(self, f: Function2, other: Self) -> Self {
-        let (x, y) = (self, other);
+        let x = self;
+        let y = other;
         let is_negative = |x: &Digits| x.0.is_negative();
         match f.method() {
             "atan2" => angle(x, y),
@@ -190,7 +191,10 @@ impl Number for Digits {
                 (x / y).whole(upwards)
             }
             _ => rules::definition_of_two(f, x, y).unwrap_or_else(|| {
-                panic!("{}: its entry has no `definition` by which 60 digits of it are known", f.name())
+                panic!(
+                    "{}: its entry has no `definition` by which 60 digits of it are known",
+                    f.name()
+                )
             }),
         }
     }
@@ -245,7 +249,11 @@ impl Taylor {
     /// Its derivatives: k! times coefficient k.
     pub fn derivatives(self) -> Vec<Digits> {
         let factorials = [1.0, 1.0, 2.0, 6.0];
-        self.0.into_iter().zip(factorials).map(|(c, factorial)| c * Digits::new(factorial)).collect()
+        self.0
+            .into_iter()
+            .zip(factorials)
+            .map(|(c, factorial)| c * Digits::new(factorial))
+            .collect()
     }
 }
 
@@ -349,7 +357,8 @@ impl Number for Taylor {
     }
 
     fn powi(self, n: i32) -> Self {
-        let power = (0..n.unsigned_abs()).fold(Taylor::constant(1.0), |power, _| power * self.clone());
+        let power =
+            (0..n.unsigned_abs()).fold(Taylor::constant(1.0), |power, _| power * self.clone());
         if n < 0 { Taylor::constant(1.0) / power } else { power }
     }
 }

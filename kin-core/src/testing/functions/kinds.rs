@@ -1,5 +1,5 @@
-//! A function in numbers with derivatives, in tapes over lanes, in emitted code: the value is that of f64 to
-//! the last bit, and derivatives are those of 60 digits.
+//! A function in numbers with derivatives, in tapes over lanes, in emitted code: the value is that
+//! of f64 to the last bit, and derivatives are those of 60 digits.
 
 use kin_graph::{Function, Number};
 
@@ -11,13 +11,14 @@ use crate::numbers::lanes::Lanes;
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64, Real};
 use crate::program::tests::functions::in_lanes;
 
-/// Of derivatives this share may be lost, of what they are and of what a change of the argument in its last
-/// places would make of them.   \[-\]
+/// Of derivatives this share may be lost, of what they are and of what a change of the argument in
+/// its last places would make of them.   \[-\]
 const LOST: f64 = 1e-12;
 
 pub fn check(complaints: &mut Complaints, f: Function, points: &[Point]) {
     for point in points {
-        let (x, plain) = (point.x, f.value()(point.x));
+        let x = point.x;
+        let plain = f.value()(point.x);
         for (kind, found) in KINDS.map(|(kind, of)| (kind, of(f, x))) {
             same(complaints, f, kind, x, found[0], plain);
             for (order, found) in found.iter().enumerate().skip(1) {
@@ -59,13 +60,22 @@ const KINDS: [Kind; 6] = [
 ];
 
 fn same(complaints: &mut Complaints, f: Function, kind: &str, x: f64, found: f64, plain: f64) {
-    complaints.unless(found.to_bits() == plain.to_bits() || found.is_nan() && plain.is_nan(), || {
-        format!("{}, {kind}: its value at {x:e} is {found:e}, not {plain:e}", f.name())
-    });
+    complaints
+        .unless(found.to_bits() == plain.to_bits() || found.is_nan() && plain.is_nan(), || {
+            format!("{}, {kind}: its value at {x:e} is {found:e}, not {plain:e}", f.name())
+        });
 }
 
-fn derivative(complaints: &mut Complaints, f: Function, point: &Point, kind: &str, order: usize, found: f64) {
-    let (name, x) = (f.name(), point.x);
+fn derivative(
+    complaints: &mut Complaints,
+    f: Function,
+    point: &Point,
+    kind: &str,
+    order: usize,
+    found: f64,
+) {
+    let name = f.name();
+    let x = point.x;
     let Some(exact) = point.exact.get(order) else {
         // Of what has a value and no slope, none is told.
         let is_told = point.exact.len() == 1 && found.is_finite();
@@ -110,7 +120,10 @@ fn lanes(complaints: &mut Complaints, f: Function, points: &[Point]) {
             let allowed = 0.5 * (f.facts().error)(x.abs()) * f64::EPSILON * plain.abs();
             let is_same = found.to_bits() == plain.to_bits() || found.is_nan() && plain.is_nan();
             complaints.unless(is_same || (found - plain).abs() <= allowed, || {
-                format!("{}, {lanes} lanes: its value at {x:e} is {found:e}, not {plain:e}", f.name())
+                format!(
+                    "{}, {lanes} lanes: its value at {x:e} is {found:e}, not {plain:e}",
+                    f.name()
+                )
             });
         }
     }

@@ -1,5 +1,6 @@
-//! The list of functions × all kinds of numbers: every function at ordinary, worst and nasty points, values
-//! and slopes held against those of 60 digits, against one another, and against what its entry says.
+//! The list of functions × all kinds of numbers: every function at ordinary, worst and nasty
+//! points, values and slopes held against those of 60 digits, against one another, and against what
+//! its entry says.
 
 mod bounds;
 mod digits;
@@ -65,15 +66,18 @@ fn every_function_of_two_numbers_in_every_kind_of_number() {
     complaints.assert_none();
 }
 
-/// The 60 digits themselves: those of another library (mpmath) at the worst arguments that are known.
+/// The 60 digits themselves: those of another library (mpmath) at the worst arguments that are
+/// known.
 #[test]
 fn digits_are_those_of_another_library() {
     let mut complaints = Complaints::default();
     for (name, arguments, nearest, rest) in worst_arguments() {
         let Some(f) = Function::named(&name) else { continue };
-        let (found, exact) = (Digits::new(arguments[0]).call(f), Digits::sum(nearest, rest));
+        let found = Digits::new(arguments[0]).call(f);
+        let exact = Digits::sum(nearest, rest);
         let off = (found - exact.clone()).abs();
-        complaints.unless(off <= exact.abs() * Digits::new(1e-31), || format!("{name} of {arguments:?}"));
+        complaints
+            .unless(off <= exact.abs() * Digits::new(1e-31), || format!("{name} of {arguments:?}"));
     }
     complaints.assert_none();
 }

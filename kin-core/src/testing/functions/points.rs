@@ -40,8 +40,8 @@ const NASTY: [f64; 22] = [
 /// A point, and what is exact there.
 pub struct Point {
     pub x: f64,
-    /// The value and its derivatives: none where there is no value, the value alone where its slope is
-    /// infinite.
+    /// The value and its derivatives: none where there is no value, the value alone where its slope
+    /// is infinite.
     pub exact: Vec<Digits>,
 }
 
@@ -63,7 +63,8 @@ impl Point {
 
     /// True if f has one slope to both sides of it.
     pub fn is_smooth(&self, f: Function) -> bool {
-        let (facts, x) = (f.facts(), self.x);
+        let facts = f.facts();
+        let x = self.x;
         let jumps = facts.jumps.is_some_and(|steps| steps(x.next_down()) != steps(x.next_up()));
         let [from, to] = facts.domain;
         // Where a function turns smoothly its slope is 0.
@@ -98,8 +99,9 @@ pub fn of(f: Function) -> Vec<Point> {
     let beside = named.iter().flat_map(|x| {
         [*x, x.next_up(), x.next_down(), x + 1e-8 * (1.0 + x.abs()), x - 1e-8 * (1.0 + x.abs())]
     });
-    let worst =
-        worst_arguments().filter(|(name, ..)| name == f.name()).map(|(_, arguments, ..)| arguments[0]);
+    let worst = worst_arguments()
+        .filter(|(name, ..)| name == f.name())
+        .map(|(_, arguments, ..)| arguments[0]);
     let mut all: Vec<f64> = ORDINARY.into_iter().chain(NASTY).chain(beside).chain(worst).collect();
     all.sort_by(f64::total_cmp);
     all.dedup_by_key(|x| x.to_bits());
@@ -115,7 +117,8 @@ pub fn worst_arguments() -> impl Iterator<Item = (String, Vec<f64>, f64, f64)> {
         let name = words.next().expect("a name").to_string();
         let bits = |word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"));
         let mut numbers: Vec<f64> = words.map(bits).collect();
-        let (rest, nearest) = (numbers.pop().expect("the rest"), numbers.pop().expect("the nearest"));
+        let rest = numbers.pop().expect("the rest");
+        let nearest = numbers.pop().expect("the nearest");
         (name, numbers, nearest, rest)
     })
 }

@@ -1,4 +1,5 @@
-//! Functions of two numbers: f64, numbers with derivatives, blame, lanes, series, against 60 digits.
+//! Functions of two numbers: f64, numbers with derivatives, blame, lanes, series, against 60
+//! digits.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +17,8 @@ use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, Real};
 use crate::program::tests::functions::in_lanes;
 
 const NUMBERS: [f64; 12] = [-7.5, -2.3, -1.0, -0.4, 0.3, 0.5, 1.0, 1.9, 2.0, 5.75, 1e3, 1e9];
-const NASTY: [f64; 8] = [0.0, -0.0, 5e-324, 1e-300, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+const NASTY: [f64; 8] =
+    [0.0, -0.0, 5e-324, 1e-300, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 /// The point moves along (1, −0.75).
 const ALONG: [f64; 2] = [1.0, -0.75];
 
@@ -28,7 +30,8 @@ pub fn check(complaints: &mut Complaints) {
         for (x, y) in pairs(&NUMBERS, &NUMBERS).filter(|(x, y)| is_ordinary(f, *x, *y)) {
             ordinary(complaints, f, [x, y]);
         }
-        let nasty = pairs(&NASTY, &NASTY).chain(pairs(&NASTY, &NUMBERS)).chain(pairs(&NUMBERS, &NASTY));
+        let nasty =
+            pairs(&NASTY, &NASTY).chain(pairs(&NASTY, &NUMBERS)).chain(pairs(&NUMBERS, &NASTY));
         let all: Vec<(f64, f64)> = nasty.chain(pairs(&NUMBERS, &NUMBERS)).collect();
         for (x, y) in &all {
             let plain = f.value()(*x, *y);
@@ -58,7 +61,9 @@ fn is_ordinary(f: Function2, x: f64, y: f64) -> bool {
 
 /// Facts of an entry are true of its function.
 fn entry(complaints: &mut Complaints, f: Function2) {
-    let (name, value, facts) = (f.name(), f.value(), f.facts());
+    let name = f.name();
+    let value = f.value();
+    let facts = f.facts();
     let others = NUMBERS.iter().filter(|y| y.abs() < 10.0);
     let jumps = others.clone().any(|y| jumps(&|x| value(x, *y)) || jumps(&|x| value(*y, x)));
     complaints.unless(jumps == facts.jumps, || {
@@ -69,8 +74,8 @@ fn entry(complaints: &mut Complaints, f: Function2) {
     });
     const FAR: [f64; 4] = [-1100.0, -0.5, 0.5, 1100.0];
     let far = FAR.iter().flat_map(|x| FAR.map(|y| value(*x, y))).filter(|z| !z.is_nan());
-    let (most, burst) =
-        far.fold((0.0_f64, false), |(most, burst), z| (most.max(z.abs()), burst || z.is_infinite()));
+    let (most, burst) = far
+        .fold((0.0_f64, false), |(most, burst), z| (most.max(z.abs()), burst || z.is_infinite()));
     let is_so = match facts.growth {
         Growth::Ordinary => !burst,
         Growth::Bounded => most <= 10.0,
@@ -80,13 +85,14 @@ fn entry(complaints: &mut Complaints, f: Function2) {
     complaints.unless(is_so, || format!("{name}: its `growth` is not {:?}", facts.growth));
 }
 
-/// True if a function jumps within ±10 between two finite values that are no whole turns apart: halving what
-/// lies between two places does not make the difference of its values small.
+/// True if a function jumps within ±10 between two finite values that are no whole turns apart:
+/// halving what lies between two places does not make the difference of its values small.
 fn jumps(f: &dyn Fn(f64) -> f64) -> bool {
     const STEPS: usize = 640;
     let place = |k: usize| -10.003 + 20.0 * k as f64 / STEPS as f64;
     (0..STEPS).any(|k| {
-        let (mut low, mut high) = (place(k), place(k + 1));
+        let mut low = place(k);
+        let mut high = place(k + 1);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
             let is_below = (f(middle) - f(low)).abs() > (f(high) - f(middle)).abs();
@@ -94,14 +100,25 @@ fn jumps(f: &dyn Fn(f64) -> f64) -> bool {
         }
         let jump = (f(high) - f(low)).abs();
         let turns = jump / TAU;
-        jump.is_finite() && jump > 0.01 && (turns - turns.round()).abs() > 1e-6 && f(high).abs() < 1e6
+        jump.is_finite()
+            && jump > 0.01
+            && (turns - turns.round()).abs() > 1e-6
+            && f(high).abs() < 1e6
     })
 }
 
-fn same(complaints: &mut Complaints, f: Function2, kind: &str, at: [f64; 2], found: f64, plain: f64) {
+fn same(
+    complaints: &mut Complaints,
+    f: Function2,
+    kind: &str,
+    at: [f64; 2],
+    found: f64,
+    plain: f64,
+) {
     // Of two zeros either may be the larger.
     let is_same = found == plain || found.is_nan() && plain.is_nan();
-    complaints.unless(is_same, || format!("{}, {kind}: {found:e}, not {plain:e}, at {at:?}", f.name()));
+    complaints
+        .unless(is_same, || format!("{}, {kind}: {found:e}, not {plain:e}, at {at:?}", f.name()));
 }
 
 fn ordinary(complaints: &mut Complaints, f: Function2, at: [f64; 2]) {
@@ -114,7 +131,8 @@ fn ordinary(complaints: &mut Complaints, f: Function2, at: [f64; 2]) {
     let exact = moving(x, ALONG[0]).call2(f, moving(y, ALONG[1])).derivatives();
     let plain = f.value()(at[0], at[1]);
     // The value of x − n y is off by as much as x is.
-    let size = exact[0].clone().abs() + Digits::new(if f.facts().exact { 0.0 } else { at[0].abs() });
+    let size =
+        exact[0].clone().abs() + Digits::new(if f.facts().exact { 0.0 } else { at[0].abs() });
     let size = if matches!(f, Function2::RemEuclid) { size } else { exact[0].clone() };
     complaints.unless(is_near(plain, &exact[0], &units(&size, ALLOWED)), || {
         format!("{name}: its value at {at:?} is {plain:e}")
@@ -146,7 +164,8 @@ fn ordinary(complaints: &mut Complaints, f: Function2, at: [f64; 2]) {
 
 /// The coefficients of its series hold the derivatives.
 fn series(complaints: &mut Complaints, f: Function2, at: [f64; 2], exact: &[Digits]) {
-    let variable = |k: usize| Series::variable(Interval::from(at[k]), Interval::from(ALONG[k]), ORDER + 1);
+    let variable =
+        |k: usize| Series::variable(Interval::from(at[k]), Interval::from(ALONG[k]), ORDER + 1);
     let found = variable(0).call2(f, variable(1));
     let mut factorial = 1.0;
     for (k, exact) in exact.iter().enumerate().take(found.len()) {

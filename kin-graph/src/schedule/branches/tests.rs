@@ -7,8 +7,8 @@ use crate::schedule::{order, prepare};
 use crate::testing::{SplitMix, value};
 use crate::{Comparison, Function, Input};
 
-/// Computes code as it is emitted: of a choice the branch that is taken, whose names are forgotten behind
-/// it. Counts the operations that run.
+/// Computes code as it is emitted: of a choice the branch that is taken, whose names are forgotten
+/// behind it. Counts the operations that run.
 struct Run<'a> {
     g: &'a Graph,
     branches: &'a Branches,
@@ -50,9 +50,13 @@ impl Run<'_> {
             Op::Fma(a, b, c) => read(a) * read(b) + read(c),
             Op::Neg(a) => -read(a),
             Op::Call(Function::Abs, a) => read(a).abs(),
-            Op::Compare(comparison, a, b) => f64::from(u8::from(comparison.holds(&read(a), &read(b)))),
+            Op::Compare(comparison, a, b) => {
+                f64::from(u8::from(comparison.holds(&read(a), &read(b))))
+            }
             Op::Select(c, a, b) => {
-                let (c, a, b) = (read(c), read(a), read(b));
+                let c = read(c);
+                let a = read(a);
+                let b = read(b);
                 if c == 1.0 { a } else { b }
             }
             other => panic!("{other:?} is not in these graphs"),
@@ -89,7 +93,9 @@ fn graph(random: &mut SplitMix) -> (Graph, Vec<Node>) {
     let mut conditions = Vec::new();
     for _ in 0..80 {
         let mut any = || nodes[random.below(nodes.len())];
-        let (a, b, c) = (any(), any(), any());
+        let a = any();
+        let b = any();
+        let c = any();
         let small = nodes[random.below(first)];
         let node = match random.below(9) {
             0 => g.add(a, b),
@@ -113,7 +119,8 @@ fn graph(random: &mut SplitMix) -> (Graph, Vec<Node>) {
 #[test]
 fn every_branch_knows_what_it_reads_and_gives_the_same_values() {
     let mut random = SplitMix(21);
-    let (mut choices, mut inner) = (0, 0);
+    let mut choices = 0;
+    let mut inner = 0;
     for _ in 0..600 {
         let (mut g, outputs) = graph(&mut random);
         let outputs = prepare(&mut g, &outputs);
@@ -121,9 +128,13 @@ fn every_branch_knows_what_it_reads_and_gives_the_same_values() {
         choices += branches.choices.len();
         inner += branches.choices.iter().filter(|choice| choice.reads.len() > 2).count();
         for _ in 0..4 {
-            let input = |k: usize, random: &mut SplitMix| (Input::Parameter(k), random.below(5) as f64 - 2.0);
+            let input = |k: usize, random: &mut SplitMix| {
+                (Input::Parameter(k), random.below(5) as f64 - 2.0)
+            };
             let inputs: HashMap<Input, f64> = (0..4).map(|k| input(k, &mut random)).collect();
-            let (g, branches, inputs) = (&g, &branches, &inputs);
+            let g = &g;
+            let branches = &branches;
+            let inputs = &inputs;
             let found = Run { g, branches, inputs, known: HashMap::new(), work: 0 }.all(&outputs);
             for (&node, found) in outputs.iter().zip(found) {
                 let expected = value(g, node, inputs);
@@ -141,11 +152,13 @@ fn pieces(n: usize) -> (Graph, Vec<Node>) {
     let mut values = [g.zero(); 2];
     for k in (0..n).rev() {
         let number = |g: &mut Graph, k: usize| g.constant(k as f64 + 0.5);
-        let (end, mut value) = (number(&mut g, k), number(&mut g, 2 * k));
+        let end = number(&mut g, k);
+        let mut value = number(&mut g, 2 * k);
         let mut slope = g.zero();
         for power in 1..6 {
             let factor = number(&mut g, k + power);
-            let (down, x_slope) = (g.mul(value, factor), g.mul(slope, x));
+            let down = g.mul(value, factor);
+            let x_slope = g.mul(slope, x);
             (value, slope) = (g.mul(down, x), g.add(x_slope, down));
         }
         let condition = g.compare(Comparison::Less, x, end);
@@ -163,7 +176,9 @@ fn a_table_of_pieces_computes_one_piece() {
     let whole: usize = g.reachable(&outputs).iter().map(|&node| work(g.op(node))).sum();
     for (at, most) in [(0.2, 30), (10.0, 40), (30.0, 50)] {
         let inputs = HashMap::from([(Input::Parameter(0), at)]);
-        let (g, branches, inputs) = (&g, &branches, &inputs);
+        let g = &g;
+        let branches = &branches;
+        let inputs = &inputs;
         let mut run = Run { g, branches, inputs, known: HashMap::new(), work: 0 };
         run.all(&outputs);
         assert!(run.work < most && 5 * run.work < whole, "{} operations of {whole}", run.work);
@@ -177,7 +192,8 @@ fn short_and_very_deep_choices_stay_selections() {
     assert_eq!(Branches::new(&g, &outputs, |_| false, |_| false).choices.len(), DEEPEST);
     let mut g = Graph::default();
     let x = g.input(Input::Parameter(0));
-    let (zero, minus) = (g.zero(), g.neg(x));
+    let zero = g.zero();
+    let minus = g.neg(x);
     let condition = g.compare(Comparison::Less, x, zero);
     let size = g.select(condition, minus, x);
     assert!(Branches::new(&g, &[size], |_| false, |_| false).choices.is_empty());

@@ -1,5 +1,5 @@
-//! `if … else if …` over one number: chains of selections whose conditions are one test against other
-//! numbers.
+//! `if … else if …` over one number: chains of selections whose conditions are one test against
+//! other numbers.
 
 use std::cmp::Ordering;
 
@@ -55,8 +55,8 @@ impl Chain {
     }
 }
 
-/// The number of selections one in another below each node, by its number; none where no chain is long
-/// enough.
+/// The number of selections one in another below each node, by its number; none where no chain is
+/// long enough.
 pub fn depths(g: &Graph, nodes: &[Node]) -> Option<Vec<usize>> {
     let mut depths: Vec<usize> = Vec::new();
     let mut deepest = 0;

@@ -1,5 +1,6 @@
-//! Which numbers make a form to a given piece. Numbers that are 0 or 1 have simplified what stood around
-//! them, and signs have gone outwards: a sum fits one of its terms, a product one of its factors.
+//! Which numbers make a form to a given piece. Numbers that are 0 or 1 have simplified what stood
+//! around them, and signs have gone outwards: a sum fits one of its terms, a product one of its
+//! factors.
 
 use super::form::{Core, Form, Kind, Place, Term, peeled};
 use crate::{Graph, Node, Op, is_power_of_two};
@@ -39,7 +40,8 @@ pub struct Fitting<'a> {
 
 /// The numbers by place with which the form is `piece`; a place without one may have any.
 pub fn fitted(g: &Graph, form: &Form, piece: Node) -> Option<Vec<Option<Value>>> {
-    let (values, bound) = (vec![None; form.own.len()], vec![None; form.parts.len()]);
+    let values = vec![None; form.own.len()];
+    let bound = vec![None; form.parts.len()];
     let mut fitting = Fitting { g, form, values, bound, trail: vec![], left: LONGEST };
     fitting.term(form.root, 1.0, piece).then_some(fitting.values)
 }
@@ -103,10 +105,12 @@ impl Fitting<'_> {
                 let exact = own == 1.0 || is_power_of_two(ratio.abs());
                 let inwards = exact && (ratio == 1.0 || self.form.parts[core].adapts);
                 inwards
-                    && self
-                        .attempt(|it| it.put(term.factor, Value::Number(own)) && it.part(core, ratio, rest))
-                    || self
-                        .attempt(|it| it.put(term.factor, Value::Number(factor)) && it.part(core, 1.0, rest))
+                    && self.attempt(|it| {
+                        it.put(term.factor, Value::Number(own)) && it.part(core, ratio, rest)
+                    })
+                    || self.attempt(|it| {
+                        it.put(term.factor, Value::Number(factor)) && it.part(core, 1.0, rest)
+                    })
             }
         }
     }
@@ -118,10 +122,13 @@ impl Fitting<'_> {
             Some(false) => return true,
             Some(true) => {}
         }
-        let (g, form) = (self.g, self.form);
+        let g = self.g;
+        let form = self.form;
         match &form.parts[core].kind {
             Kind::Given(place) => {
-                scale == 1.0 && super::chain::is_given(g, node) && self.put(*place, Value::Given(node))
+                scale == 1.0
+                    && super::chain::is_given(g, node)
+                    && self.put(*place, Value::Given(node))
             }
             Kind::Same => scale == 1.0 && node == form.parts[core].node,
             Kind::Sum(a, b) => self.sum([*a, *b], scale, node),
@@ -135,7 +142,10 @@ impl Fitting<'_> {
                 scale == 1.0
                     && kind(node) == kind(form.parts[core].node)
                     && operands.iter().zip(&found).all(|((own, _), operand)| moves(own, operand))
-                    && operands.iter().zip(found).all(|((_, term), operand)| self.term(*term, 1.0, operand))
+                    && operands
+                        .iter()
+                        .zip(found)
+                        .all(|((_, term), operand)| self.term(*term, 1.0, operand))
             }
         }
     }
@@ -147,13 +157,15 @@ impl Fitting<'_> {
             _ => None,
         };
         if let Some((p, sign, q)) = terms.filter(|_| is_power_of_two(scale.abs()))
-            && [(a, b), (b, a)]
-                .into_iter()
-                .any(|(a, b)| self.attempt(|it| it.term(a, scale, p) && it.term(b, scale * sign, q)))
+            && [(a, b), (b, a)].into_iter().any(|(a, b)| {
+                self.attempt(|it| it.term(a, scale, p) && it.term(b, scale * sign, q))
+            })
         {
             return true;
         }
-        [(a, b), (b, a)].into_iter().any(|(a, b)| self.attempt(|it| it.zero(b) && it.term(a, scale, node)))
+        [(a, b), (b, a)]
+            .into_iter()
+            .any(|(a, b)| self.attempt(|it| it.zero(b) && it.term(a, scale, node)))
     }
 
     fn product(&mut self, [a, b]: [Term; 2], scale: f64, node: Node) -> bool {
@@ -166,9 +178,9 @@ impl Fitting<'_> {
         {
             return true;
         }
-        orders
-            .into_iter()
-            .any(|(a, one, b, scale)| self.attempt(|it| it.number(b, scale) && it.term(a, one, node)))
+        orders.into_iter().any(|(a, one, b, scale)| {
+            self.attempt(|it| it.number(b, scale) && it.term(a, one, node))
+        })
     }
 
     fn quotient(&mut self, [a, b]: [Term; 2], scale: f64, node: Node) -> bool {
@@ -213,15 +225,15 @@ impl Fitting<'_> {
     fn zero(&mut self, term: Term) -> bool {
         let none = Value::Number(0.0);
         let Some(core) = term.core else { return self.put(term.factor, none) };
-        let (own, part) = (self.own(term), &self.form.parts[core]);
+        let own = self.own(term);
+        let part = &self.form.parts[core];
         // A factor that stands there is the user's number.
         if own != 1.0 && part.tame && self.attempt(|it| it.put(term.factor, none)) {
             return true;
         }
         let inside = match part.kind {
-            Kind::Given(place) => {
-                self.attempt(|it| it.bind(core, Bound::Number(0.0)).is_some() && it.put(place, none))
-            }
+            Kind::Given(place) => self
+                .attempt(|it| it.bind(core, Bound::Number(0.0)).is_some() && it.put(place, none)),
             Kind::Sum(a, b) => self.attempt(|it| match it.bind(core, Bound::Number(0.0)) {
                 None => false,
                 Some(false) => true,
@@ -250,7 +262,9 @@ impl Fitting<'_> {
             _ if self.own(factor) != 1.0 => self.zero(factor),
             Kind::Given(_) => self.zero(factor),
             Kind::Sum(a, b) => {
-                self.bind(core, Bound::Number(0.0)) == Some(true) && self.vanishes(a) && self.vanishes(b)
+                self.bind(core, Bound::Number(0.0)) == Some(true)
+                    && self.vanishes(a)
+                    && self.vanishes(b)
             }
             Kind::Product(a, b) => self.one_vanishes(a, b),
             Kind::Quotient(a, _) => self.part_is_tame(core) && self.vanishes(a),

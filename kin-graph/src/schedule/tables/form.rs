@@ -100,12 +100,16 @@ impl<F: Fn(Node) -> bool> Reading<F> {
         let kind = match g.op(node) {
             Op::Input(Input::Parameter(_) | Input::Timed(_)) => Kind::Given(self.place(node)),
             _ if (self.is_same)(node) => Kind::Same,
-            Op::Input(_) | Op::Truth(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Leaf(_) => Kind::Same,
+            Op::Input(_) | Op::Truth(_) | Op::Decimal(_) | Op::Opaque(..) | Op::Leaf(_) => {
+                Kind::Same
+            }
             Op::Add(a, b) => Kind::Sum(self.term(g, a), self.term(g, b)),
             Op::Sub(a, b) => Kind::Sum(self.term(g, a), self.negated(g, b)),
             Op::Mul(a, b) => Kind::Product(self.term(g, a), self.term(g, b)),
             Op::Div(a, b) => Kind::Quotient(self.term(g, a), self.term(g, b)),
-            _ => Kind::Operation(g.operands(node).into_iter().map(|a| (a, self.term(g, a))).collect()),
+            _ => Kind::Operation(
+                g.operands(node).into_iter().map(|a| (a, self.term(g, a))).collect(),
+            ),
         };
         let tame = self.is_tame(g.op(node), &kind);
         self.known.insert(node, self.form.parts.len());

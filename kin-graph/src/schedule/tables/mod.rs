@@ -1,10 +1,11 @@
-//! Tables of pieces: `if x < x_1 { a_1 + b_1 x } else if x < x_2 { a_2 + b_2 x } else …` is one expression of
-//! numbers that are looked up, a + b x, with a = `if x < x_1 { a_1 } else …`.
+//! Tables of pieces: `if x < x_1 { a_1 + b_1 x } else if x < x_2 { a_2 + b_2 x } else …` is one
+//! expression of numbers that are looked up, a + b x, with a = `if x < x_1 { a_1 } else …`.
 //!
-//! A spline of two hundred pieces is then computed, emitted and compiled as one piece; its derivatives, which
-//! are chains by the same conditions, find their numbers in the same row. The pieces need not look alike:
-//! what numbers that are 0, 1, or negative have simplified away fits the form of the longest one (`fitting`).
-//! The graph that is differentiated, bounded and shown stays as it is; this is for computing numbers.
+//! A spline of two hundred pieces is then computed, emitted and compiled as one piece; its
+//! derivatives, which are chains by the same conditions, find their numbers in the same row. The
+//! pieces need not look alike: what numbers that are 0, 1, or negative have simplified away fits
+//! the form of the longest one (`fitting`). The graph that is differentiated, bounded and shown
+//! stays as it is; this is for computing numbers.
 
 mod chain;
 mod fitting;
@@ -46,7 +47,9 @@ pub fn looked_up(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
 fn found(g: &mut Graph, nodes: &[Node], depths: &[usize]) -> HashMap<Node, Node> {
     let mut covered = vec![false; g.len()];
     let mut found = HashMap::new();
-    for &root in nodes.iter().rev().filter(|node| depths.get(node.index()).is_some_and(|&depth| depth > 0)) {
+    for &root in
+        nodes.iter().rev().filter(|node| depths.get(node.index()).is_some_and(|&depth| depth > 0))
+    {
         if covered[root.index()] {
             continue;
         }
@@ -73,7 +76,12 @@ fn cover(g: &Graph, root: Node, chain: &Chain, covered: &mut [bool]) {
 }
 
 /// The outputs with expressions in the place of chains.
-fn replaced(g: &mut Graph, nodes: &[Node], outputs: &[Node], found: &HashMap<Node, Node>) -> Vec<Node> {
+fn replaced(
+    g: &mut Graph,
+    nodes: &[Node],
+    outputs: &[Node],
+    found: &HashMap<Node, Node>,
+) -> Vec<Node> {
     let mut built: Vec<Node> = Vec::new();
     built.resize(g.len(), Node::default());
     for &node in nodes {
@@ -91,14 +99,16 @@ fn replaced(g: &mut Graph, nodes: &[Node], outputs: &[Node], found: &HashMap<Nod
     outputs.iter().map(|output| built[output.index()]).collect()
 }
 
-/// A chain as one expression of numbers that are looked up, and the nodes that only its pieces held.
+/// A chain as one expression of numbers that are looked up, and the nodes that only its pieces
+/// held.
 fn as_expression(g: &mut Graph, chain: &Chain) -> Option<(Node, Vec<Node>)> {
     let pieces = chain.values();
     if pieces.iter().all(|&piece| is_given(g, piece)) {
         return None;
     }
     let counts = counts(g, &pieces);
-    let is_same = |node: Node| counts.get(node.index()).is_some_and(|&count| 2 * count > pieces.len());
+    let is_same =
+        |node: Node| counts.get(node.index()).is_some_and(|&count| 2 * count > pieces.len());
     let mut longest: Vec<(usize, Node)> =
         pieces.iter().map(|&piece| (inside(g, &[piece], &is_same).len(), piece)).collect();
     longest.sort_by_key(|&(length, piece)| (std::cmp::Reverse(length), piece));
@@ -116,7 +126,8 @@ fn as_expression(g: &mut Graph, chain: &Chain) -> Option<(Node, Vec<Node>)> {
 /// In how many pieces each node occurs, by its number.
 fn counts(g: &Graph, pieces: &[Node]) -> Vec<usize> {
     let mut counts = vec![0; g.len()];
-    let (mut seen, mut open) = (vec![0; g.len()], Vec::new());
+    let mut seen = vec![0; g.len()];
+    let mut open = Vec::new();
     for (turn, &piece) in pieces.iter().enumerate() {
         open.push(piece);
         while let Some(node) = open.pop() {
@@ -137,7 +148,12 @@ struct Built {
 
 impl Built {
     /// `None` if more would be looked up than the pieces hold.
-    fn new(g: &mut Graph, chain: &Chain, form: &Form, fitted: &[Vec<Option<Value>>]) -> Option<Built> {
+    fn new(
+        g: &mut Graph,
+        chain: &Chain,
+        form: &Form,
+        fitted: &[Vec<Option<Value>>],
+    ) -> Option<Built> {
         let mut places = Vec::new();
         let mut columns: Vec<Node> = Vec::new();
         for (place, &own) in form.own.iter().enumerate() {
@@ -171,7 +187,8 @@ impl Built {
                 Kind::Sum(a, b) | Kind::Product(a, b) | Kind::Quotient(a, b) => vec![*a, *b],
                 Kind::Operation(operands) => operands.iter().map(|(_, term)| *term).collect(),
             };
-            let terms: Vec<(Node, bool)> = terms.into_iter().map(|term| self.term(g, &built, term)).collect();
+            let terms: Vec<(Node, bool)> =
+                terms.into_iter().map(|term| self.term(g, &built, term)).collect();
             let varies = terms.iter().any(|term| term.1);
             let node = match &part.kind {
                 _ if !varies => part.node,
@@ -181,7 +198,10 @@ impl Built {
                 _ => {
                     let operands = g.operands(part.node);
                     let of = |operand: Node| {
-                        operands.iter().position(|known| *known == operand).map_or(operand, |k| terms[k].0)
+                        operands
+                            .iter()
+                            .position(|known| *known == operand)
+                            .map_or(operand, |k| terms[k].0)
                     };
                     g.with_operands(part.node, of)
                 }

@@ -12,7 +12,12 @@ impl Reader {
     }
 
     /// The arguments as `n` numbers.
-    pub(super) fn numbers(&mut self, n: usize, arguments: Vec<Value>, call: &Call) -> Option<Vec<Node>> {
+    pub(super) fn numbers(
+        &mut self,
+        n: usize,
+        arguments: Vec<Value>,
+        call: &Call,
+    ) -> Option<Vec<Node>> {
         if arguments.len() != n {
             let name = crate::error::tidy(&call.path.to_token_stream().to_string());
             self.mistake(
@@ -21,7 +26,13 @@ impl Reader {
             );
             return None;
         }
-        Some(arguments.into_iter().enumerate().map(|(k, value)| self.scalar(value, call.place(k))).collect())
+        Some(
+            arguments
+                .into_iter()
+                .enumerate()
+                .map(|(k, value)| self.scalar(value, call.place(k)))
+                .collect(),
+        )
     }
 
     /// Constructors and other functions of vector and matrix types.
@@ -41,33 +52,42 @@ impl Reader {
         let axis = ["x", "y", "z"].iter().position(|name| *name == function);
         Ok(match (function, kind, arguments.len()) {
             ("new", kind, _) => self.make(kind, arguments, call),
-            ("zeros" | "default", Components::Vector(_) | Components::Matrix(_), 0) | ("zeros", _, 0) => {
-                self.constants(kind, |_| false)
+            ("zeros" | "default", Components::Vector(_) | Components::Matrix(_), 0)
+            | ("zeros", _, 0) => self.constants(kind, |_| false),
+            ("x" | "y" | "z", Components::Vector(_), 0) => {
+                self.constants(kind, |k| Some(k) == axis)
             }
-            ("x" | "y" | "z", Components::Vector(_), 0) => self.constants(kind, |k| Some(k) == axis),
             ("identity", Components::Matrix(n), 0) => self.constants(kind, |k| k % n == k / n),
             ("identity" | "default", Components::Euler, 0) => self.constants(kind, |k| k == 0),
             ("rotation", Components::Matrix(2), 1) => {
-                let Some(angle) = self.numbers(1, arguments, call) else { return Ok(Value::Poison) };
-                let (sin, cos) =
-                    (self.graph.call(Function::Sin, angle[0]), self.graph.call(Function::Cos, angle[0]));
+                let Some(angle) = self.numbers(1, arguments, call) else {
+                    return Ok(Value::Poison);
+                };
+                let sin = self.graph.call(Function::Sin, angle[0]);
+                let cos = self.graph.call(Function::Cos, angle[0]);
                 Value::Matrix(2, vec![cos, self.graph.neg(sin), sin, cos])
             }
             ("from_axis_angle", Components::Euler, 2) => {
-                let (angle, axis) = (arguments.pop().unwrap_or(Value::Poison), arguments.remove(0));
-                let (axis, angle) =
-                    (self.convertible(axis, 3, call.place(0)), self.scalar(angle, call.place(1)));
+                let angle = arguments.pop().unwrap_or(Value::Poison);
+                let axis = arguments.remove(0);
+                let axis = self.convertible(axis, 3, call.place(0));
+                let angle = self.scalar(angle, call.place(1));
                 Value::Euler(self.axis_angle(&axis, angle))
             }
             ("skew", Components::Matrix(3), 1) => {
                 let v = self.convertible(arguments.remove(0), 3, call.place(0));
                 Value::Matrix(3, self.skew(&v))
             }
-            ("from_rows" | "from_columns", Components::Matrix(n), 1) | ("from", Components::Matrix(n), 1) => {
+            ("from_rows" | "from_columns", Components::Matrix(n), 1)
+            | ("from", Components::Matrix(n), 1) => {
                 let rows = self.rows_of(arguments.remove(0), n, call)?;
                 Value::Matrix(
                     n,
-                    if function == "from_columns" { crate::lower::state::transpose(&rows) } else { rows },
+                    if function == "from_columns" {
+                        crate::lower::state::transpose(&rows)
+                    } else {
+                        rows
+                    },
                 )
             }
             ("from", kind, 1) => {
@@ -81,7 +101,8 @@ impl Reader {
     /// A vector or matrix from an array, a tuple, or a value of its own kind.
     fn made_from(&mut self, kind: Components, value: Value, call: &Call) -> Value {
         match value {
-            // A value that only rustc knows may be an array, a tuple or a vector: it is converted there.
+            // A value that only rustc knows may be an array, a tuple or a vector: it is converted
+            // there.
             Value::Opaque(template)
                 if matches!(kind, Components::Vector(_)) && template.nodes().is_empty() =>
             {
@@ -98,23 +119,29 @@ impl Reader {
     }
 
     fn constants(&mut self, kind: Components, is_one: impl Fn(usize) -> bool) -> Value {
-        kind.value((0..kind.len()).map(|k| self.graph.constant(if is_one(k) { 1.0 } else { 0.0 })).collect())
+        kind.value(
+            (0..kind.len())
+                .map(|k| self.graph.constant(if is_one(k) { 1.0 } else { 0.0 }))
+                .collect(),
+        )
     }
 
     /// The entries of n rows, given as an array of vectors or arrays.
     fn rows_of(&mut self, value: Value, n: usize, call: &Call) -> Read<Vec<Node>> {
         match value.referent() {
             Value::Matrix(side, m) if side == n => Ok(m),
-            Value::Array(rows) if rows.len() == n => {
-                Ok(rows.into_iter().flat_map(|row| self.convertible(row, n, call.place(0))).collect())
-            }
+            Value::Array(rows) if rows.len() == n => Ok(rows
+                .into_iter()
+                .flat_map(|row| self.convertible(row, n, call.place(0)))
+                .collect()),
             _ => Err(Unreadable::new(call.path, "a matrix from this")),
         }
     }
 
     /// ã, with ã b = a × b.
     fn skew(&mut self, a: &[Node]) -> Vec<Node> {
-        let (zero, minus) = (self.graph.zero(), [a[0], a[1], a[2]].map(|n| self.graph.neg(n)));
+        let zero = self.graph.zero();
+        let minus = [a[0], a[1], a[2]].map(|n| self.graph.neg(n));
         vec![zero, minus[2], a[1], a[2], zero, minus[0], minus[1], a[0], zero]
     }
 
@@ -122,7 +149,8 @@ impl Reader {
     fn axis_angle(&mut self, axis: &[Node], angle: Node) -> Vec<Node> {
         let half = self.graph.constant(0.5);
         let half = self.graph.mul(half, angle);
-        let (sin, cos) = (self.graph.call(Function::Sin, half), self.graph.call(Function::Cos, half));
+        let sin = self.graph.call(Function::Sin, half);
+        let cos = self.graph.call(Function::Cos, half);
         let norm = self.norm(axis);
         let unit: Vec<Node> = axis.iter().map(|&n| self.graph.div(n, norm)).collect();
         std::iter::once(cos).chain(unit.into_iter().map(|n| self.graph.mul(n, sin))).collect()

@@ -15,10 +15,14 @@ impl Reader {
             });
         }
         let at = self.expression(&index.index)?;
-        self.each_list(vec![base, at], index, &mut |reader, mut both| match (both.pop(), both.pop()) {
-            (Some(at), Some(base)) => reader.element_of(base, at, index),
-            _ => Ok(Value::Poison),
-        })
+        self.each_list(
+            vec![base, at],
+            index,
+            &mut |reader, mut both| match (both.pop(), both.pop()) {
+                (Some(at), Some(base)) => reader.element_of(base, at, index),
+                _ => Ok(Value::Poison),
+            },
+        )
     }
 
     fn element_of(&mut self, base: Value, at: Value, index: &syn::ExprIndex) -> Read {
@@ -31,17 +35,21 @@ impl Reader {
                 {
                     Ok(Value::Scalar(m[r as usize * n + c as usize]))
                 }
-                [Value::Integer(..), Value::Integer(..)] => {
-                    Ok(self.mistake(&index.index, format!("a Mat{n} has rows and columns 0 to {}", n - 1)))
-                }
+                [Value::Integer(..), Value::Integer(..)] => Ok(self.mistake(
+                    &index.index,
+                    format!("a Mat{n} has rows and columns 0 to {}", n - 1),
+                )),
                 _ => Err(Unreadable::new(&index.index, "an index that is not known here")),
             },
             (Value::Opaque(base), at) => {
                 let at = self.template(at, &index.index)?;
-                Ok(Value::Opaque(base.each(&|part| Template::Index(Box::new(part), Box::new(at.clone())))))
+                Ok(Value::Opaque(
+                    base.each(&|part| Template::Index(Box::new(part), Box::new(at.clone()))),
+                ))
             }
             (Value::Adt(adt), at) => {
-                let (ty, arguments) = (adt.type_name(), vec![Value::Adt(adt), at]);
+                let ty = adt.type_name();
+                let arguments = vec![Value::Adt(adt), at];
                 match self.own_method(&ty, "index", arguments, index)? {
                     Some(value) => Ok(self.loaded(value)),
                     None => Err(Unreadable::new(&index.index, "an index of a type of your own")),
@@ -49,16 +57,18 @@ impl Reader {
             }
             (base, Value::Integer(k, _)) => Ok(self.element(&base, k, index)),
             (base, Value::Opaque(at)) => self.element_at_run_time(&base, at, index),
-            (base, at) => {
-                Ok(self.mistake(&index.index, format!("{} cannot be indexed by {}", base.name(), at.name())))
-            }
+            (base, at) => Ok(self.mistake(
+                &index.index,
+                format!("{} cannot be indexed by {}", base.name(), at.name()),
+            )),
         }
     }
 
     /// `all[from..to]`
     fn slice(&mut self, all: &[Value], range: &syn::ExprRange) -> Read {
         let (from, to) = self.bounds_of(range, all.len())?;
-        let part = all.get(from..to).ok_or_else(|| Unreadable::new(range, "an index out of range"))?;
+        let part =
+            all.get(from..to).ok_or_else(|| Unreadable::new(range, "an index out of range"))?;
         Ok(Value::Array(part.to_vec()))
     }
 
@@ -73,7 +83,8 @@ impl Reader {
                 _ => Err(Unreadable::new(end, "an index that is not known here")),
             },
         };
-        let (from, to) = (bound(&range.start, 0)?, bound(&range.end, length)?);
+        let from = bound(&range.start, 0)?;
+        let to = bound(&range.end, length)?;
         Ok((
             from,
             if matches!(range.limits, syn::RangeLimits::Closed(_)) && range.end.is_some() {
@@ -88,15 +99,21 @@ impl Reader {
         let all: Vec<Value> = match base {
             Value::Array(all) => all.clone(),
             Value::Vector(v) | Value::Euler(v) => v.iter().copied().map(Value::Scalar).collect(),
-            other => return self.mistake(&index.expr, format!("{} cannot be indexed", other.name())),
+            other => {
+                return self.mistake(&index.expr, format!("{} cannot be indexed", other.name()));
+            }
         };
         match usize::try_from(k).ok().and_then(|k| all.get(k)) {
             Some(value) => value.clone(),
-            None => self.mistake(&index.index, format!("index {k} is out of range: this is {}", base.name())),
+            None => self.mistake(
+                &index.index,
+                format!("index {k} is out of range: this is {}", base.name()),
+            ),
         }
     }
 
-    /// An element of an array by an index that is only known when the program runs: one of all of them.
+    /// An element of an array by an index that is only known when the program runs: one of all of
+    /// them.
     fn element_at_run_time(&mut self, base: &Value, at: Template, index: &syn::ExprIndex) -> Read {
         match base.numbers() {
             Some((nodes, shape)) if !at.has_choice() => {

@@ -15,7 +15,8 @@ impl Reader {
         if !(low >= 0.0 && high <= 1e9 && fits(high as i64, name)) {
             return Err(unknown());
         }
-        let (low, high) = (low as i64, high as i64);
+        let low = low as i64;
+        let high = high as i64;
         if high - low >= MOST_INTEGERS {
             return Err(unknown());
         }

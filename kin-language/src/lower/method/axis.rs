@@ -37,7 +37,9 @@ fn axis() -> ItemFn {
                 v / v.norm()
             }
             let h = unit(h);
-            let (x, y, z) = (h.x.abs(), h.y.abs(), h.z.abs());
+            let x = h.x.abs();
+            let y = h.y.abs();
+            let z = h.z.abs();
             let f = if x > y && !(z >= x) {
                 vec3(0.0, 1.0, 0.0)
             } else if !(x > y) && y > z {

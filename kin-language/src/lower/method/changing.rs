@@ -1,5 +1,5 @@
-//! Methods that change what they are called on: of arrays and lists, of iterators, of options, of the body's
-//! own types.
+//! Methods that change what they are called on: of arrays and lists, of iterators, of options, of
+//! the body's own types.
 
 use syn::{Expr, ExprMethodCall, FnArg};
 
@@ -42,9 +42,13 @@ const READ: &[&str] = &[
 ];
 
 impl Reader {
-    /// The value of a method that changes its receiver; `None` if it is none, or the receiver is no variable
-    /// that is known here.
-    pub(super) fn changing_method(&mut self, name: &str, whole: &ExprMethodCall) -> Read<Option<Value>> {
+    /// The value of a method that changes its receiver; `None` if it is none, or the receiver is no
+    /// variable that is known here.
+    pub(super) fn changing_method(
+        &mut self,
+        name: &str,
+        whole: &ExprMethodCall,
+    ) -> Read<Option<Value>> {
         let is_variable = matches!(
             strip(&whole.receiver),
             Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_)
@@ -67,7 +71,8 @@ impl Reader {
                 self.change(&whole.receiver, &place);
                 let k = match (name, whole.args.first()) {
                     ("peek", None) => {
-                        let first = all.first().cloned().map(|value| Value::Reference(Box::new(value)));
+                        let first =
+                            all.first().cloned().map(|value| Value::Reference(Box::new(value)));
                         return Ok(Some(first.map_or(Value::none(), Value::some)));
                     }
                     ("next", None) => 0,
@@ -106,8 +111,18 @@ impl Reader {
     }
 
     /// A method of the body's own changes its receiver if it takes `&mut self`.
-    fn change_by(&mut self, receiver: &Expr, place: &Place, (ty, name): (&str, &str), arguments: &[Value]) {
-        if self.own.function(ty, name, arguments).is_some_and(|(function, _)| takes_itself(&function)) {
+    fn change_by(
+        &mut self,
+        receiver: &Expr,
+        place: &Place,
+        (ty, name): (&str, &str),
+        arguments: &[Value],
+    ) {
+        if self
+            .own
+            .function(ty, name, arguments)
+            .is_some_and(|(function, _)| takes_itself(&function))
+        {
             self.change(receiver, place);
         }
     }
@@ -146,15 +161,20 @@ impl Reader {
             ("truncate", [_], &[k]) => all.truncate(k),
             ("clear", [], _) => all.clear(),
             ("extend" | "extend_from_slice", [Value::Array(more) | Value::Iterator(more)], _) => {
-                let more: Vec<Value> = more.iter().map(|value| self.loaded(value.clone())).collect();
+                let more: Vec<Value> =
+                    more.iter().map(|value| self.loaded(value.clone())).collect();
                 all.extend(more);
             }
-            ("copy_from_slice" | "clone_from_slice", [Value::Array(more)], _) if more.len() == all.len() => {
+            ("copy_from_slice" | "clone_from_slice", [Value::Array(more)], _)
+                if more.len() == all.len() =>
+            {
                 all.clone_from(more)
             }
             ("rotate_left", [_], &[k]) if k <= all.len() => all.rotate_left(k),
             ("rotate_right", [_], &[k]) if k <= all.len() => all.rotate_right(k),
-            ("sort_by" | "sort_unstable_by", [_], _) => self.sort(&mut all, arguments[0].clone(), whole)?,
+            ("sort_by" | "sort_unstable_by", [_], _) => {
+                self.sort(&mut all, arguments[0].clone(), whole)?
+            }
             ("swap" | "insert" | "remove" | "rotate_left" | "rotate_right", _, [k, ..]) => {
                 let k = counts.iter().find(|k| **k >= all.len()).unwrap_or(k);
                 let text = format!("index {k} is out of range: this is an array of {}", all.len());
@@ -173,8 +193,10 @@ impl Reader {
         let f = self.function(by, &whole.args[0])?;
         for end in (1..all.len()).rev() {
             for k in 0..end {
-                let (a, b) = (all[k].clone(), all[k + 1].clone());
-                let inputs = [&a, &b].map(|value| Value::Reference(Box::new(value.clone()))).to_vec();
+                let a = all[k].clone();
+                let b = all[k + 1].clone();
+                let inputs =
+                    [&a, &b].map(|value| Value::Reference(Box::new(value.clone()))).to_vec();
                 let order = self.apply(&f, inputs, &[], whole)?;
                 let greater = self.is_ordered(order, "Greater", given(whole))?;
                 let joined = (self.select(greater, &b, &a), self.select(greater, &a, &b));
@@ -230,7 +252,9 @@ fn places_in(
     };
     let one = |k: usize| Value::some(Value::Place(place.index(k)));
     Some(match (whole.method.to_string().as_str(), arguments, counts) {
-        ("iter_mut", [], _) => Value::Iterator((0..n).map(|k| Value::Place(place.index(k))).collect()),
+        ("iter_mut", [], _) => {
+            Value::Iterator((0..n).map(|k| Value::Place(place.index(k))).collect())
+        }
         ("first_mut", [], _) if n > 0 => one(0),
         ("last_mut", [], _) if n > 0 => one(n - 1),
         ("get_mut", [_], &[k]) if k < n => one(k),

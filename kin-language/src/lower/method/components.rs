@@ -54,9 +54,12 @@ impl Reader {
         }
         Ok(match call.name.as_str() {
             "vector" => Value::Vector(p[1..].to_vec()),
-            "conjugate" => {
-                Value::Euler(vec![p[0], self.graph.neg(p[1]), self.graph.neg(p[2]), self.graph.neg(p[3])])
-            }
+            "conjugate" => Value::Euler(vec![
+                p[0],
+                self.graph.neg(p[1]),
+                self.graph.neg(p[2]),
+                self.graph.neg(p[3]),
+            ]),
             "rotation" => Value::Matrix(3, self.rotation_of(p)),
             _ => {
                 let q = self.other(Components::Euler, call);
@@ -97,7 +100,8 @@ impl Reader {
             name => {
                 let w = self.other(kind, call);
                 let f = if name == "component_mul" { Graph::mul } else { Graph::div };
-                let products: Vec<Node> = v.iter().zip(w).map(|(&a, b)| f(&mut self.graph, a, b)).collect();
+                let products: Vec<Node> =
+                    v.iter().zip(w).map(|(&a, b)| f(&mut self.graph, a, b)).collect();
                 kind.value(products)
             }
         }))
@@ -120,7 +124,11 @@ impl Reader {
             (Value::Vector(w), Components::Vector(n)) if w.len() != n => {
                 self.mistake(
                     place,
-                    format!("`{}` of a Vec{n} needs a Vec{n}, but this is a Vec{}", call.name, w.len()),
+                    format!(
+                        "`{}` of a Vec{n} needs a Vec{n}, but this is a Vec{}",
+                        call.name,
+                        w.len()
+                    ),
                 );
                 vec![w[0]; n]
             }
@@ -134,7 +142,8 @@ impl Reader {
 
     /// a d − b c
     fn determinant2(&mut self, a: Node, b: Node, c: Node, d: Node) -> Node {
-        let (ad, bc) = (self.graph.mul(a, d), self.graph.mul(b, c));
+        let ad = self.graph.mul(a, d);
+        let bc = self.graph.mul(b, c);
         self.graph.sub(ad, bc)
     }
 
@@ -154,7 +163,9 @@ impl Reader {
         Ok(match call.name.as_str() {
             "transpose" => Value::Matrix(n, crate::lower::state::transpose(m)),
             "to_array" => Value::Array(
-                (0..n).map(|k| Value::Array(row(k).into_iter().map(Value::Scalar).collect())).collect(),
+                (0..n)
+                    .map(|k| Value::Array(row(k).into_iter().map(Value::Scalar).collect()))
+                    .collect(),
             ),
             "trace" => {
                 let zero = self.graph.zero();
@@ -174,8 +185,12 @@ impl Reader {
                 Value::Integer(k, _) if (0..n as i64).contains(&k) => {
                     Value::Vector((0..n).map(|i| m[i * n + k as usize]).collect())
                 }
-                Value::Integer(k, _) => self.mistake(call.places[0], format!("a Mat{n} has no {name} {k}")),
-                _ => return Err(Unreadable::new(call.places[0], "an index that is not known here")),
+                Value::Integer(k, _) => {
+                    self.mistake(call.places[0], format!("a Mat{n} has no {name} {k}"))
+                }
+                _ => {
+                    return Err(Unreadable::new(call.places[0], "an index that is not known here"));
+                }
             },
         })
     }
@@ -186,6 +201,8 @@ fn vector_cure(name: &str) -> &'static str {
         "length" | "len" | "abs" | "magnitude" => "; it is `norm()`",
         "length_squared" | "magnitude_squared" => "; it is `norm_squared()`",
         "normalized" | "unit" => "; it is `normalize()`",
-        _ => "; it has `dot`, `cross`, `norm`, `norm_squared`, `normalize`, `perp`, and the fields `x`, `y`",
+        _ => {
+            "; it has `dot`, `cross`, `norm`, `norm_squared`, `normalize`, `perp`, and the fields `x`, `y`"
+        }
     }
 }

@@ -1,4 +1,5 @@
-//! Methods of arrays and iterators that pick something out of them, or go over them with a function.
+//! Methods of arrays and iterators that pick something out of them, or go over them with a
+//! function.
 
 use super::Call;
 use super::changing::given;
@@ -14,10 +15,11 @@ impl Reader {
     pub(super) fn picked(&mut self, mut all: Vec<Value>, call: &Call) -> Read {
         let count = match call.arguments.first() {
             None => 0,
-            Some(Value::Integer(k, _)) => {
-                usize::try_from(*k).map_err(|_| Unreadable::new(call.places[0], "an index out of range"))?
+            Some(Value::Integer(k, _)) => usize::try_from(*k)
+                .map_err(|_| Unreadable::new(call.places[0], "an index out of range"))?,
+            Some(_) => {
+                return Err(Unreadable::new(call.places[0], "an index that is not known here"));
             }
-            Some(_) => return Err(Unreadable::new(call.places[0], "an index that is not known here")),
         };
         let option = |value: Option<Value>| Ok(value.map_or(Value::none(), Value::some));
         let borrowed = |value: Value| Value::Reference(Box::new(value));
@@ -43,9 +45,12 @@ impl Reader {
                 option(Some(Value::Tuple(vec![borrowed(last), Value::Array(all)])))
             }
             // Into an array: its length is right where rustc finds it so.
-            "try_into" => Ok(Value::Adt(crate::lower::value::Adt::new("Ok", Some(Value::Array(all))))),
+            "try_into" => {
+                Ok(Value::Adt(crate::lower::value::Adt::new("Ok", Some(Value::Array(all)))))
+            }
             "unzip" => {
-                let (mut left, mut right) = (Vec::new(), Vec::new());
+                let mut left = Vec::new();
+                let mut right = Vec::new();
                 for pair in all {
                     match self.loaded(pair) {
                         Value::Tuple(mut pair) if pair.len() == 2 => {
@@ -78,14 +83,16 @@ impl Reader {
             "reduce" => {
                 let mut all = all.into_iter();
                 let Some(first) = all.next() else { return Ok(Value::none()) };
-                all.try_fold(first, |sum, value| self.apply(&f, vec![sum, value], &[], call)).map(Value::some)
+                all.try_fold(first, |sum, value| self.apply(&f, vec![sum, value], &[], call))
+                    .map(Value::some)
             }
             "min_by" | "max_by" => {
                 let is_min = call.name == "min_by";
                 let mut all = all.into_iter();
                 let Some(first) = all.next() else { return Ok(Value::none()) };
                 let best = all.try_fold(first, |best, value| {
-                    let order = self.apply(&f, vec![borrowed(&best), borrowed(&value)], &[], call)?;
+                    let order =
+                        self.apply(&f, vec![borrowed(&best), borrowed(&value)], &[], call)?;
                     // Of equal ones the first is the least, and the last the greatest.
                     let worse = self.is_ordered(order, "Greater", given(call.whole))?;
                     let (held, other) = if is_min { (&value, &best) } else { (&best, &value) };
@@ -97,7 +104,8 @@ impl Reader {
             "position" | "find" | "partition_point" => {
                 let mut conditions = Vec::new();
                 for value in &all {
-                    let input = if call.name == "position" { value.clone() } else { borrowed(value) };
+                    let input =
+                        if call.name == "position" { value.clone() } else { borrowed(value) };
                     let holds = self.apply(&f, vec![input], &[], call)?;
                     conditions.push(self.condition(holds, call));
                 }
@@ -124,13 +132,19 @@ impl Reader {
                     found.extend(adt.fields.into_iter().map(|(_, value)| value))
                 }
                 Value::Adt(adt) if adt.name == "None" => break,
-                _ => return Err(Unreadable::new(&call.whole.method, "a `scan` whose end is open here")),
+                _ => {
+                    return Err(Unreadable::new(
+                        &call.whole.method,
+                        "a `scan` whose end is open here",
+                    ));
+                }
             }
         }
         Ok(Value::Iterator(found))
     }
 
-    /// Up to an element, or from one on; one of several lists, where it depends on coordinates which.
+    /// Up to an element, or from one on; one of several lists, where it depends on coordinates
+    /// which.
     fn cut(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
         let name = call.name.as_str();
         let takes = name == "take_while";
@@ -139,7 +153,8 @@ impl Reader {
         }
         let mut conditions = Vec::new();
         for value in &all {
-            let holds = self.apply(f, vec![Value::Reference(Box::new(value.clone()))], &[], call)?;
+            let holds =
+                self.apply(f, vec![Value::Reference(Box::new(value.clone()))], &[], call)?;
             conditions.push(self.condition(holds, call));
         }
         let mut cut = Value::Iterator(if takes { all.clone() } else { vec![] });
@@ -185,7 +200,8 @@ impl Reader {
     fn first_of(&mut self, all: &[Value], conditions: &[Node], call: &Call) -> Read {
         let mut found = Value::none();
         for (k, (value, &condition)) in all.iter().zip(conditions).enumerate().rev() {
-            let one = Value::some(if call.name == "find" { value.clone() } else { Value::count(k) });
+            let one =
+                Value::some(if call.name == "find" { value.clone() } else { Value::count(k) });
             found = match self.graph.truth(condition) {
                 Some(true) => one,
                 Some(false) => found,

@@ -22,19 +22,23 @@ impl Reader {
                 iterator(all.into_iter().map(|value| Value::Reference(Box::new(value))).collect())
             }
             ("into_iter", []) => iterator(all),
-            ("copied" | "cloned", []) => iterator(all.into_iter().map(|value| self.loaded(value)).collect()),
+            ("copied" | "cloned", []) => {
+                iterator(all.into_iter().map(|value| self.loaded(value)).collect())
+            }
             ("rev", []) => iterator(all.into_iter().rev().collect()),
             ("enumerate", []) => iterator(
                 (0..)
                     .zip(all)
-                    .map(|(k, value)| Value::Tuple(vec![Value::Integer(k, Some(IntegerType::SIZE)), value]))
+                    .map(|(k, value)| {
+                        Value::Tuple(vec![Value::Integer(k, Some(IntegerType::SIZE)), value])
+                    })
                     .collect(),
             ),
-            ("to_vec" | "collect" | "as_slice" | "by_ref" | "fuse" | "peekable" | "into_boxed_slice", [])
-                if call.name != "collect" && !array =>
-            {
-                iterator(all)
-            }
+            (
+                "to_vec" | "collect" | "as_slice" | "by_ref" | "fuse" | "peekable"
+                | "into_boxed_slice",
+                [],
+            ) if call.name != "collect" && !array => iterator(all),
             ("to_vec" | "collect" | "as_slice" | "into_boxed_slice", []) => {
                 Ok(Value::Array(all.into_iter().map(|value| self.loaded(value)).collect()))
             }
@@ -43,33 +47,38 @@ impl Reader {
             ("sum", []) => self.folded(all, true, call),
             ("product", []) => self.folded(all, false, call),
             (
-                "map" | "flat_map" | "filter" | "partition" | "filter_map" | "find_map" | "any" | "all",
+                "map" | "flat_map" | "filter" | "partition" | "filter_map" | "find_map" | "any"
+                | "all",
                 [f],
             ) => {
                 let f = self.function(f.clone(), call.places[0])?;
                 self.list_method_with(all, array, &f, call)
             }
             (
-                "cycle" | "first" | "last" | "next" | "nth" | "get" | "count" | "split_at" | "split_first"
-                | "split_last" | "try_into" | "unzip",
+                "cycle" | "first" | "last" | "next" | "nth" | "get" | "count" | "split_at"
+                | "split_first" | "split_last" | "try_into" | "unzip",
                 _,
             ) => self.picked(all, call),
             (
-                "reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position" | "partition_point"
-                | "find" | "take_while" | "skip_while" | "map_while",
+                "reduce" | "min_by" | "max_by" | "scan" | "for_each" | "position"
+                | "partition_point" | "find" | "take_while" | "skip_while" | "map_while",
                 _,
             ) => self.gone_over(all, call),
             ("fold", [start, f]) => {
                 let f = self.function(f.clone(), call.places[1])?;
-                all.into_iter()
-                    .try_fold(start.clone(), |sum, value| self.apply(&f, vec![sum, value], &[], call))
+                all.into_iter().try_fold(start.clone(), |sum, value| {
+                    self.apply(&f, vec![sum, value], &[], call)
+                })
             }
             ("zip" | "chain", [other]) => self.with_another(all, other.clone(), call),
             ("contains", [one]) => self.contains(all, one.clone().referent(), call),
             ("skip" | "take" | "step_by" | "windows" | "chunks" | "chunks_exact", [count]) => {
                 self.counted_part(all, count.clone().referent(), call)
             }
-            _ => Err(Unreadable::new(&call.whole.method, format!("`{}` of an array or iterator", call.name))),
+            _ => Err(Unreadable::new(
+                &call.whole.method,
+                format!("`{}` of an array or iterator", call.name),
+            )),
         }
     }
 
@@ -77,18 +86,28 @@ impl Reader {
         let iterator = |all: Vec<Value>| Ok(Value::Iterator(all));
         if let ("zip", Value::Endless(endless)) = (call.name.as_str(), &other) {
             let others = self.first_of_endless(endless, all.len(), call)?;
-            return iterator(all.into_iter().zip(others).map(|(a, b)| Value::Tuple(vec![a, b])).collect());
+            return iterator(
+                all.into_iter().zip(others).map(|(a, b)| Value::Tuple(vec![a, b])).collect(),
+            );
         }
         let Some(items) = self.elements(other, call.places[0])? else {
             return Ok(Value::Poison);
         };
         match call.name.as_str() {
-            "zip" => iterator(all.into_iter().zip(items).map(|(a, b)| Value::Tuple(vec![a, b])).collect()),
+            "zip" => iterator(
+                all.into_iter().zip(items).map(|(a, b)| Value::Tuple(vec![a, b])).collect(),
+            ),
             _ => iterator(all.into_iter().chain(items).collect()),
         }
     }
 
-    fn list_method_with(&mut self, all: Vec<Value>, array: bool, f: &Function, call: &Call) -> Read {
+    fn list_method_with(
+        &mut self,
+        all: Vec<Value>,
+        array: bool,
+        f: &Function,
+        call: &Call,
+    ) -> Read {
         let mut each = |value: &Value| self.apply(f, vec![value.clone()], &[], call);
         let results = all.iter().map(&mut each).collect::<Read<Vec<Value>>>()?;
         match call.name.as_str() {
@@ -102,20 +121,24 @@ impl Reader {
                 if call.name == "filter" {
                     return Ok(kept);
                 }
-                let others: Vec<Node> = conditions.into_iter().map(|holds| self.graph.not(holds)).collect();
+                let others: Vec<Node> =
+                    conditions.into_iter().map(|holds| self.graph.not(holds)).collect();
                 let rest = self.filtered(&all, &others, call)?;
                 Ok(Value::Tuple(vec![collected(kept), collected(rest)]))
             }
-            "filter_map" => results.into_iter().try_fold(Value::Iterator(vec![]), |kept, result| {
-                let result = self.loaded(result);
-                self.each(result, call, &mut |_, result| match result {
-                    Value::Adt(adt) if adt.name == "Some" => {
-                        Ok(adt.fields.iter().fold(kept.clone(), |kept, (_, value)| lengthened(kept, value)))
-                    }
-                    Value::Adt(adt) if adt.name == "None" => Ok(kept.clone()),
-                    _ => Err(Unreadable::new(&call.whole.method, "`filter_map` of these")),
+            "filter_map" => {
+                results.into_iter().try_fold(Value::Iterator(vec![]), |kept, result| {
+                    let result = self.loaded(result);
+                    self.each(result, call, &mut |_, result| match result {
+                        Value::Adt(adt) if adt.name == "Some" => Ok(adt
+                            .fields
+                            .iter()
+                            .fold(kept.clone(), |kept, (_, value)| lengthened(kept, value))),
+                        Value::Adt(adt) if adt.name == "None" => Ok(kept.clone()),
+                        _ => Err(Unreadable::new(&call.whole.method, "`filter_map` of these")),
+                    })
                 })
-            }),
+            }
             "find_map" => results.into_iter().rev().try_fold(Value::none(), |found, result| {
                 let result = self.loaded(result);
                 self.each(result, call, &mut |_, result| match result {
@@ -160,7 +183,12 @@ impl Reader {
                 Value::Adt(adt) if matches!(adt.name.as_str(), "Some" | "None") => {
                     flat.extend(adt.fields.into_iter().map(|(_, value)| value))
                 }
-                _ => return Err(Unreadable::new(&call.whole.method, format!("`{}` of these", call.name))),
+                _ => {
+                    return Err(Unreadable::new(
+                        &call.whole.method,
+                        format!("`{}` of these", call.name),
+                    ));
+                }
             }
         }
         Ok(flat)
@@ -168,9 +196,8 @@ impl Reader {
 
     fn counted_part(&mut self, all: Vec<Value>, count: Value, call: &Call) -> Read {
         let count = match count {
-            Value::Integer(k, _) => {
-                usize::try_from(k).map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?
-            }
+            Value::Integer(k, _) => usize::try_from(k)
+                .map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?,
             _ => return Err(Unreadable::new(call.places[0], "a count that is not known here")),
         };
         let lists = |parts: Vec<Vec<Value>>| parts.into_iter().map(Value::Array).collect();
@@ -190,7 +217,9 @@ impl Reader {
         for value in all {
             let same = match (value.referent(), &one) {
                 (Value::Integer(a, _), Value::Integer(b, _)) => self.graph.bool(a == *b),
-                (Value::Scalar(a), Value::Scalar(b)) => self.graph.compare(Comparison::Equal, a, *b),
+                (Value::Scalar(a), Value::Scalar(b)) => {
+                    self.graph.compare(Comparison::Equal, a, *b)
+                }
                 _ => return Err(Unreadable::new(&call.whole.method, "`contains` of these")),
             };
             any = self.graph.or(any, same);
@@ -204,25 +233,32 @@ impl Reader {
             Some(GenericArgument::Type(ty)) => Some(ty),
             _ => None,
         });
-        let integer = given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
+        let integer =
+            given.is_some_and(|ty| is_integer(&quote::ToTokens::to_token_stream(ty).to_string()));
         let all: Vec<Value> = all.into_iter().map(|value| self.loaded(value)).collect();
         if let Some(Value::Adt(adt)) = all.first() {
-            let (ty, name) = (adt.type_name(), if plus { "sum" } else { "product" });
+            let ty = adt.type_name();
+            let name = if plus { "sum" } else { "product" };
             let sum = self.own_method(&ty, name, vec![Value::Iterator(all)], call)?;
-            return sum.ok_or_else(|| Unreadable::new(&call.whole.method, format!("`{name}` of `{ty}`")));
+            return sum
+                .ok_or_else(|| Unreadable::new(&call.whole.method, format!("`{name}` of `{ty}`")));
         }
         if integer || matches!(all.first(), Some(Value::Integer(..))) {
-            let given =
-                given.and_then(|ty| IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string()));
+            let given = given.and_then(|ty| {
+                IntegerType::named(&quote::ToTokens::to_token_stream(ty).to_string())
+            });
             let op: BinOp = if plus { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
             let sum = all.iter().try_fold(Value::Integer(i64::from(!plus), given), |sum, value| {
                 match (sum, value) {
-                    (Value::Integer(a, x), Value::Integer(b, y)) => integer::operate(&op, (a, x), (*b, *y)),
+                    (Value::Integer(a, x), Value::Integer(b, y)) => {
+                        integer::operate(&op, (a, x), (*b, *y))
+                    }
                     _ => None,
                 }
             });
-            return sum
-                .ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of integers not known here"));
+            return sum.ok_or_else(|| {
+                Unreadable::new(&call.whole.method, "a sum of integers not known here")
+            });
         }
         let shape = given
             .and_then(crate::parse::shape)
@@ -269,9 +305,9 @@ fn lengthened(list: Value, value: &Value) -> Value {
             all.push(value.clone());
             Value::Iterator(all)
         }
-        Value::Choice(all) => {
-            Value::Choice(all.into_iter().map(|(taken, list)| (taken, lengthened(list, value))).collect())
-        }
+        Value::Choice(all) => Value::Choice(
+            all.into_iter().map(|(taken, list)| (taken, lengthened(list, value))).collect(),
+        ),
         other => other,
     }
 }

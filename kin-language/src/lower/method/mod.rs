@@ -45,7 +45,8 @@ impl Reader {
 
     /// A method of the first of some values, the others being its arguments.
     pub fn method_with(&mut self, whole: &ExprMethodCall, mut all: Vec<Value>) -> Read {
-        let (name, places) = (whole.method.to_string(), whole.args.iter().collect::<Vec<_>>());
+        let name = whole.method.to_string();
+        let places = whole.args.iter().collect::<Vec<_>>();
         if let Some(receiver) = all.first_mut() {
             let old = std::mem::replace(receiver, Value::Poison);
             *receiver = match old {
@@ -77,20 +78,23 @@ impl Reader {
                 Some(all) => Ok(Value::Iterator(all)),
                 None => Ok(Value::Poison),
             },
-            (Value::Adt(adt), ..) if matches!(adt.name.as_str(), "Some" | "None" | "Ok" | "Err") => {
+            (Value::Adt(adt), ..)
+                if matches!(adt.name.as_str(), "Some" | "None" | "Ok" | "Err") =>
+            {
                 self.option_method(adt, &call)
             }
             (Value::Adt(adt), ..) if order::is_order(&adt.name) => self.order_method(&adt, &call),
             (value @ Value::Adt(_), ..) => self.method_of_own(value, call),
             (
                 value,
-                "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "as_mut" | "by_ref" | "each_ref"
-                | "copied" | "cloned",
+                "clone" | "to_owned" | "borrow" | "as_ref" | "as_slice" | "as_mut" | "by_ref"
+                | "each_ref" | "copied" | "cloned",
                 [],
             ) if !matches!(value, Value::Scalar(_)) || call.name != "copied" => Ok(value),
             (value, "into", []) => Ok(Value::Into(Box::new(value))),
             (Value::Scalar(n), ..) => {
-                let arguments = std::iter::once(Value::Scalar(n)).chain(call.arguments.iter().cloned());
+                let arguments =
+                    std::iter::once(Value::Scalar(n)).chain(call.arguments.iter().cloned());
                 match self.own_method("f64", &call.name, arguments.collect(), &call)? {
                     Some(value) => Ok(value),
                     None => self.scalar_method(n, &call),
@@ -104,9 +108,10 @@ impl Reader {
             (Value::Spatial(slot), ..) => self.state_method(slot, 3, &call),
             (Value::Law(law), ..) => self.law_method(law, &call),
             (Value::Array(all), ..) => self.list_method(all, true, call),
-            (Value::Into(_) | Value::Generator(_), ..) => {
-                Err(Unreadable::new(&whole.method, "a method of a value whose type is not known here"))
-            }
+            (Value::Into(_) | Value::Generator(_), ..) => Err(Unreadable::new(
+                &whole.method,
+                "a method of a value whose type is not known here",
+            )),
             (Value::Condition(holds), ..) => self.condition_method(holds, &call),
             (other, ..) => Ok(self.unknown(&call, &other.name(), "")),
         }
@@ -118,7 +123,8 @@ impl Reader {
         if call.name == "clone" && call.arguments.is_empty() {
             return Ok(value);
         }
-        let arguments = std::iter::once(value.clone()).chain(call.arguments.iter().cloned()).collect();
+        let arguments =
+            std::iter::once(value.clone()).chain(call.arguments.iter().cloned()).collect();
         if let Some(value) = self.own_method(&adt.type_name(), &call.name, arguments, &call)? {
             return Ok(value);
         }
@@ -162,7 +168,8 @@ impl Reader {
         let (Some(x), 1) = (whole.args.first(), whole.args.len()) else {
             return Err(Unreadable::new(&whole.method, "this `contains`"));
         };
-        let lower = range.start.as_ref().map(|bound| (&**bound, syn::BinOp::Ge(syn::token::Ge::default())));
+        let lower =
+            range.start.as_ref().map(|bound| (&**bound, syn::BinOp::Ge(syn::token::Ge::default())));
         let upper = range.end.as_ref().map(|bound| match range.limits {
             syn::RangeLimits::Closed(_) => (&**bound, syn::BinOp::Le(syn::token::Le::default())),
             syn::RangeLimits::HalfOpen(_) => (&**bound, syn::BinOp::Lt(syn::token::Lt::default())),

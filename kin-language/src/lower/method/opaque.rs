@@ -10,9 +10,9 @@ use crate::parse::{Shape, literal_length};
 use crate::vocabulary::{is_integer, is_scalar_method, is_vector_method};
 
 impl Reader {
-    /// Where a number is needed for it to be read, a name of f64's vocabulary takes the receiver for one, and
-    /// a vector beside it takes it for a vector; unless the receiver is a parameter itself, whose type is the
-    /// user's.
+    /// Where a number is needed for it to be read, a name of f64's vocabulary takes the receiver
+    /// for one, and a vector beside it takes it for a vector; unless the receiver is a parameter
+    /// itself, whose type is the user's.
     pub(super) fn opaque_method(&mut self, template: Template, call: Call) -> Read {
         if matches!(call.name.as_str(), "iter" | "into_iter" | "len" | "windows" | "chunks" | "map")
             && let Some(all) = self.integers_of(&template)
@@ -21,18 +21,24 @@ impl Reader {
         }
         let own = matches!(template, Template::Parameter(_));
         let applies = call.arguments.iter().any(|value| matches!(value, Value::Function(_)));
-        if self.is_option(&template) || applies && super::option::WITH_CLOSURES.contains(&call.name.as_str())
+        if self.is_option(&template)
+            || applies && super::option::WITH_CLOSURES.contains(&call.name.as_str())
         {
             return self.option_at_run_time(template, &call);
         }
         if applies || call.arguments.iter().any(|value| matches!(value, Value::Iterator(_))) {
-            return Err(Unreadable::new(&call.whole.method, "a closure handed to a function of your own"));
+            return Err(Unreadable::new(
+                &call.whole.method,
+                "a closure handed to a function of your own",
+            ));
         }
-        let numbers =
-            !template.nodes().is_empty() || call.arguments.iter().any(|value| value.numbers().is_some());
+        let numbers = !template.nodes().is_empty()
+            || call.arguments.iter().any(|value| value.numbers().is_some());
         match (call.name.as_str(), call.arguments.first().map(|value| value.clone().referent())) {
             ("sin_cos", None) if !own => self.number_method(template, &call),
-            (name, _) if is_scalar_method(name) && numbers && !own => self.number_method(template, &call),
+            (name, _) if is_scalar_method(name) && numbers && !own => {
+                self.number_method(template, &call)
+            }
             (name, Some(Value::Vector(v))) if is_vector_method(name) && !own => {
                 let receiver = self.vector(Value::Opaque(template), v.len(), &call.whole.receiver);
                 self.vector_method(&receiver, &call)
@@ -44,11 +50,12 @@ impl Reader {
                     .zip(call.places)
                     .map(|(value, place)| self.template(value, place));
                 let templates = templates.collect::<Read<Vec<_>>>()?;
-                let (method, turbofish) = (&call.whole.method, &call.whole.turbofish);
+                let method = &call.whole.method;
+                let turbofish = &call.whole.turbofish;
                 let name = quote!(#method #turbofish);
-                Ok(Value::Opaque(
-                    template.each(&|part| Template::Method(Box::new(part), name.clone(), templates.clone())),
-                ))
+                Ok(Value::Opaque(template.each(&|part| {
+                    Template::Method(Box::new(part), name.clone(), templates.clone())
+                })))
             }
         }
     }
@@ -60,11 +67,13 @@ impl Reader {
         }
     }
 
-    /// The elements of a parameter that is declared as an array of integers or conditions: its type says how
-    /// many there are.
+    /// The elements of a parameter that is declared as an array of integers or conditions: its type
+    /// says how many there are.
     pub fn integers_of(&self, template: &Template) -> Option<Vec<Value>> {
         let Template::Parameter(name) = template else { return None };
-        let syn::Type::Array(array) = self.parameter_types.get(&name.to_string())? else { return None };
+        let syn::Type::Array(array) = self.parameter_types.get(&name.to_string())? else {
+            return None;
+        };
         let element = array.elem.to_token_stream().to_string();
         let n = literal_length(&array.len).filter(|_| element == "bool" || is_integer(&element))?;
         let at = |k: usize| {
@@ -88,7 +97,9 @@ impl Reader {
         let matched = self.test(&held, &Value::Opaque(template));
         let value = self.named("held").cloned().unwrap_or(Value::Poison);
         self.scopes.pop();
-        let (matched, some, none) = (matched?, Value::some(value), Value::none());
+        let matched = matched?;
+        let some = Value::some(value);
+        let none = Value::none();
         let option = self.joined(matched, &some, &none, call)?;
         self.each(option, call, &mut |reader, value| match value {
             Value::Adt(adt) => reader.option_method(adt, call),

@@ -5,7 +5,8 @@ use crate::lower::value::{Adt, Value};
 use crate::lower::{Read, Reader, Unreadable};
 use kin_graph::Node;
 
-/// Methods of `Option` that a value only rustc knows is taken for one by, where a closure is handed to it.
+/// Methods of `Option` that a value only rustc knows is taken for one by, where a closure is handed
+/// to it.
 pub const WITH_CLOSURES: &[&str] = &[
     "map",
     "map_or",
@@ -24,7 +25,8 @@ impl Reader {
         let held = matches!(adt.name.as_str(), "Some" | "Ok");
         let inner = adt.fields.first().map(|(_, value)| value.clone()).unwrap_or(Value::Unassigned);
         let same = Value::Adt(adt.clone());
-        let with = |value: Value| Value::Adt(Adt { fields: vec![("0".into(), value)], ..adt.clone() });
+        let with =
+            |value: Value| Value::Adt(Adt { fields: vec![("0".into(), value)], ..adt.clone() });
         let argument = |k: usize| call.arguments.get(k).cloned().unwrap_or(Value::Poison);
         let place = |k: usize| call.places.get(k).copied();
         let truth = |reader: &mut Self, holds: bool| Ok(Value::Condition(reader.graph.bool(holds)));
@@ -43,7 +45,9 @@ impl Reader {
             ("unwrap" | "expect", _) => Ok(Value::Never),
             ("unwrap_or", 1) => Ok(argument(0)),
             ("unwrap_or_default", 0) => Ok(Value::Scalar(self.graph.zero())),
-            ("unwrap_or_else", 1) => apply(self, 0, if adt.name == "Err" { vec![inner] } else { vec![] }),
+            ("unwrap_or_else", 1) => {
+                apply(self, 0, if adt.name == "Err" { vec![inner] } else { vec![] })
+            }
             ("map", 1) if held => Ok(with(apply(self, 0, vec![inner])?)),
             ("and_then", 1) if held => apply(self, 0, vec![inner]),
             ("map" | "and_then", 1) => Ok(same),
@@ -56,7 +60,9 @@ impl Reader {
             ("map_or", 2) if held => apply(self, 1, vec![inner]),
             ("map_or", 2) => Ok(argument(0)),
             ("map_or_else", 2) if held => apply(self, 1, vec![inner]),
-            ("map_or_else", 2) => apply(self, 0, if adt.name == "Err" { vec![inner] } else { vec![] }),
+            ("map_or_else", 2) => {
+                apply(self, 0, if adt.name == "Err" { vec![inner] } else { vec![] })
+            }
             ("is_some_and" | "is_ok_and", 1) if held => apply(self, 0, vec![inner]),
             ("is_some_and" | "is_ok_and", 1) => truth(self, false),
             ("is_none_or", 1) if held => apply(self, 0, vec![inner]),
@@ -70,7 +76,9 @@ impl Reader {
                 Ok(if held { with(self.loaded(inner)) } else { same })
             }
             ("zip", 1) => self.zipped(&same, argument(0), call),
-            ("iter" | "into_iter", 0) => Ok(Value::Iterator(if held { vec![inner] } else { vec![] })),
+            ("iter" | "into_iter", 0) => {
+                Ok(Value::Iterator(if held { vec![inner] } else { vec![] }))
+            }
             ("flatten", 0) => Ok(if held { self.loaded(inner) } else { same }),
             _ => self.other_count(&call.whole.method, call.arguments.len()).ok_or_else(|| {
                 let what = format!("`{}` of an `Option` or `Result`", call.name);
@@ -105,7 +113,9 @@ impl Reader {
         let other = self.loaded(other);
         self.each(other, call, &mut |_, other| match (one, other) {
             (Value::Adt(a), Value::Adt(b)) => Ok(match (a.fields.first(), b.fields.first()) {
-                (Some((_, a)), Some((_, b))) => Value::some(Value::Tuple(vec![a.clone(), b.clone()])),
+                (Some((_, a)), Some((_, b))) => {
+                    Value::some(Value::Tuple(vec![a.clone(), b.clone()]))
+                }
                 _ => Value::none(),
             }),
             _ => Err(Unreadable::new(&call.whole.method, "`zip` of these")),
@@ -117,15 +127,22 @@ impl Reader {
         match (call.name.as_str(), &call.arguments[..]) {
             ("then", [f]) => {
                 let f = self.function(f.clone(), call.places[0])?;
-                let some = |reader: &mut Self| Ok(Value::some(reader.apply(&f, vec![], &[], call)?));
+                let some =
+                    |reader: &mut Self| Ok(Value::some(reader.apply(&f, vec![], &[], call)?));
                 self.choose(holds, some, |_| Ok(Value::none()), call)
             }
-            ("then_some", [value]) => self.joined(holds, &Value::some(value.clone()), &Value::none(), call),
+            ("then_some", [value]) => {
+                self.joined(holds, &Value::some(value.clone()), &Value::none(), call)
+            }
             ("not", []) => Ok(Value::Condition(self.graph.not(holds))),
             ("cmp" | "eq" | "ne", _) => {
                 Err(Unreadable::new(&call.whole.method, format!("`{}` of a condition", call.name)))
             }
-            _ => Ok(self.unknown(call, "a condition", "; a number of it is `if … { 1.0 } else { 0.0 }`")),
+            _ => Ok(self.unknown(
+                call,
+                "a condition",
+                "; a number of it is `if … { 1.0 } else { 0.0 }`",
+            )),
         }
     }
 }

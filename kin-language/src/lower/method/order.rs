@@ -18,9 +18,14 @@ impl Reader {
             (Some(false), Some(false)) => return named("Greater"),
             _ => {}
         }
-        let (not_less, not_equal) = (self.graph.not(less), self.graph.not(equal));
+        let not_less = self.graph.not(less);
+        let not_equal = self.graph.not(equal);
         let greater = self.graph.and(not_less, not_equal);
-        Value::Choice(vec![(less, named("Less")), (greater, named("Greater")), (equal, named("Equal"))])
+        Value::Choice(vec![
+            (less, named("Less")),
+            (greater, named("Greater")),
+            (equal, named("Equal")),
+        ])
     }
 
     /// The condition under which an order is the one of that name.
@@ -29,8 +34,9 @@ impl Reader {
             Value::Adt(adt) => Ok(self.graph.bool(adt.name == name)),
             Value::Choice(all) => {
                 let never = self.graph.bool(false);
-                let fitting =
-                    all.into_iter().filter(|(_, value)| matches!(value, Value::Adt(adt) if adt.name == name));
+                let fitting = all
+                    .into_iter()
+                    .filter(|(_, value)| matches!(value, Value::Adt(adt) if adt.name == name));
                 Ok(fitting.fold(never, |any, (taken, _)| self.graph.or(any, taken)))
             }
             Value::Poison => Ok(self.graph.bool(false)),
@@ -63,7 +69,9 @@ impl Reader {
                     _ => "Equal",
                 }));
             }
-            "then" if is(&["Equal"]) && call.arguments.len() == 1 => return Ok(call.arguments[0].clone()),
+            "then" if is(&["Equal"]) && call.arguments.len() == 1 => {
+                return Ok(call.arguments[0].clone());
+            }
             "then_with" if is(&["Equal"]) && call.arguments.len() == 1 => {
                 let f = self.function(call.arguments[0].clone(), call.places[0])?;
                 return self.apply(&f, vec![], &[], call);

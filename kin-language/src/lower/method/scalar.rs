@@ -48,8 +48,9 @@ impl Reader {
 
     /// `k.to_bits()`
     fn underived(&mut self, n: Node, call: &Call) -> Read {
-        if let Some(place) =
-            (0..call.places.len()).find(|&k| self.value_varies(&call.arguments[k])).map(|k| call.places[k])
+        if let Some(place) = (0..call.places.len())
+            .find(|&k| self.value_varies(&call.arguments[k]))
+            .map(|k| call.places[k])
         {
             return Ok(self.no_derivative(&call.name, place));
         }
@@ -70,7 +71,13 @@ impl Reader {
     }
 
     /// xⁿ with an integer n.
-    pub fn power(&mut self, x: Node, exponent: Value, place: &dyn ToTokens, at: &dyn ToTokens) -> Read {
+    pub fn power(
+        &mut self,
+        x: Node,
+        exponent: Value,
+        place: &dyn ToTokens,
+        at: &dyn ToTokens,
+    ) -> Read {
         match exponent.referent() {
             Value::Integer(k, _) if i32::try_from(k).is_ok() => {
                 let power = self.graph.powi(x, k as i32);
@@ -84,20 +91,30 @@ impl Reader {
             Value::Opaque(_) => Err(Unreadable::new(place, "an exponent that is not known here")),
             other => Ok(self.mistake(
                 place,
-                format!("`powi` takes an integer, but this is {}; `powf` takes a number", other.name()),
+                format!(
+                    "`powi` takes an integer, but this is {}; `powf` takes a number",
+                    other.name()
+                ),
             )),
         }
     }
 
     /// f(x, …) by f64's names, with as many arguments as it takes.
-    pub fn scalar_function(&mut self, x: Node, name: &str, arguments: &[Node], at: &dyn ToTokens) -> Value {
+    pub fn scalar_function(
+        &mut self,
+        x: Node,
+        name: &str,
+        arguments: &[Node],
+        at: &dyn ToTokens,
+    ) -> Value {
         let g = &mut self.graph;
         let function = (Function::from_method(name), Function2::from_method(name));
         let y = match (name, function, arguments) {
             (_, (Some(f), _), []) => g.call(f, x),
             (_, (_, Some(f)), [y]) => g.call2(f, x, *y),
             ("sin_cos", _, []) => {
-                let (sin, cos) = (g.call(Function::Sin, x), g.call(Function::Cos, x));
+                let sin = g.call(Function::Sin, x);
+                let cos = g.call(Function::Cos, x);
                 return Value::Tuple(vec![Value::Scalar(sin), Value::Scalar(cos)]);
             }
             ("recip", _, []) => g.powi(x, -1),
@@ -110,12 +127,16 @@ impl Reader {
                 g.mul(factor, x)
             }
             ("copysign", _, [sign]) => {
-                let (size, sign) = (g.call(Function::Abs, x), g.call(Function::Signum, *sign));
+                let size = g.call(Function::Abs, x);
+                let sign = g.call(Function::Signum, *sign);
                 g.mul(size, sign)
             }
-            (_, _, []) if KINDS_OF_NUMBERS.contains(&name) => return Value::Condition(is_such(g, name, x)),
+            (_, _, []) if KINDS_OF_NUMBERS.contains(&name) => {
+                return Value::Condition(is_such(g, name, x));
+            }
             ("log", _, [base]) => {
-                let (x, base) = (g.call(Function::Ln, x), g.call(Function::Ln, *base));
+                let x = g.call(Function::Ln, x);
+                let base = g.call(Function::Ln, *base);
                 g.div(x, base)
             }
             ("mul_add", _, [a, b]) => {
@@ -131,7 +152,8 @@ impl Reader {
         Value::Scalar(y)
     }
 
-    /// That a function of f64's is given too few numbers or too many, the one before the dot among them.
+    /// That a function of f64's is given too few numbers or too many, the one before the dot among
+    /// them.
     fn miscounted(&mut self, name: &str, given: usize, at: &dyn ToTokens) -> Value {
         let (takes, form) = match name {
             "mul_add" | "clamp" => (3, format!("x.{name}(a, b)")),
@@ -170,13 +192,18 @@ impl Reader {
                 return Ok(Value::Integer(i64::from(k.count_ones()), IntegerType::named("u32")));
             }
             ("trailing_zeros", None) if k > 0 => {
-                return Ok(Value::Integer(i64::from(k.trailing_zeros()), IntegerType::named("u32")));
+                return Ok(Value::Integer(
+                    i64::from(k.trailing_zeros()),
+                    IntegerType::named("u32"),
+                ));
             }
             _ => {}
         }
         let value = match (call.name.as_str(), argument) {
             ("div_ceil", Some(n)) if k >= 0 && n > 0 => Some((k - 1).div_euclid(n) + 1),
-            ("saturating_sub", Some(n)) if ty.is_some_and(IntegerType::is_unsigned) => Some((k - n).max(0)),
+            ("saturating_sub", Some(n)) if ty.is_some_and(IntegerType::is_unsigned) => {
+                Some((k - n).max(0))
+            }
             ("pow", Some(n)) => u32::try_from(n).ok().and_then(|n| k.checked_pow(n)),
             ("abs", None) => k.checked_abs(),
             ("signum", None) => Some(k.signum()),
@@ -214,12 +241,14 @@ fn is_such(g: &mut Graph, name: &str, x: Node) -> Node {
         "is_finite" => g.is_finite(x),
         "is_sign_negative" | "is_sign_positive" => {
             let sign = g.call(Function::Signum, x);
-            let side = if name == "is_sign_negative" { Comparison::Less } else { Comparison::Greater };
+            let side =
+                if name == "is_sign_negative" { Comparison::Less } else { Comparison::Greater };
             g.compare(side, sign, zero)
         }
         // A size is 0 or more, but of what is no number.
         _ => {
-            let (size, largest) = (g.call(Function::Abs, x), g.constant(f64::MAX));
+            let size = g.call(Function::Abs, x);
+            let largest = g.constant(f64::MAX);
             match name {
                 "is_infinite" => g.compare(Comparison::Greater, size, largest),
                 _ => {

@@ -28,7 +28,8 @@ impl Reader {
         let place = call.places[0];
         let value = match call.arguments[0].clone().referent() {
             Value::Vector(v) if v.len() != n => {
-                let text = format!("`{name}` of {body} needs a Vec{n}, but this is a Vec{}", v.len());
+                let text =
+                    format!("`{name}` of {body} needs a Vec{n}, but this is a Vec{}", v.len());
                 self.mistake(place, text)
             }
             value => value,

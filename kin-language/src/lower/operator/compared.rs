@@ -6,8 +6,10 @@ impl Reader {
     pub(super) fn conditions(&mut self, op: BinOp, a: Node, b: Node, at: &ExprBinary) -> Read {
         let g = &mut self.graph;
         let differ = |g: &mut Graph| {
-            let (not_a, not_b) = (g.not(a), g.not(b));
-            let (only_a, only_b) = (g.and(a, not_b), g.and(not_a, b));
+            let not_a = g.not(a);
+            let not_b = g.not(b);
+            let only_a = g.and(a, not_b);
+            let only_b = g.and(not_a, b);
             g.or(only_a, only_b)
         };
         Ok(Value::Condition(match op {
@@ -18,8 +20,17 @@ impl Reader {
                 let differ = differ(g);
                 g.not(differ)
             }
-            _ if comparison(&op).is_some() => return Err(Unreadable::new(at, "an order of conditions")),
-            _ => return Ok(self.operator_mistake(op, &Value::Condition(a), &Value::Condition(b), at)),
+            _ if comparison(&op).is_some() => {
+                return Err(Unreadable::new(at, "an order of conditions"));
+            }
+            _ => {
+                return Ok(self.operator_mistake(
+                    op,
+                    &Value::Condition(a),
+                    &Value::Condition(b),
+                    at,
+                ));
+            }
         }))
     }
 
@@ -59,6 +70,10 @@ impl Reader {
             let one = self.graph.compare(Comparison::Equal, a, b);
             self.graph.and(all, one)
         });
-        Ok(Value::Condition(if comparison == Comparison::Equal { all } else { self.graph.not(all) }))
+        Ok(Value::Condition(if comparison == Comparison::Equal {
+            all
+        } else {
+            self.graph.not(all)
+        }))
     }
 }

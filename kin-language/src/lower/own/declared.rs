@@ -1,4 +1,5 @@
-//! The declarations of the body's own types: structs and enums, their functions, constants and traits.
+//! The declarations of the body's own types: structs and enums, their functions, constants and
+//! traits.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -20,8 +21,8 @@ pub struct Own {
     types: HashMap<String, Declared>,
     /// The functions that traits give to whoever has them, by the trait's name.
     traits: HashMap<String, Vec<ItemFn>>,
-    /// By the names of the type and the function; several of one name take other types. A constant is a
-    /// function without arguments.
+    /// By the names of the type and the function; several of one name take other types. A constant
+    /// is a function without arguments.
     functions: HashMap<(String, String), Vec<Inner>>,
 }
 
@@ -69,7 +70,8 @@ impl Declared {
     }
 
     fn with_fields(self, fields: &Fields) -> Self {
-        let named = field_names(fields).into_iter().zip(fields.iter().map(|field| field.ty.clone()));
+        let named =
+            field_names(fields).into_iter().zip(fields.iter().map(|field| field.ty.clone()));
         Declared { fields: named.collect(), braces: matches!(fields, Fields::Named(_)), ..self }
     }
 
@@ -79,7 +81,8 @@ impl Declared {
             if let Some((_, value)) = &variant.discriminant {
                 next = integer(value);
             }
-            let (name, fields) = (variant.ident.to_string(), field_names(&variant.fields));
+            let name = variant.ident.to_string();
+            let fields = field_names(&variant.fields);
             self.variants.push(Variant { name, integer: next, fields });
             next = next.and_then(|k: i64| k.checked_add(1));
             if variant.attrs.iter().any(|attribute| attribute.path().is_ident("default")) {
@@ -116,10 +119,14 @@ impl Own {
             }
             Item::Trait(of) => {
                 let given = of.items.iter().filter_map(|item| match item {
-                    TraitItem::Fn(function) => Some(whole(&function.sig, function.default.as_ref()?)),
-                    TraitItem::Const(constant) => {
-                        Some(constant_function(&constant.ident, &constant.ty, &constant.default.as_ref()?.1))
+                    TraitItem::Fn(function) => {
+                        Some(whole(&function.sig, function.default.as_ref()?))
                     }
+                    TraitItem::Const(constant) => Some(constant_function(
+                        &constant.ident,
+                        &constant.ty,
+                        &constant.default.as_ref()?.1,
+                    )),
                     _ => None,
                 });
                 self.traits.insert(of.ident.to_string(), given.collect());
@@ -133,7 +140,9 @@ impl Own {
     fn implementation(&mut self, of: &ItemImpl, depth: usize) -> bool {
         let Type::Path(path) = &*of.self_ty else { return false };
         let last = path.path.segments.last().map(|last| last.ident.to_string());
-        let Some(name) = last.filter(|name| self.is_type(name) || name == "f64") else { return false };
+        let Some(name) = last.filter(|name| self.is_type(name) || name == "f64") else {
+            return false;
+        };
         let own = of.items.iter().filter_map(|item| match item {
             ImplItem::Fn(function) => Some(whole(&function.sig, &function.block)),
             ImplItem::Const(constant) => {
@@ -148,13 +157,18 @@ impl Own {
         let mut items: Vec<ItemFn> = own.collect();
         // A function of the type itself stands in the place of the trait's.
         let given = of_trait.into_iter().flatten();
-        let given = given.filter(|given| items.iter().all(|item| item.sig.ident != given.sig.ident));
+        let given =
+            given.filter(|given| items.iter().all(|item| item.sig.ident != given.sig.ident));
         items.extend(given.cloned().collect::<Vec<_>>());
         for mut item in items {
             let function = item.sig.ident.to_string();
             item.sig.generics.params.extend(of.generics.params.iter().cloned());
-            Substitution(&[("Self".to_string(), (*of.self_ty).clone())].into()).visit_item_fn_mut(&mut item);
-            self.functions.entry((name.clone(), function)).or_default().push((Rc::new(item), depth));
+            Substitution(&[("Self".to_string(), (*of.self_ty).clone())].into())
+                .visit_item_fn_mut(&mut item);
+            self.functions
+                .entry((name.clone(), function))
+                .or_default()
+                .push((Rc::new(item), depth));
         }
         true
     }
@@ -169,10 +183,13 @@ impl Own {
 
     /// The path of a variant with its enum before it, where `use Joint::*` has left it out.
     pub fn whole_path(&self, path: &syn::Path) -> syn::Path {
-        let owner = path.get_ident().filter(|name| !self.is_type(&name.to_string())).and_then(|variant| {
-            let has = |declared: &Declared| declared.variants.iter().any(|known| *variant == known.name);
-            self.types.iter().filter(|(_, declared)| has(declared)).map(|(name, _)| name).min()
-        });
+        let owner =
+            path.get_ident().filter(|name| !self.is_type(&name.to_string())).and_then(|variant| {
+                let has = |declared: &Declared| {
+                    declared.variants.iter().any(|known| *variant == known.name)
+                };
+                self.types.iter().filter(|(_, declared)| has(declared)).map(|(name, _)| name).min()
+            });
         match owner {
             Some(owner) => {
                 let owner = syn::Ident::new(owner, proc_macro2::Span::call_site());
@@ -229,13 +246,15 @@ fn fits(ty: &Type, value: &Value) -> bool {
     match (ty, value) {
         (Type::Reference(ty), value) => fits(&ty.elem, value),
         (ty, Value::Reference(value)) => fits(ty, value),
-        (Type::Path(path), value) => match (path.path.segments.last().map(|s| s.ident.to_string()), value) {
-            (Some(name), Value::Adt(adt)) => name == adt.type_name(),
-            (Some(name), Value::Scalar(_)) => name == "f64",
-            (Some(name), Value::Vector(v)) => name == format!("Vec{}", v.len()),
-            (Some(name), Value::Integer(..)) => name != "f64",
-            _ => true,
-        },
+        (Type::Path(path), value) => {
+            match (path.path.segments.last().map(|s| s.ident.to_string()), value) {
+                (Some(name), Value::Adt(adt)) => name == adt.type_name(),
+                (Some(name), Value::Scalar(_)) => name == "f64",
+                (Some(name), Value::Vector(v)) => name == format!("Vec{}", v.len()),
+                (Some(name), Value::Integer(..)) => name != "f64",
+                _ => true,
+            }
+        }
         (Type::Tuple(_), value) => !matches!(value, Value::Scalar(_) | Value::Adt(_)),
         _ => true,
     }
@@ -275,7 +294,9 @@ fn derived(attribute: &Attribute) -> Vec<String> {
 fn integer(value: &Expr) -> Option<i64> {
     match value {
         Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(k), .. }) => k.base10_parse().ok(),
-        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => integer(expr)?.checked_neg(),
+        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => {
+            integer(expr)?.checked_neg()
+        }
         _ => None,
     }
 }

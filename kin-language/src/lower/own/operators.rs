@@ -1,4 +1,5 @@
-//! Operators beside values of structs and enums: those of the body's own, and those that rustc knows.
+//! Operators beside values of structs and enums: those of the body's own, and those that rustc
+//! knows.
 
 use syn::{BinOp, Expr, ExprBinary, UnOp};
 
@@ -50,7 +51,8 @@ impl Reader {
             _ => None,
         };
         if let (Some(ty), Some([method, _])) = (type_of(&left), methods(&op))
-            && let Some(value) = self.own_method(&ty, method, vec![left.clone(), right.clone()], at)?
+            && let Some(value) =
+                self.own_method(&ty, method, vec![left.clone(), right.clone()], at)?
         {
             return Ok(value);
         }
@@ -72,8 +74,10 @@ impl Reader {
             }));
         }
         for (value, other, place) in [(&left, &right, &at.left), (&right, &left, &at.right)] {
-            let number =
-                matches!(other, Value::Scalar(_) | Value::Vector(_) | Value::Matrix(..) | Value::Integer(..));
+            let number = matches!(
+                other,
+                Value::Scalar(_) | Value::Vector(_) | Value::Matrix(..) | Value::Integer(..)
+            );
             if let (Value::Adt(Adt { name, .. }), true) = (value, number)
                 && matches!(name.as_str(), "Some" | "None" | "Ok" | "Err")
             {
@@ -81,7 +85,8 @@ impl Reader {
                 return Ok(self.mistake(place, text));
             }
         }
-        let (a, b) = (self.template(left, &at.left)?, self.template(right, &at.right)?);
+        let a = self.template(left, &at.left)?;
+        let b = self.template(right, &at.right)?;
         Ok(Value::Opaque(Template::Binary(Box::new(a), op, Box::new(b))))
     }
 
@@ -89,7 +94,8 @@ impl Reader {
     pub fn unary_of_own(&mut self, op: UnOp, value: Value, at: &Expr) -> Read {
         let method = if matches!(op, UnOp::Neg(_)) { "neg" } else { "not" };
         if let Value::Adt(adt) = &value
-            && let Some(value) = self.own_method(&adt.type_name(), method, vec![value.clone()], at)?
+            && let Some(value) =
+                self.own_method(&adt.type_name(), method, vec![value.clone()], at)?
         {
             return Ok(value);
         }
@@ -117,12 +123,14 @@ impl Reader {
             Value::Opaque(template) if is_of_struct(template) => {}
             _ => return Ok(None),
         }
-        let (a, b) = (self.template(left.clone(), &at.left)?, self.template(right.clone(), &at.right)?);
+        let a = self.template(left.clone(), &at.left)?;
+        let b = self.template(right.clone(), &at.right)?;
         let value = Value::Opaque(Template::Binary(Box::new(a), at.op, Box::new(b)));
         self.assign(&at.left, value).map(Some)
     }
 
-    /// `a < b` of two values of one type of the body's own; `None` where it has no order that is known here.
+    /// `a < b` of two values of one type of the body's own; `None` where it has no order that is
+    /// known here.
     fn ordered_own(
         &mut self,
         op: BinOp,
@@ -138,15 +146,18 @@ impl Reader {
             BinOp::Ge(_) => (&["Greater", "Equal"], true, true),
             _ => return Ok(None),
         };
-        let borrowed = [left, right].map(|value| Value::Reference(Box::new(value.clone()))).to_vec();
+        let borrowed =
+            [left, right].map(|value| Value::Reference(Box::new(value.clone()))).to_vec();
         if let Some(order) = self.own_method(&a.type_name(), "partial_cmp", borrowed, at)? {
             let order = self.loaded(order);
-            return self.each(order, at, &mut |reader, order| reader.is_one_of(order, names, at)).map(Some);
+            return self
+                .each(order, at, &mut |reader, order| reader.is_one_of(order, names, at))
+                .map(Some);
         }
         let (first, second) = if swapped { (b, a) } else { (a, b) };
-        Ok(self
-            .less(first, second)
-            .map(|(less, equal)| Value::Condition(if or_equal { self.graph.or(less, equal) } else { less })))
+        Ok(self.less(first, second).map(|(less, equal)| {
+            Value::Condition(if or_equal { self.graph.or(less, equal) } else { less })
+        }))
     }
 
     /// The condition that `Some(order)` is an order of one of these names.
@@ -164,19 +175,27 @@ impl Reader {
     }
 
     /// The conditions that one value is less than another, and that they are equal, as
-    /// `#[derive(PartialOrd)]` has it: by the variants in their order, then by the fields in theirs.
+    /// `#[derive(PartialOrd)]` has it: by the variants in their order, then by the fields in
+    /// theirs.
     fn less(&mut self, a: &Adt, b: &Adt) -> Option<(Node, Node)> {
-        let declared = self.own.declared(&a.type_name()).filter(|declared| declared.derives("PartialOrd"))?;
-        let place = |adt: &Adt| declared.variants.iter().position(|variant| variant.name == adt.name);
+        let declared =
+            self.own.declared(&a.type_name()).filter(|declared| declared.derives("PartialOrd"))?;
+        let place =
+            |adt: &Adt| declared.variants.iter().position(|variant| variant.name == adt.name);
         if place(a) != place(b) {
-            let (less, equal) = (place(a) < place(b), false);
+            let less = place(a) < place(b);
+            let equal = false;
             return Some((self.graph.bool(less), self.graph.bool(equal)));
         }
         let named = declared.fields.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
         // The fields of a variant are numbered.
-        let names =
-            if named.is_empty() { a.fields.iter().map(|(name, _)| name.clone()).collect() } else { named };
-        let (mut less, mut equal) = (self.graph.bool(false), self.graph.bool(true));
+        let names = if named.is_empty() {
+            a.fields.iter().map(|(name, _)| name.clone()).collect()
+        } else {
+            named
+        };
+        let mut less = self.graph.bool(false);
+        let mut equal = self.graph.bool(true);
         for name in names {
             let (x, y) = match (a.field(&name)?, b.field(&name)?) {
                 (Value::Integer(x, _), Value::Integer(y, _)) => {
@@ -184,8 +203,12 @@ impl Reader {
                     (self.graph.bool(x), self.graph.bool(y))
                 }
                 (Value::Scalar(x), Value::Scalar(y)) => {
-                    let (x, y) = (*x, *y);
-                    (self.graph.compare(Comparison::Less, x, y), self.graph.compare(Comparison::Equal, x, y))
+                    let x = *x;
+                    let y = *y;
+                    (
+                        self.graph.compare(Comparison::Less, x, y),
+                        self.graph.compare(Comparison::Equal, x, y),
+                    )
                 }
                 (Value::Adt(x), Value::Adt(y)) => self.less(&x.clone(), &y.clone())?,
                 _ => return None,
@@ -208,7 +231,8 @@ impl Reader {
                 (Value::Integer(a, _), Value::Integer(b, _)) => self.graph.bool(a == b),
                 (Value::Adt(a), Value::Adt(b)) => self.same(a, b)?,
                 (a, b) => {
-                    let ((a, shape), (b, other)) = (a.numbers()?, b.numbers()?);
+                    let (a, shape) = a.numbers()?;
+                    let (b, other) = b.numbers()?;
                     (shape == other).then_some(())?;
                     let mut same = self.graph.bool(true);
                     for (a, b) in a.into_iter().zip(b) {

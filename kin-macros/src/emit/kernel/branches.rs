@@ -1,5 +1,5 @@
-//! Choices of which only the branch that is taken is computed: all values that hang on one condition come out
-//! of one `if`.
+//! Choices of which only the branch that is taken is computed: all values that hang on one
+//! condition come out of one `if`.
 
 use super::*;
 use kin_graph::schedule::Choice;
@@ -16,9 +16,12 @@ impl Kernel<'_> {
         let condition = self.expression(choice.condition);
         let (if_so, if_not) = choice.selections.iter().map(|&node| self.branches_of(node)).unzip();
         let (if_so, if_not): (Vec<Node>, Vec<Node>) = (if_so, if_not);
-        let (if_so, if_not) = (self.branch(&if_so), self.branch(&if_not));
-        let names: Vec<Ident> = choice.selections.iter().map(|&node| self.name_of_choice(node)).collect();
-        self.statements.push(quote!(let (#(#names),*) = if #condition { #if_so } else { #if_not };));
+        let if_so = self.branch(&if_so);
+        let if_not = self.branch(&if_not);
+        let names: Vec<Ident> =
+            choice.selections.iter().map(|&node| self.name_of_choice(node)).collect();
+        self.statements
+            .push(quote!(let (#(#names),*) = if #condition { #if_so } else { #if_not };));
     }
 
     fn branches_of(&self, selection: Node) -> (Node, Node) {
@@ -38,7 +41,8 @@ impl Kernel<'_> {
     /// Code of a branch, with its values as a tuple; what it names is forgotten behind it.
     fn branch(&mut self, values: &[Node]) -> TokenStream {
         let outside = std::mem::take(&mut self.statements);
-        let (names, evaluations) = (self.names.len(), self.evaluations.clone());
+        let names = self.names.len();
+        let evaluations = self.evaluations.clone();
         let mut results = vec![quote!(); values.len()];
         for group in self.order(values) {
             group.nodes.into_iter().for_each(|node| self.name(node));

@@ -1,5 +1,5 @@
-//! The equation over dual numbers, out of the graph: for bodies whose own copy over them rustc could not
-//! read.
+//! The equation over dual numbers, out of the graph: for bodies whose own copy over them rustc
+//! could not read.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -65,7 +65,8 @@ impl Kernel<'_> {
     pub(super) fn dual_evaluation(&mut self, node: Node) -> Option<TokenStream> {
         match self.graph().op(node) {
             Op::Law(law, x, order) => {
-                let (law, x) = (template::place(&self.lowered.laws[law]), self.expression(x));
+                let law = template::place(&self.lowered.laws[law]);
+                let x = self.expression(x);
                 Some(if order == 0 { quote!(#law.at(#x)) } else { quote!(#law.slope(#x)) })
             }
             Op::Opaque(number, component) => {
@@ -90,7 +91,8 @@ impl Kernel<'_> {
             }
             Op::Leaf(LeafUse { leaf, output, .. }) => {
                 let leaf = self.graph().leaves[leaf].clone();
-                let (kind, function) = (&self.lowered.leaves[leaf.call].kind, template::leaf_name(leaf.call));
+                let kind = &self.lowered.leaves[leaf.call].kind;
+                let function = template::leaf_name(leaf.call);
                 let kin_language::lower::OpaqueKind::Numbers(shape) = kind else { return None };
                 let ty = template::shape_type(shape, &quote!(::kin::emitted::Real<__D>));
                 let name = self.evaluated(format!("leaf {leaf:?}"), "leaf", &ty, |kernel| {

@@ -22,15 +22,19 @@ impl Kernel<'_> {
                 let law_place = template::place(&self.lowered.laws[law]);
                 let x_value = self.expression(x);
                 let key = format!("law {law} {x:?}");
-                let name =
-                    self.evaluated(key, "law", &quote!([f64; 4]), |_| quote!(#law_place.jet(#x_value)));
+                let name = self.evaluated(
+                    key,
+                    "law",
+                    &quote!([f64; 4]),
+                    |_| quote!(#law_place.jet(#x_value)),
+                );
                 let order = Literal::usize_unsuffixed(usize::from(order));
                 Some(quote!(#name[#order]))
             }
             Op::Opaque(number, component) => {
                 let value = &self.lowered.opaques[number];
-                // The type is what the macro took the value for: where that is wrong, rustc says so at the
-                // user's token.
+                // The type is what the macro took the value for: where that is wrong, rustc says so
+                // at the user's token.
                 let ty = template::kind_type(&value.kind);
                 let ty = quote!(::kin::emitted::If<__SOUND, #ty>);
                 let key = format!("opaque {number}");
@@ -65,7 +69,8 @@ impl Kernel<'_> {
 
     fn leaf(&mut self, of: LeafUse) -> TokenStream {
         let Leaf { call, arguments } = self.graph().leaves[of.leaf].clone();
-        let (leaf, function) = (&self.lowered.leaves[call], template::leaf_name(call));
+        let leaf = &self.lowered.leaves[call];
+        let function = template::leaf_name(call);
         let directions = &self.graph().directions;
         let (key, field) = match of.what {
             LeafNumber::Value => (format!("leaf {} value", of.leaf), quote!(.0)),
@@ -94,7 +99,9 @@ impl Kernel<'_> {
                             quote!(::kin::emitted::Real(::kin::emitted::Dual64::new(#x, #seed)))
                         }
                         LeafNumber::Partial(_) => quote!(::kin::emitted::Real::from(#x)),
-                        LeafNumber::First(d) | LeafNumber::Second(d) => along(kernel, &directions[d], k, &x),
+                        LeafNumber::First(d) | LeafNumber::Second(d) => {
+                            along(kernel, &directions[d], k, &x)
+                        }
                     }
                 })
                 .collect();
@@ -111,7 +118,8 @@ fn along(kernel: &mut Kernel, direction: &Direction, k: usize, x: &TokenStream) 
     if graph.is_zero(direction.first[k]) && graph.is_zero(direction.second[k]) {
         return quote!(::kin::emitted::Real::from(#x));
     }
-    let (first, second) = (kernel.expression(direction.first[k]), kernel.expression(direction.second[k]));
+    let first = kernel.expression(direction.first[k]);
+    let second = kernel.expression(direction.second[k]);
     match direction.moves[k] {
         None => quote!(::kin::emitted::Real(::kin::emitted::Dual2_64::new(#x, #first, #second))),
         Some(moves) => {

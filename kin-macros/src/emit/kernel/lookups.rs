@@ -1,13 +1,13 @@
-//! Numbers that are looked up: a table stands beside the code, its row is found once, and each number is read
-//! from there.
+//! Numbers that are looked up: a table stands beside the code, its row is found once, and each
+//! number is read from there.
 
 use super::progression::Progression;
 use super::*;
 use kin_graph::Input;
 use kin_graph::schedule::{Lookup, Test};
 
-/// So many knots are compared one after the other: of 19 knots that takes 213 instructions where halving
-/// takes 302 (C, C_q and Q_d of a cubic spline).
+/// So many knots are compared one after the other: of 19 knots that takes 213 instructions where
+/// halving takes 302 (C, C_q and Q_d of a cubic spline).
 const SHORT: usize = 32;
 
 impl Kernel<'_> {
@@ -18,7 +18,8 @@ impl Kernel<'_> {
         let lookup = self.branches.lookup(number);
         let constants = constants(self.graph(), lookup);
         if let Some(place) = constants.iter().position(|known| *known == column) {
-            let (cells, place) = (table("cells", number), Literal::usize_unsuffixed(place));
+            let cells = table("cells", number);
+            let place = Literal::usize_unsuffixed(place);
             return Some(quote!(#cells[#row][#place]));
         }
         let places = self.places(&lookup.columns[column])?;
@@ -31,7 +32,8 @@ impl Kernel<'_> {
             let constant = nodes.iter().all(|&node| self.graph().constant_value(node).is_some());
             constant || self.places(nodes).is_some_and(|places| Progression::of(&places).is_some())
         };
-        self.numbers == Numbers::Plain && lookup.knots.iter().chain(&lookup.columns).all(is_readable)
+        self.numbers == Numbers::Plain
+            && lookup.knots.iter().chain(&lookup.columns).all(is_readable)
     }
 
     /// The name of the row of a table, found where it is asked for first.
@@ -41,9 +43,11 @@ impl Kernel<'_> {
             return name.clone();
         }
         let searched: Vec<Node> = self.branches.lookup(number).searched().collect();
-        let searched: Vec<TokenStream> = searched.into_iter().map(|node| self.searched(node)).collect();
+        let searched: Vec<TokenStream> =
+            searched.into_iter().map(|node| self.searched(node)).collect();
         let lookup = self.branches.lookup(number);
-        let (g, n) = (self.graph(), lookup.knots[0].len());
+        let g = self.graph();
+        let n = lookup.knots[0].len();
         let mut code = cells(g, lookup, &table("cells", number));
         let n = Literal::usize_unsuffixed(n);
         let mut tests: Vec<Searched> = Vec::new();
@@ -101,8 +105,10 @@ enum Knots {
 impl Searched {
     /// True where it holds, or where it does not.
     fn with(&self, knot: &TokenStream, holds: bool) -> TokenStream {
-        let (x, sign) = (&self.x, sign(self.test.comparison));
-        let test = if self.test.on_the_left { quote!(#x #sign #knot) } else { quote!(#knot #sign #x) };
+        let x = &self.x;
+        let sign = sign(self.test.comparison);
+        let test =
+            if self.test.on_the_left { quote!(#x #sign #knot) } else { quote!(#knot #sign #x) };
         if self.test.negated == holds { quote!(!(#test)) } else { quote!((#test)) }
     }
 
@@ -114,7 +120,8 @@ impl Searched {
     }
 }
 
-/// The first row whose tests hold: by halving where the knots are in order, else one after the other.
+/// The first row whose tests hold: by halving where the knots are in order, else one after the
+/// other.
 fn found(tests: &[Searched], begins: Option<Vec<bool>>, n: &Literal) -> TokenStream {
     let row = super::super::own("k");
     let all = |of: &mut dyn Iterator<Item = &Searched>| {
@@ -148,8 +155,9 @@ fn found(tests: &[Searched], begins: Option<Vec<bool>>, n: &Literal) -> TokenStr
 
 /// The columns of a table that are constants.
 fn constants(g: &Graph, lookup: &Lookup) -> Vec<usize> {
-    let is_constant =
-        |&column: &usize| lookup.columns[column].iter().all(|&node| g.constant_value(node).is_some());
+    let is_constant = |&column: &usize| {
+        lookup.columns[column].iter().all(|&node| g.constant_value(node).is_some())
+    };
     (0..lookup.columns.len()).filter(is_constant).collect()
 }
 
@@ -164,7 +172,8 @@ fn cells(g: &Graph, lookup: &Lookup, name: &Ident) -> TokenStream {
         let cells = columns.iter().map(|&column| number_of(g, lookup.columns[column][row]));
         quote!([#(#cells),*])
     });
-    let (width, length) = (Literal::usize_unsuffixed(columns.len()), Literal::usize_unsuffixed(length));
+    let width = Literal::usize_unsuffixed(columns.len());
+    let length = Literal::usize_unsuffixed(length);
     quote!(static #name: [[f64; #width]; #length] = [#(#rows),*];)
 }
 

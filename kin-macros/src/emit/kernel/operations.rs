@@ -15,8 +15,10 @@ impl Kernel<'_> {
             Op::Div(a, b) => self.infix(a, quote!(/), b),
             Op::Fma(a, b, c) => {
                 self.fused = true;
-                let (fma, a, b, c) =
-                    (super::super::own("fma"), self.expression(a), self.expression(b), self.expression(c));
+                let fma = super::super::own("fma");
+                let a = self.expression(a);
+                let b = self.expression(b);
+                let c = self.expression(c);
                 quote!(#fma(#a, #b, #c))
             }
             Op::And(a, b) => self.infix(a, quote!(&&), b),
@@ -34,11 +36,15 @@ impl Kernel<'_> {
             Op::Call2(Function2::Rem, a, b) => self.infix(a, quote!(%), b),
             Op::Call2(f, a, b) => self.function(f.method(), &[a, b]),
             Op::Powi(a, n) => {
-                let (of, a, n) = (self.functions_of(), self.expression(a), Literal::i32_unsuffixed(n));
+                let of = self.functions_of();
+                let a = self.expression(a);
+                let n = Literal::i32_unsuffixed(n);
                 quote!(#of::powi(#a, #n))
             }
             Op::Select(c, a, b) => {
-                let (c, a, b) = (self.expression(c), self.expression(a), self.expression(b));
+                let c = self.expression(c);
+                let a = self.expression(a);
+                let b = self.expression(b);
                 quote!(if #c { #a } else { #b })
             }
             // These have names before they are written.
@@ -64,13 +70,15 @@ impl Kernel<'_> {
 
     /// A function of the numbers' type.
     pub(super) fn function(&mut self, name: &str, arguments: &[Node]) -> TokenStream {
-        let (of, name) = (self.functions_of(), Ident::new(name, Span::call_site()));
+        let of = self.functions_of();
+        let name = Ident::new(name, Span::call_site());
         let arguments: Vec<TokenStream> = arguments.iter().map(|&n| self.expression(n)).collect();
         quote!(#of::#name(#(#arguments),*))
     }
 
     pub(super) fn infix(&mut self, a: Node, sign: TokenStream, b: Node) -> TokenStream {
-        let (a, b) = (self.operand(a), self.operand(b));
+        let a = self.operand(a);
+        let b = self.operand(b);
         quote!(#a #sign #b)
     }
 }

@@ -15,7 +15,8 @@ pub struct Progression {
 impl Progression {
     /// `None` if the places are not at one step from each other.
     pub fn of(places: &[TokenStream]) -> Option<Self> {
-        let (first, second) = (places.first()?, places.get(1)?);
+        let first = places.first()?;
+        let second = places.get(1)?;
         let (path, begin, next) = difference(first, second)?;
         let step = next.checked_sub(begin).filter(|&step| step > 0)?;
         let is = |(row, place): (usize, &TokenStream)| {
@@ -27,7 +28,8 @@ impl Progression {
 
     /// The place in a row.
     pub fn at(&self, row: &TokenStream) -> TokenStream {
-        let (begin, step) = (Literal::usize_unsuffixed(self.begin), Literal::usize_unsuffixed(self.step));
+        let begin = Literal::usize_unsuffixed(self.begin);
+        let step = Literal::usize_unsuffixed(self.step);
         let index = if self.step == 1 { quote!(#row) } else { quote!(#row * #step) };
         let index = if self.begin == 0 { index } else { quote!(#index + #begin) };
         replaced(self.first.clone(), &self.path, &index)
@@ -46,7 +48,9 @@ fn difference(a: &TokenStream, b: &TokenStream) -> Option<(Vec<usize>, usize, us
         let inner = match (a, b) {
             (TokenTree::Ident(a), TokenTree::Ident(b)) if a == b => continue,
             (TokenTree::Punct(a), TokenTree::Punct(b)) if a.as_char() == b.as_char() => continue,
-            (TokenTree::Literal(a), TokenTree::Literal(b)) if a.to_string() == b.to_string() => continue,
+            (TokenTree::Literal(a), TokenTree::Literal(b)) if a.to_string() == b.to_string() => {
+                continue;
+            }
             (TokenTree::Group(a), TokenTree::Group(b)) if a.delimiter() == b.delimiter() => {
                 match (index(a), index(b)) {
                     (Some(a), Some(b)) if a == b => continue,
@@ -90,7 +94,8 @@ mod tests {
     use super::*;
 
     fn at(places: &[&str]) -> Option<String> {
-        let places: Vec<TokenStream> = places.iter().map(|place| place.parse().unwrap_or_default()).collect();
+        let places: Vec<TokenStream> =
+            places.iter().map(|place| place.parse().unwrap_or_default()).collect();
         Progression::of(&places).map(|found| found.at(&quote!(row)).to_string().replace(' ', ""))
     }
 

@@ -1,4 +1,5 @@
-//! Values that only rustc knows: reads of them are lifted, and calls hand over the numbers they ask for.
+//! Values that only rustc knows: reads of them are lifted, and calls hand over the numbers they ask
+//! for.
 
 use proc_macro2::Span;
 use quote::quote;
@@ -10,8 +11,8 @@ use syn::{Expr, ExprMethodCall, Lit, UnOp, parse_quote, parse_quote_spanned};
 use super::scopes::Nature;
 use super::{Copy, Rewriter};
 use kin_language::vocabulary::{
-    is_beyond_std, is_changing_method, is_kin_function, is_kin_type, is_number_function, is_number_method,
-    is_reading_method, is_std_function, is_type_name, is_underived, names,
+    is_beyond_std, is_changing_method, is_kin_function, is_kin_type, is_number_function,
+    is_number_method, is_reading_method, is_std_function, is_type_name, is_underived, names,
 };
 
 impl Rewriter {
@@ -21,7 +22,10 @@ impl Rewriter {
         self.state_type(path);
         if let Some(inputs) = self.variable(path).and_then(|variable| variable.inputs.clone()) {
             // A closure that goes somewhere else than into a call may be given anything.
-            return inputs.into_iter().flatten().for_each(|number| self.scopes.add(number, Nature::ANY));
+            return inputs
+                .into_iter()
+                .flatten()
+                .for_each(|number| self.scopes.add(number, Nature::ANY));
         }
         match self.inner_function(path).map(|(_, lifted)| lifted) {
             Some(true) if self.copy == Copy::Dual => {
@@ -38,7 +42,8 @@ impl Rewriter {
 
     fn number_function(&mut self, expression: &mut Expr) {
         if let (Expr::Path(path), Copy::Dual) = (&*expression, self.copy) {
-            let (rest, dual) = (path.path.segments.iter().skip(1), &self.dual);
+            let rest = path.path.segments.iter().skip(1);
+            let dual = &self.dual;
             *expression = parse_quote!(<::kin::emitted::Real<#dual>>::#(#rest)::*);
         }
     }
@@ -65,7 +70,8 @@ impl Rewriter {
     /// The value at a place, lifted.
     pub fn lift_place(&mut self, expression: &mut Expr) {
         if self.copy == Copy::Dual {
-            let (at, dual) = (mixed(expression), &self.dual);
+            let at = mixed(expression);
+            let dual = &self.dual;
             let place = &*expression;
             let value = quote!(::core::clone::Clone::clone(&#place));
             *expression = parse_quote_spanned!(at=> (&::kin::emitted::Foreign(#value)).lifted(::core::marker::PhantomData::<#dual>));
@@ -74,7 +80,9 @@ impl Rewriter {
 
     /// A result of the user's function, in the numbers of this copy.
     fn lift_result(&mut self, expression: &mut Expr) {
-        let (at, dual, value) = (mixed(expression), &self.dual, &*expression);
+        let at = mixed(expression);
+        let dual = &self.dual;
+        let value = &*expression;
         *expression = match self.copy {
             Copy::Plain => parse_quote_spanned!(at=> ::kin::emitted::returned(#value).lowered()),
             Copy::Dual => {
@@ -92,7 +100,8 @@ impl Rewriter {
                 None => self.call_of_value(expression),
             };
         }
-        if let Some((inputs, _)) = self.inner_function(path).map(|(inputs, lifted)| (inputs.clone(), lifted))
+        if let Some((inputs, _)) =
+            self.inner_function(path).map(|(inputs, lifted)| (inputs.clone(), lifted))
         {
             self.call_inner(&inputs, &mut call.args);
             return self.path(&mut call.func);
@@ -104,7 +113,8 @@ impl Rewriter {
         }
         match names(&path).iter().map(String::as_str).collect::<Vec<_>>()[..] {
             ["f64", "from"] if self.copy == Copy::Dual => {
-                let (at, dual) = (mixed(&call.func), self.dual.clone());
+                let at = mixed(&call.func);
+                let dual = self.dual.clone();
                 *call.func = parse_quote_spanned!(at=> ::kin::emitted::cast::<#dual, _>);
                 call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
             }
@@ -143,18 +153,24 @@ impl Rewriter {
         }
     }
 
-    /// The user's function in the dual copy: of unknown type where the function as it was written does not
-    /// compile, so that what is wrong with the call is said once. In the plain copy it is in parentheses:
-    /// where there is no such function, rustc then says the same of both.
+    /// The user's function in the dual copy: of unknown type where the function as it was written
+    /// does not compile, so that what is wrong with the call is said once. In the plain copy it is
+    /// in parentheses: where there is no such function, rustc then says the same of both.
     fn callee(&self, callee: &mut Expr) {
         *callee = match self.copy {
-            Copy::Dual => parse_quote_spanned!(mixed(callee)=> ::kin::emitted::callee::<__SOUND, _>(#callee)),
+            Copy::Dual => {
+                parse_quote_spanned!(mixed(callee)=> ::kin::emitted::callee::<__SOUND, _>(#callee))
+            }
             Copy::Plain => parse_quote_spanned!(callee.span()=> (#callee)),
         };
     }
 
     /// A call of a closure or function of the body's own.
-    fn call_inner(&mut self, inputs: &[Vec<usize>], arguments: &mut Punctuated<Expr, syn::Token![,]>) {
+    fn call_inner(
+        &mut self,
+        inputs: &[Vec<usize>],
+        arguments: &mut Punctuated<Expr, syn::Token![,]>,
+    ) {
         for (argument, numbers) in arguments.iter().zip(inputs) {
             let nature = self.nature(argument);
             numbers.iter().for_each(|&number| self.scopes.add(number, nature));
@@ -191,8 +207,11 @@ impl Rewriter {
         let known = is_number_method(&name) || is_reading_method(&name);
         if !nature.foreign && is_underived(&name) && self.copy == Copy::Dual {
             // As a function of f64: its arguments are converted.
-            let (method, receiver, arguments) = (&call.method, &call.receiver, call.args.iter());
-            *expression = parse_quote_spanned!(method.span()=> f64::#method(#receiver, #(#arguments),*));
+            let method = &call.method;
+            let receiver = &call.receiver;
+            let arguments = call.args.iter();
+            *expression =
+                parse_quote_spanned!(method.span()=> f64::#method(#receiver, #(#arguments),*));
             self.call(expression);
         } else if !nature.foreign {
             self.visit_expr_mut(&mut call.receiver);
@@ -216,14 +235,21 @@ impl Rewriter {
 
     /// The receiver of a method of numbers, or of one that only looks at a container.
     fn receiver(&mut self, receiver: &mut Expr, of_number: bool) {
-        let is_place = matches!(receiver, Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_));
+        let is_place =
+            matches!(receiver, Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_));
         match is_place {
             true => self.place(receiver),
             false => self.visit_expr_mut(receiver),
         }
         if self.copy == Copy::Dual && (is_place || of_number) {
-            let (at, dual, value) = (mixed(receiver), &self.dual, &*receiver);
-            let value = if is_place { quote!(::core::clone::Clone::clone(&#value)) } else { quote!(#value) };
+            let at = mixed(receiver);
+            let dual = &self.dual;
+            let value = &*receiver;
+            let value = if is_place {
+                quote!(::core::clone::Clone::clone(&#value))
+            } else {
+                quote!(#value)
+            };
             *receiver = parse_quote_spanned!(at=> (&&::kin::emitted::Foreign(#value)).receiver(::core::marker::PhantomData::<#dual>));
         }
     }
@@ -243,36 +269,46 @@ impl Rewriter {
         self.arguments(&mut call.args, receiver);
     }
 
-    /// The arguments of something that takes values as they are; closures among them are applied to what the
-    /// others hold.
+    /// The arguments of something that takes values as they are; closures among them are applied to
+    /// what the others hold.
     fn arguments(&mut self, arguments: &mut Punctuated<Expr, syn::Token![,]>, receiver: Nature) {
         let nature = arguments.iter().fold(receiver, |all, argument| all.or(self.nature(argument)));
         for argument in arguments {
             match argument {
                 Expr::Closure(closure) => drop(self.closure(closure, nature)),
-                Expr::Path(path) => match self.variable(path).and_then(|variable| variable.inputs.clone()) {
-                    Some(inputs) => {
-                        inputs.into_iter().flatten().for_each(|number| self.scopes.add(number, nature))
+                Expr::Path(path) => {
+                    match self.variable(path).and_then(|variable| variable.inputs.clone()) {
+                        Some(inputs) => inputs
+                            .into_iter()
+                            .flatten()
+                            .for_each(|number| self.scopes.add(number, nature)),
+                        None => self.visit_expr_mut(argument),
                     }
-                    None => self.visit_expr_mut(argument),
-                },
+                }
                 other => self.visit_expr_mut(other),
             }
         }
     }
 
-    /// `map(f)` with a function of the user's as `map(|a| f(a))`, so that numbers are converted on their way
-    /// into it.
+    /// `map(f)` with a function of the user's as `map(|a| f(a))`, so that numbers are converted on
+    /// their way into it.
     fn name_as_closure(&mut self, argument: &mut Expr, inputs: usize) {
         let Expr::Path(path) = &*argument else { return };
-        let users =
-            self.variable(path).is_none() && self.inner_function(path).is_none() && is_function_name(path);
-        if inputs == 0 || !users || is_number_function(path) || is_kin_function(path) || is_std_function(path)
+        let users = self.variable(path).is_none()
+            && self.inner_function(path).is_none()
+            && is_function_name(path);
+        if inputs == 0
+            || !users
+            || is_number_function(path)
+            || is_kin_function(path)
+            || is_std_function(path)
         {
             return;
         }
-        let inputs: Vec<syn::Ident> =
-            ["a", "b"][..inputs].iter().map(|name| syn::Ident::new(name, Span::mixed_site())).collect();
+        let inputs: Vec<syn::Ident> = ["a", "b"][..inputs]
+            .iter()
+            .map(|name| syn::Ident::new(name, Span::mixed_site()))
+            .collect();
         *argument = parse_quote!(|#(#inputs),*| #path(#(#inputs),*));
     }
 
@@ -280,8 +316,8 @@ impl Rewriter {
         matches!(expression, Expr::Path(path) if self.variable(path).is_some_and(|variable| variable.own))
     }
 
-    /// An argument of the user's function: as it is, or as the plain or dual number that the function asks
-    /// for.
+    /// An argument of the user's function: as it is, or as the plain or dual number that the
+    /// function asks for.
     fn argument(&mut self, argument: &mut Expr) {
         self.handed(argument, Place::Argument);
     }
@@ -291,7 +327,9 @@ impl Rewriter {
         let nature = self.nature(argument);
         let at = mixed(argument);
         match argument {
-            Expr::Closure(closure) => return drop(self.closure(closure, Nature { foreign: true, ..nature })),
+            Expr::Closure(closure) => {
+                return drop(self.closure(closure, Nature { foreign: true, ..nature }));
+            }
             Expr::Lit(literal) if !matches!(literal.lit, Lit::Float(_)) => return,
             Expr::Reference(reference) if reference.mutability.is_some() => {
                 self.feed(&reference.expr, nature);
@@ -306,8 +344,7 @@ impl Rewriter {
                 let inner = &reference.expr;
                 *argument = match self.copy {
                     Copy::Plain => {
-                        let lifted =
-                            quote!(::kin::emitted::Lift::<f64>::lift(::core::clone::Clone::clone(&#inner)));
+                        let lifted = quote!(::kin::emitted::Lift::<f64>::lift(::core::clone::Clone::clone(&#inner)));
                         parse_quote_spanned!(at=> ::kin::emitted::reference_argument(&#inner, &#lifted))
                     }
                     Copy::Dual => {
@@ -324,12 +361,18 @@ impl Rewriter {
             _ => self.visit_expr_mut(argument),
         }
         *argument = match (self.copy, nature.varies) {
-            (Copy::Plain, _) => parse_quote_spanned!(at=> ::kin::emitted::plain_argument(#argument)),
+            (Copy::Plain, _) => {
+                parse_quote_spanned!(at=> ::kin::emitted::plain_argument(#argument))
+            }
             (Copy::Dual, true) if place == Place::Field => {
                 parse_quote_spanned!(at=> ::kin::emitted::Jet(#argument).field())
             }
-            (Copy::Dual, true) => parse_quote_spanned!(at=> ::kin::emitted::Jet(#argument).argument()),
-            (Copy::Dual, false) => parse_quote_spanned!(at=> ::kin::emitted::constant_argument(#argument)),
+            (Copy::Dual, true) => {
+                parse_quote_spanned!(at=> ::kin::emitted::Jet(#argument).argument())
+            }
+            (Copy::Dual, false) => {
+                parse_quote_spanned!(at=> ::kin::emitted::constant_argument(#argument))
+            }
         };
     }
 

@@ -8,7 +8,8 @@ use super::scopes::{Inputs, Name, Nature, Variable};
 use super::{Copy, Rewriter, lift, names};
 
 impl Rewriter {
-    /// Numbers for the arguments of a function inside the body, which are bound when it is gone through.
+    /// Numbers for the arguments of a function inside the body, which are bound when it is gone
+    /// through.
     pub(super) fn input_bindings(&mut self, function: &ItemFn) -> Inputs {
         let inputs = function.sig.inputs.iter().map(|input| match input {
             FnArg::Typed(typed) => names(&typed.pat).len(),
@@ -29,12 +30,16 @@ impl Rewriter {
             return;
         };
         let outside = self.scopes.enter_function();
-        let (copy, dual) = (self.copy, self.dual.clone());
+        let copy = self.copy;
+        let dual = self.dual.clone();
         self.scopes.push();
         for (input, numbers) in function.sig.inputs.iter().zip(inputs) {
             if let FnArg::Typed(typed) = input {
                 for (name, number) in names(&typed.pat).into_iter().zip(numbers) {
-                    self.scopes.declare(name, Name::Variable(Variable { number, own: false, inputs: None }));
+                    self.scopes.declare(
+                        name,
+                        Name::Variable(Variable { number, own: false, inputs: None }),
+                    );
                 }
             }
         }
@@ -74,7 +79,8 @@ pub(super) fn takes_numbers(function: &ItemFn) -> bool {
         .inputs
         .iter()
         .any(|input| matches!(input, FnArg::Typed(typed) if lift::holds_numbers(&typed.ty)));
-    inputs || matches!(&function.sig.output, syn::ReturnType::Type(_, ty) if lift::holds_numbers(ty))
+    inputs
+        || matches!(&function.sig.output, syn::ReturnType::Type(_, ty) if lift::holds_numbers(ty))
 }
 
 /// True if a function is written for dual numbers by the user.

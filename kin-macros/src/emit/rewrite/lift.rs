@@ -21,8 +21,8 @@ impl VisitMut for Lifter<'_> {
         {
             match last.ident.to_string().as_str() {
                 "f64" => return *ty = parse_quote!(::kin::emitted::Real<#dual>),
-                name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis" | "PlanarState"
-                | "SpatialState") => {
+                name @ ("Vec2" | "Vec3" | "Mat2" | "Mat3" | "EulerParameters" | "Axis"
+                | "PlanarState" | "SpatialState") => {
                     let name = Ident::new(name, Span::call_site());
                     return *ty = parse_quote!(::kin::emitted::#name<::kin::emitted::Real<#dual>>);
                 }
@@ -55,7 +55,8 @@ pub fn is_unknown(ty: &Type) -> bool {
     }
 }
 
-/// A type that is lifted as a whole, since only numbers and types of the standard library are in it.
+/// A type that is lifted as a whole, since only numbers and types of the standard library are in
+/// it.
 pub fn is_liftable(ty: &Type) -> bool {
     match ty {
         Type::Array(array) => is_liftable(&array.elem),
@@ -90,7 +91,8 @@ impl Rewriter {
             _ => false,
         };
         if is_float && self.copy == Copy::Dual {
-            let (at, dual) = (Span::mixed_site().located_at(literal.span()), &self.dual);
+            let at = Span::mixed_site().located_at(literal.span());
+            let dual = &self.dual;
             *expression = parse_quote_spanned!(at=> ::kin::emitted::Real::<#dual>::from(#literal));
         }
     }
@@ -99,7 +101,9 @@ impl Rewriter {
     pub fn cast(&mut self, expression: &mut Expr) {
         let Expr::Cast(cast) = expression else { return };
         let name = cast.ty.to_token_stream().to_string();
-        let (foreign, dual, ty) = (self.is_foreign(&cast.expr), self.dual.clone(), cast.ty.clone());
+        let foreign = self.is_foreign(&cast.expr);
+        let dual = self.dual.clone();
+        let ty = cast.ty.clone();
         let at = Span::mixed_site().located_at(cast.expr.span());
         match (name.as_str(), self.copy) {
             ("f64", Copy::Dual) => {
@@ -167,7 +171,9 @@ fn is_float(expression: &Expr) -> bool {
 fn holds_float(pattern: &Pat) -> bool {
     match pattern {
         Pat::Lit(literal) => matches!(literal.lit, Lit::Float(_)),
-        Pat::Range(range) => [&range.start, &range.end].into_iter().flatten().any(|bound| is_float(bound)),
+        Pat::Range(range) => {
+            [&range.start, &range.end].into_iter().flatten().any(|bound| is_float(bound))
+        }
         Pat::Or(or) => or.cases.iter().any(holds_float),
         Pat::Paren(inner) => holds_float(&inner.pat),
         Pat::Reference(inner) => holds_float(&inner.pat),

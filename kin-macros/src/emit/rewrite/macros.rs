@@ -19,14 +19,18 @@ enum Arguments {
 fn arguments(call: &Macro) -> Option<Arguments> {
     let name = call.path.segments.last()?.ident.to_string();
     let list = |input: ParseStream| {
-        Punctuated::<Expr, Token![,]>::parse_terminated(input).map(|all| all.into_iter().collect::<Vec<_>>())
+        Punctuated::<Expr, Token![,]>::parse_terminated(input)
+            .map(|all| all.into_iter().collect::<Vec<_>>())
     };
     let tokens = call.tokens.clone();
     match name.as_str() {
         "matches" => pattern.parse2(tokens).ok(),
-        "vec" => repeat.parse2(tokens.clone()).ok().or_else(|| list.parse2(tokens).ok().map(Arguments::List)),
-        "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne"
-        | "dbg" => list.parse2(tokens).ok().map(Arguments::List),
+        "vec" => repeat
+            .parse2(tokens.clone())
+            .ok()
+            .or_else(|| list.parse2(tokens).ok().map(Arguments::List)),
+        "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq"
+        | "debug_assert_ne" | "dbg" => list.parse2(tokens).ok().map(Arguments::List),
         _ => None,
     }
 }
@@ -80,7 +84,8 @@ impl Rewriter {
                     quote!(if #guard)
                 });
                 self.scopes.pop();
-                let (value, pattern) = (value.to_token_stream(), pattern.to_token_stream());
+                let value = value.to_token_stream();
+                let pattern = pattern.to_token_stream();
                 quote!(#value, #pattern #guard)
             }
         };

@@ -6,7 +6,8 @@ use syn::{BinOp, Expr, parse_quote};
 use super::{Copy, Rewriter};
 
 impl Rewriter {
-    /// The number of an expression that may give something not finite, if ends are marked in this copy.
+    /// The number of an expression that may give something not finite, if ends are marked in this
+    /// copy.
     pub(super) fn number_to_mark(&mut self, expression: &Expr) -> Option<usize> {
         let computes = match expression {
             Expr::MethodCall(_) | Expr::Call(_) => true,
@@ -16,14 +17,16 @@ impl Rewriter {
             ),
             _ => false,
         };
-        let expressions = self.expressions.as_mut().filter(|_| computes && self.copy == Copy::Dual)?;
+        let expressions =
+            self.expressions.as_mut().filter(|_| computes && self.copy == Copy::Dual)?;
         Some(expressions.number(expression))
     }
 
-    /// `::kin::emitted::ended(number, expression)`. An argument of a call lives as long as the expression
-    /// itself would.
+    /// `::kin::emitted::ended(number, expression)`. An argument of a call lives as long as the
+    /// expression itself would.
     pub(super) fn mark(&self, expression: &mut Expr, number: usize) {
-        let (dual, number) = (&self.dual, Literal::usize_unsuffixed(number));
+        let dual = &self.dual;
+        let number = Literal::usize_unsuffixed(number);
         let mut call: syn::ExprCall = parse_quote!(::kin::emitted::ended::<#dual, _>(#number));
         call.args.push(std::mem::replace(expression, Expr::PLACEHOLDER));
         *expression = Expr::Call(call);

@@ -1,8 +1,9 @@
-//! The user's own body for the two emitted copies of it: plain f64 as written, and generic over dual numbers.
+//! The user's own body for the two emitted copies of it: plain f64 as written, and generic over
+//! dual numbers.
 //!
-//! In the dual copy f64 means `Real<D>` everywhere: literals, types and parameters are lifted. What only
-//! rustc knows (constants, fields of the user's types, the user's functions) is lifted where it comes in, and
-//! calls of the user's functions hand over what they ask for.
+//! In the dual copy f64 means `Real<D>` everywhere: literals, types and parameters are lifted. What
+//! only rustc knows (constants, fields of the user's types, the user's functions) is lifted where
+//! it comes in, and calls of the user's functions hand over what they ask for.
 
 mod foreign;
 mod inner;
@@ -29,7 +30,8 @@ use scopes::{Name, Nature, Scopes, Variable};
 pub use lift::is_liftable;
 pub use sure::is_sure;
 
-/// The body in plain f64: as written, but that calls of the user's generic functions convert numbers.
+/// The body in plain f64: as written, but that calls of the user's generic functions convert
+/// numbers.
 pub fn plain(body: &Block, arguments: &[Argument]) -> Block {
     rewrite(body, arguments, Copy::Plain, None)
 }
@@ -46,7 +48,8 @@ pub fn dual(body: &Block, arguments: &[Argument]) -> Block {
 
 /// The same with the end of each expression marked, and the expressions by their numbers.
 pub fn traced(body: &Block, arguments: &[Argument]) -> (Block, Expressions) {
-    let mut rewriter = Rewriter { expressions: Some(Expressions::default()), ..Rewriter::new(Copy::Dual) };
+    let mut rewriter =
+        Rewriter { expressions: Some(Expressions::default()), ..Rewriter::new(Copy::Dual) };
     let body = rewriter.rewrite(body, arguments, None);
     (body, rewriter.expressions.unwrap_or_default())
 }
@@ -110,8 +113,10 @@ impl VisitMut for Rewriter {
             Stmt::Macro(call) => self.macro_call(&mut call.mac),
             Stmt::Expr(Expr::MethodCall(call), Some(_)) => {
                 // A method that is called for what it does puts its arguments into its receiver.
-                let nature =
-                    call.args.iter().fold(Nature::default(), |all, argument| all.or(self.nature(argument)));
+                let nature = call
+                    .args
+                    .iter()
+                    .fold(Nature::default(), |all, argument| all.or(self.nature(argument)));
                 self.feed(&call.receiver, nature);
                 visit_mut::visit_stmt_mut(self, statement);
             }
@@ -136,8 +141,11 @@ impl VisitMut for Rewriter {
         self.lift_pattern(&mut local.pat);
         match (&local.pat, inputs) {
             (Pat::Ident(name), Some(inputs)) => {
-                let variable =
-                    Variable { number: self.scopes.binding(nature), own: false, inputs: Some(inputs) };
+                let variable = Variable {
+                    number: self.scopes.binding(nature),
+                    own: false,
+                    inputs: Some(inputs),
+                };
                 self.scopes.declare(name.ident.to_string(), Name::Variable(variable));
             }
             (pattern, _) => drop(self.declare(pattern, nature)),
@@ -205,8 +213,8 @@ impl Rewriter {
         Rewriter { copy, dual: dual_parameter(), scopes: Scopes::default(), expressions: None }
     }
 
-    /// `let x: Length = a + b;`, where only rustc knows that a `Length` is an f64: what is made of numbers
-    /// alone says itself what it is.
+    /// `let x: Length = a + b;`, where only rustc knows that a `Length` is an f64: what is made of
+    /// numbers alone says itself what it is.
     fn unname(&self, pattern: &mut Pat, value: &Expr, nature: Nature) {
         if let Pat::Type(typed) = &*pattern
             && self.copy == Copy::Dual
@@ -235,7 +243,9 @@ impl Rewriter {
         match expression {
             Expr::Path(_) => self.path(expression),
             Expr::Lit(_) => self.literal(expression),
-            Expr::Field(_) | Expr::Index(_) | Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), .. })
+            Expr::Field(_)
+            | Expr::Index(_)
+            | Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), .. })
                 if self.is_foreign(expression) =>
             {
                 self.place(expression);
@@ -244,7 +254,9 @@ impl Rewriter {
             Expr::MethodCall(_) => self.method_call(expression),
             Expr::Call(_) => self.call(expression),
             Expr::Struct(literal) => self.struct_literal(literal),
-            Expr::Reference(reference) if reference.mutability.is_some() => self.place(&mut reference.expr),
+            Expr::Reference(reference) if reference.mutability.is_some() => {
+                self.place(&mut reference.expr)
+            }
             Expr::Assign(assign) if self.is_part_of_foreign(&assign.left) => {
                 self.assign_to(&mut assign.left, &assign.right);
                 self.put(&mut assign.right);
@@ -267,27 +279,34 @@ impl Rewriter {
             let varies = argument.kind.slots() > 0 || argument.kind == Kind::Time;
             let own = argument.kind == Kind::Other && !is_liftable(&argument.ty);
             let number = self.scopes.binding(Nature { varies, foreign: own });
-            self.scopes
-                .declare(argument.name.to_string(), Name::Variable(Variable { number, own, inputs: None }));
+            self.scopes.declare(
+                argument.name.to_string(),
+                Name::Variable(Variable { number, own, inputs: None }),
+            );
         }
         if let Some(name) = variable {
             let number = self.scopes.binding(Nature { varies: true, foreign: false });
-            self.scopes
-                .declare(name.to_string(), Name::Variable(Variable { number, own: false, inputs: None }));
+            self.scopes.declare(
+                name.to_string(),
+                Name::Variable(Variable { number, own: false, inputs: None }),
+            );
         }
     }
 
     /// Brings in the variables of a pattern; their numbers.
     fn declare(&mut self, pattern: &Pat, nature: Nature) -> Vec<usize> {
         let nature = match pattern {
-            Pat::Type(typed) => Nature { foreign: nature.foreign && !is_liftable(&typed.ty), ..nature },
+            Pat::Type(typed) => {
+                Nature { foreign: nature.foreign && !is_liftable(&typed.ty), ..nature }
+            }
             _ => nature,
         };
         let mut numbers = Vec::new();
         for name in names(pattern) {
             let number = self.scopes.binding(nature);
             numbers.push(number);
-            self.scopes.declare(name, Name::Variable(Variable { number, own: false, inputs: None }));
+            self.scopes
+                .declare(name, Name::Variable(Variable { number, own: false, inputs: None }));
         }
         numbers
     }
@@ -302,9 +321,15 @@ impl Rewriter {
                     let name = Name::Function { inputs, lifted: takes_numbers(function) };
                     self.scopes.declare(function.sig.ident.to_string(), name);
                 }
-                Item::Fn(function) => self.scopes.declare(function.sig.ident.to_string(), Name::Item),
-                Item::Const(constant) => self.scopes.declare(constant.ident.to_string(), Name::Item),
-                Item::Static(constant) => self.scopes.declare(constant.ident.to_string(), Name::Item),
+                Item::Fn(function) => {
+                    self.scopes.declare(function.sig.ident.to_string(), Name::Item)
+                }
+                Item::Const(constant) => {
+                    self.scopes.declare(constant.ident.to_string(), Name::Item)
+                }
+                Item::Static(constant) => {
+                    self.scopes.declare(constant.ident.to_string(), Name::Item)
+                }
                 _ => {}
             }
         }
@@ -366,7 +391,9 @@ fn computes(value: &Expr) -> bool {
         Expr::Group(inner) => computes(&inner.expr),
         Expr::Binary(_) | Expr::Unary(_) | Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => true,
         Expr::Lit(literal) => matches!(literal.lit, syn::Lit::Float(_)),
-        Expr::MethodCall(call) => kin_language::vocabulary::is_number_method(&call.method.to_string()),
+        Expr::MethodCall(call) => {
+            kin_language::vocabulary::is_number_method(&call.method.to_string())
+        }
         _ => false,
     }
 }

@@ -49,24 +49,33 @@ impl Rewriter {
             Expr::Paren(inner) => self.is_foreign(&inner.expr),
             Expr::Group(inner) => self.is_foreign(&inner.expr),
             Expr::Reference(inner) => self.is_foreign(&inner.expr),
-            Expr::Unary(unary) => matches!(unary.op, UnOp::Deref(_)) && self.is_foreign(&unary.expr),
+            Expr::Unary(unary) => {
+                matches!(unary.op, UnOp::Deref(_)) && self.is_foreign(&unary.expr)
+            }
             Expr::Try(inner) => self.is_foreign(&inner.expr),
-            Expr::Field(field) => self.is_foreign(&field.base) || self.is_made_of_foreign(&field.base),
+            Expr::Field(field) => {
+                self.is_foreign(&field.base) || self.is_made_of_foreign(&field.base)
+            }
             Expr::Index(index) => self.is_foreign(&index.expr),
             Expr::MethodCall(call) => {
                 !is_number_method(&call.method.to_string())
-                    && (self.is_foreign(&call.receiver) || call.args.iter().any(|a| self.is_foreign(a)))
+                    && (self.is_foreign(&call.receiver)
+                        || call.args.iter().any(|a| self.is_foreign(a)))
             }
             Expr::Call(call) => self.gives_foreign(call),
             Expr::Struct(literal) => !is_kin_type(&literal.path),
             Expr::Tuple(tuple) => tuple.elems.iter().any(|part| self.is_foreign(part)),
             Expr::Array(array) => array.elems.iter().any(|part| self.is_foreign(part)),
             Expr::Repeat(repeat) => self.is_foreign(&repeat.expr),
-            Expr::Closure(closure) => !self.is_of_its_own(&closure.body) && self.is_foreign(&closure.body),
+            Expr::Closure(closure) => {
+                !self.is_of_its_own(&closure.body) && self.is_foreign(&closure.body)
+            }
             Expr::Block(block) => self.tail_is_foreign(&block.block),
             Expr::If(branch) => {
-                let otherwise =
-                    branch.else_branch.as_ref().is_some_and(|(_, otherwise)| self.is_foreign(otherwise));
+                let otherwise = branch
+                    .else_branch
+                    .as_ref()
+                    .is_some_and(|(_, otherwise)| self.is_foreign(otherwise));
                 otherwise || self.tail_is_foreign(&branch.then_branch)
             }
             Expr::Match(branch) => branch.arms.iter().any(|arm| self.is_foreign(&arm.body)),
@@ -91,8 +100,12 @@ impl Rewriter {
     /// True if a closure gives a variable that is declared inside of it.
     fn is_of_its_own(&self, body: &Expr) -> bool {
         let Expr::Block(block) = body else { return false };
-        let Some(Stmt::Expr(Expr::Path(tail), None)) = block.block.stmts.last() else { return false };
-        let small = |name: &syn::Ident| name.to_string().starts_with(|c: char| c.is_lowercase() || c == '_');
+        let Some(Stmt::Expr(Expr::Path(tail), None)) = block.block.stmts.last() else {
+            return false;
+        };
+        let small = |name: &syn::Ident| {
+            name.to_string().starts_with(|c: char| c.is_lowercase() || c == '_')
+        };
         tail.path.get_ident().is_some_and(small)
             && self.variable(tail).is_none()
             && self.inner_function(tail).is_none()
@@ -110,7 +123,9 @@ impl Rewriter {
         match self.inner_function(path) {
             Some(_) => false,
             None if is_kin_function(path) || is_number_function(path) => false,
-            None => !is_std_function(path) || call.args.iter().any(|argument| self.is_foreign(argument)),
+            None => {
+                !is_std_function(path) || call.args.iter().any(|argument| self.is_foreign(argument))
+            }
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Calls in the plain copy of functions that may take their arguments as they are, and of methods of states
-//! by their paths.
+//! Calls in the plain copy of functions that may take their arguments as they are, and of methods
+//! of states by their paths.
 
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -13,8 +13,11 @@ use crate::emit::probe::{How, Probed};
 impl Rewriter {
     /// `Planar::point` of the state, which the marker stands for in the signature.
     pub fn state_type(&self, path: &mut syn::ExprPath) {
-        let first =
-            path.path.segments.first().filter(|_| path.path.segments.len() > 1 && path.qself.is_none());
+        let first = path
+            .path
+            .segments
+            .first()
+            .filter(|_| path.path.segments.len() > 1 && path.qself.is_none());
         let (rest, state) = match first.map(|first| first.ident.to_string()).as_deref() {
             Some("Planar") => (path.path.segments.iter().skip(1), quote!(PlanarState)),
             Some("Spatial") => (path.path.segments.iter().skip(1), quote!(SpatialState)),
@@ -35,7 +38,8 @@ impl Rewriter {
             | Expr::Struct(_) => false,
             Expr::Lit(literal) => matches!(literal.lit, Lit::Float(_)),
             Expr::Path(path) => {
-                self.variable(path).is_some_and(|variable| variable.inputs.is_none() && !variable.own)
+                self.variable(path)
+                    .is_some_and(|variable| variable.inputs.is_none() && !variable.own)
                     || !is_function_name(path)
             }
             Expr::Reference(reference) => {

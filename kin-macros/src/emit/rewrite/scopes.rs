@@ -1,9 +1,9 @@
-//! The variables of a body while it is rewritten: which name means which binding, and what each binding can
-//! hold.
+//! The variables of a body while it is rewritten: which name means which binding, and what each
+//! binding can hold.
 //!
-//! The value of a binding is known only when the whole body has been seen (a loop feeds a variable from
-//! below), so the body is gone through until nothing changes any more. Bindings are numbered in the order in
-//! which they are met, the same each time.
+//! The value of a binding is known only when the whole body has been seen (a loop feeds a variable
+//! from below), so the body is gone through until nothing changes any more. Bindings are numbered
+//! in the order in which they are met, the same each time.
 
 use std::collections::HashMap;
 

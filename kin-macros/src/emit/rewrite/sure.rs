@@ -1,13 +1,14 @@
-//! The bodies of which a copy over dual numbers is sure to be good Rust. It is made without knowing a type:
-//! where types of the user's meet numbers, or references and conversions hang on them, the equation over dual
-//! numbers comes out of the graph.
+//! The bodies of which a copy over dual numbers is sure to be good Rust. It is made without knowing
+//! a type: where types of the user's meet numbers, or references and conversions hang on them, the
+//! equation over dual numbers comes out of the graph.
 
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Item, Pat, Type};
 
 use kin_language::parse::{Argument, Kind};
 use kin_language::vocabulary::{
-    is_integer, is_kin_function, is_kin_type, is_number_function, is_number_method, is_type_name, names,
+    is_integer, is_kin_function, is_kin_type, is_number_function, is_number_method, is_type_name,
+    names,
 };
 
 /// True if the copy of this body is sure to be good Rust.
@@ -15,11 +16,14 @@ pub fn is_sure(body: &Block, arguments: &[Argument]) -> bool {
     let states = arguments
         .iter()
         .filter(|argument| matches!(argument.kind, Kind::Planar | Kind::Spatial | Kind::Axis));
-    let mut search =
-        Search { states: states.map(|argument| argument.name.to_string()).collect(), unsure: false };
+    let mut search = Search {
+        states: states.map(|argument| argument.name.to_string()).collect(),
+        unsure: false,
+    };
     search.visit_block(body);
-    let several =
-        arguments.iter().any(|argument| matches!(argument.kind, Kind::Planars(_) | Kind::Spatials(_)));
+    let several = arguments
+        .iter()
+        .any(|argument| matches!(argument.kind, Kind::Planars(_) | Kind::Spatials(_)));
     !search.unsure && !several
 }
 
@@ -59,12 +63,14 @@ impl Search {
         let names = names(path);
         let functions = is_number_function(path)
             || is_kin_function(path) && names.last().is_some_and(|name| name != "from");
-        let kin = names
-            .iter()
-            .any(|name| matches!(name.as_str(), "Planar" | "Spatial" | "Law" | "Vector2" | "Vector3"));
-        let of_type = names.len() > 1 && names[names.len() - 2].starts_with(char::is_uppercase) && !functions;
-        let wrapped =
-            names.last().is_some_and(|name| matches!(name.as_str(), "Some" | "None" | "Ok" | "Err"));
+        let kin = names.iter().any(|name| {
+            matches!(name.as_str(), "Planar" | "Spatial" | "Law" | "Vector2" | "Vector3")
+        });
+        let of_type =
+            names.len() > 1 && names[names.len() - 2].starts_with(char::is_uppercase) && !functions;
+        let wrapped = names
+            .last()
+            .is_some_and(|name| matches!(name.as_str(), "Some" | "None" | "Ok" | "Err"));
         self.unsure |= kin || wrapped || of_type && !is_type_name(path);
     }
 }
@@ -139,7 +145,8 @@ impl Visit<'_> for Search {
             Item::Use(_) => false,
             Item::Const(constant) => !is_single(&constant.ty),
             Item::Fn(function) => {
-                !function.sig.generics.params.is_empty() || function.sig.inputs.iter().any(takes_reference)
+                !function.sig.generics.params.is_empty()
+                    || function.sig.inputs.iter().any(takes_reference)
             }
             _ => true,
         };

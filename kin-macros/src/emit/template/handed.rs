@@ -18,14 +18,15 @@ impl Writer<'_> {
         braces: bool,
         using: Use,
     ) -> TokenStream {
-        let std = path
-            .segments
-            .last()
-            .is_some_and(|last| matches!(last.ident.to_string().as_str(), "Some" | "None" | "Ok" | "Err"));
+        let std = path.segments.last().is_some_and(|last| {
+            matches!(last.ident.to_string().as_str(), "Some" | "None" | "Ok" | "Err")
+        });
         let mut all = Vec::new();
         for (_, field) in fields {
             all.push(match (field, self.site) {
-                (Template::Numbers(nodes, shape, _), Site::Leaf(graph)) if !std && !varies(graph, nodes) => {
+                (Template::Numbers(nodes, shape, _), Site::Leaf(graph))
+                    if !std && !varies(graph, nodes) =>
+                {
                     let built = self.built(nodes, shape);
                     quote!(::kin::emitted::constant_argument(#built))
                 }
@@ -44,7 +45,13 @@ impl Writer<'_> {
     }
 
     /// The state of a body, for the user's function.
-    pub(super) fn state(&mut self, nodes: &[Node], dimension: usize, at: Span, using: Use) -> TokenStream {
+    pub(super) fn state(
+        &mut self,
+        nodes: &[Node],
+        dimension: usize,
+        at: Span,
+        using: Use,
+    ) -> TokenStream {
         let all: Vec<TokenStream> = nodes.iter().map(|&n| (self.value)(n)).collect();
         let built = match dimension {
             2 => {
@@ -52,11 +59,11 @@ impl Writer<'_> {
                 quote!(::kin::emitted::PlanarState { r: ::kin::emitted::Vec2::new(#x, #y), theta: #theta, sin: #sin, cos: #cos })
             }
             _ => {
-                let (r, p, a) = (&all[..3], &all[3..7], &all[7..]);
-                let (r, p) = (
-                    quote!(::kin::emitted::Vec3::new(#(#r),*)),
-                    quote!(::kin::emitted::EulerParameters::new(#(#p),*)),
-                );
+                let r = &all[..3];
+                let p = &all[3..7];
+                let a = &all[7..];
+                let r = quote!(::kin::emitted::Vec3::new(#(#r),*));
+                let p = quote!(::kin::emitted::EulerParameters::new(#(#p),*));
                 quote!(::kin::emitted::SpatialState { r: #r, p: #p, a: ::kin::emitted::Mat3::new(#(#a),*) })
             }
         };
@@ -68,9 +75,10 @@ impl Writer<'_> {
     }
 
     pub(super) fn reference(&mut self, inner: &Template, using: Use) -> TokenStream {
-        if let (Template::State(nodes, dimension, at), Use::Argument | Use::Field) = (inner, using) {
-            let (built, at) =
-                (self.state(nodes, *dimension, *at, Use::Value), Span::mixed_site().located_at(*at));
+        if let (Template::State(nodes, dimension, at), Use::Argument | Use::Field) = (inner, using)
+        {
+            let built = self.state(nodes, *dimension, *at, Use::Value);
+            let at = Span::mixed_site().located_at(*at);
             return match self.site {
                 Site::Leaf(_) => quote_spanned!(at=> ::kin::emitted::Jet(&#built).argument()),
                 _ => {
@@ -78,11 +86,13 @@ impl Writer<'_> {
                 }
             };
         }
-        let (Template::Numbers(nodes, shape, at), Use::Argument | Use::Field) = (inner, using) else {
+        let (Template::Numbers(nodes, shape, at), Use::Argument | Use::Field) = (inner, using)
+        else {
             let place = self.write(inner, Use::Place);
             return quote!((&#place));
         };
-        let (built, at) = (self.built(nodes, shape), Span::mixed_site().located_at(*at));
+        let built = self.built(nodes, shape);
+        let at = Span::mixed_site().located_at(*at);
         match self.site {
             Site::Leaf(graph) if varies(graph, nodes) => {
                 quote_spanned!(at=> ::kin::emitted::Jet(&#built).argument())
@@ -115,11 +125,15 @@ impl Writer<'_> {
                 how: how(true),
                 at: mixed(at),
             },
-            Template::Reference(inner) if matches!(**inner, Template::Numbers(..) | Template::State(..)) => {
+            Template::Reference(inner)
+                if matches!(**inner, Template::Numbers(..) | Template::State(..)) =>
+            {
                 let (built, varying, at) = match &**inner {
-                    Template::Numbers(nodes, shape, at) => {
-                        (self.built(nodes, shape), leaf.is_some_and(|graph| varies(graph, nodes)), *at)
-                    }
+                    Template::Numbers(nodes, shape, at) => (
+                        self.built(nodes, shape),
+                        leaf.is_some_and(|graph| varies(graph, nodes)),
+                        *at,
+                    ),
                     other => (self.write(other, Use::Value), true, argument_span(other)),
                 };
                 let how = match (leaf, varying) {
@@ -131,10 +145,16 @@ impl Writer<'_> {
                 };
                 Probed { value: built, how, at: mixed(&at) }
             }
-            Template::Reference(_) | Template::Struct(..) => {
-                Probed { value: self.write(argument, Use::Value), how: How::AsIs, at: Span::mixed_site() }
-            }
-            other => Probed { value: self.write(other, Use::Value), how: how(false), at: Span::mixed_site() },
+            Template::Reference(_) | Template::Struct(..) => Probed {
+                value: self.write(argument, Use::Value),
+                how: How::AsIs,
+                at: Span::mixed_site(),
+            },
+            other => Probed {
+                value: self.write(other, Use::Value),
+                how: how(false),
+                at: Span::mixed_site(),
+            },
         }
     }
 }

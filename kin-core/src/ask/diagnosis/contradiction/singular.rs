@@ -1,17 +1,18 @@
-//! Finds the singular position beside a solution that is too near to it for rounding to tell them apart.
+//! Finds the singular position beside a solution that is too near to it for rounding to tell them
+//! apart.
 //!
-//! Where two solutions coincide, C = 0 holds to rounding at half the digits of q already, so the pose at hand
-//! can have full rank although the solution has not.
+//! Where two solutions coincide, C = 0 holds to rounding at half the digits of q already, so the
+//! pose at hand can have full rank although the solution has not.
 
 use crate::linear::{Echelon, LeastSquares, Sparse, dense};
 use crate::system::scaled::{Measures, Model, Point};
 
-/// By so much of their norms, and of each of their terms, rows may be off at the singular position, beyond
-/// the closure error that is allowed: rounding.   \[-\]
+/// By so much of their norms, and of each of their terms, rows may be off at the singular position,
+/// beyond the closure error that is allowed: rounding.   \[-\]
 const ROUNDING: f64 = 4e-15;
 
-/// Pivots below this are looked at, and below 30 times the root of the closure error that is allowed: a
-/// solution that is off by ε from a double one has a pivot of about √ε.   \[-\]
+/// Pivots below this are looked at, and below 30 times the root of the closure error that is
+/// allowed: a solution that is off by ε from a double one has a pivot of about √ε.   \[-\]
 const NEAR: f64 = 1e-5;
 
 /// Vectors of either side that are looked at, at most.
@@ -19,8 +20,9 @@ const LOOKED_AT: usize = 8;
 
 /// The pose, or the singular pose of lower rank beside it at which C = 0 holds as well.
 ///
-/// With l and n the nearly null vectors of C_q, the coordinates s for which l · C_q(q + Σ s n) n = 0 are
-/// those of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then met again.
+/// With l and n the nearly null vectors of C_q, the coordinates s for which l · C_q(q + Σ s n) n =
+/// 0 are those of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then
+/// met again.
 pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measures) -> Vec<f64> {
     let tolerance = ROUNDING.max(model.closure);
     let near = NEAR.max(30.0 * model.closure.sqrt());
@@ -32,14 +34,19 @@ pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measure
     if found.smallest > near {
         return q;
     }
-    let (rank, mut here, mut at) = (found.rank(), q.clone(), point);
+    let rank = found.rank();
+    let mut here = q.clone();
+    let mut at = point;
     for _ in 0..4 {
         let close = echelon(&at, near);
-        let (free, dependent) = (close.null_space(), close.left_null_space());
+        let free = close.null_space();
+        let dependent = close.left_null_space();
         if free.is_empty() || dependent.is_empty() || free.len().max(dependent.len()) > LOOKED_AT {
             return q;
         }
-        let Some(moved) = onto(model, (&here, &at), t, measures, [&free, &dependent]) else { return q };
+        let Some(moved) = onto(model, (&here, &at), t, measures, [&free, &dependent]) else {
+            return q;
+        };
         let Some((next, point)) = met_again(model, moved, t, measures, near) else { return q };
         (here, at) = (next, point);
     }
@@ -48,8 +55,11 @@ pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measure
         allowed[row] += ROUNDING * (value * here[column]).abs();
     }
     let is_met = at.c.iter().zip(&allowed).all(|(c, allowed)| c.abs() <= *allowed);
-    let beside =
-        here.iter().zip(&q).zip(&measures.sizes).all(|((a, b), size)| (a - b).abs() <= 10.0 * near * size);
+    let beside = here
+        .iter()
+        .zip(&q)
+        .zip(&measures.sizes)
+        .all(|((a, b), size)| (a - b).abs() <= 10.0 * near * size);
     if is_met && beside && echelon(&at, crate::linear::RANK).rank() < rank { here } else { q }
 }
 
@@ -61,7 +71,8 @@ fn onto(
     measures: &Measures,
     [free, dependent]: [&[Sparse]; 2],
 ) -> Option<Vec<f64>> {
-    let (n, m) = (model.n(), model.m());
+    let n = model.n();
+    let m = model.m();
     let unit = |vector: &Sparse, size: usize| {
         let largest = vector.iter().fold(f64::MIN_POSITIVE, |m, (_, x)| m.max(x.abs()));
         dense(vector, size).into_iter().map(|x| x / largest).collect::<Vec<f64>>()
@@ -83,7 +94,8 @@ fn onto(
     };
     let own = free.iter().map(|v| curvature(v)).collect::<Option<Vec<_>>>()?;
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let (mut matrix, mut rhs) = (Vec::new(), Vec::new());
+    let mut matrix = Vec::new();
+    let mut rhs = Vec::new();
     for (b, v) in free.iter().enumerate() {
         let mixed = free
             .iter()
@@ -94,7 +106,14 @@ fn onto(
                 }
                 let sum: Vec<f64> = u.iter().zip(v).map(|(u, v)| u + v).collect();
                 let whole = curvature(&sum)?;
-                Some(whole.iter().zip(&own[j]).zip(&own[b]).map(|((w, x), y)| 0.5 * (w - x - y)).collect())
+                Some(
+                    whole
+                        .iter()
+                        .zip(&own[j])
+                        .zip(&own[b])
+                        .map(|((w, x), y)| 0.5 * (w - x - y))
+                        .collect(),
+                )
             })
             .collect::<Option<Vec<Vec<f64>>>>()?;
         let stretched = along(v);
@@ -135,11 +154,13 @@ fn met_again(
     let mut solver = LeastSquares::new(model.m(), model.n(), &model.equations.entries);
     let mut point = model.linearize(&q, t).ok()?;
     for _ in 0..STEPS {
-        let scale =
-            |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+        let scale = |entry: &Option<(usize, usize)>| {
+            entry.map_or(0.0, |(row, column)| sizes[column] / norms[row])
+        };
         let entries = model.equations.entries.iter().zip(&point.values);
         let values: Vec<f64> = entries.map(|(entry, value)| scale(entry) * value).collect();
-        // The damping, of squares, is far above those of what is nearly free and far below all others.
+        // The damping, of squares, is far above those of what is nearly free and far below all
+        // others.
         if !solver.factor(values.into_iter(), near) {
             return None;
         }

@@ -7,8 +7,8 @@ use super::super::order;
 use super::freed::{for_freedoms, out_of_line};
 use super::trial::Trial;
 
-/// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency or freedom
-/// of this pose alone asks for another pose, not for another model.
+/// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency
+/// or freedom of this pose alone asks for another pose, not for another model.
 pub(crate) fn least(
     examined: &Examined<'_>,
     gaps: &[Gap],
@@ -30,7 +30,8 @@ pub(crate) fn least(
             changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies)));
         }
         cures => {
-            // With the cure everything closes and moves: what else is wrong at this pose is so because of it.
+            // With the cure everything closes and moves: what else is wrong at this pose is so
+            // because of it.
             changes.extend_from_slice(cures);
             if examined.model().m() >= examined.model().n() {
                 return changes;
@@ -39,7 +40,8 @@ pub(crate) fn least(
     }
     let gone = |row: usize| gaps.iter().any(|gap| gap.rows.contains(&row));
     let lasting = dependencies.iter().filter(|found| found.class != Class::OnlyHere);
-    let (mut rows, mut conflicts) = (Vec::new(), Vec::new());
+    let mut rows = Vec::new();
+    let mut conflicts = Vec::new();
     for found in lasting {
         match found.terms.first() {
             Some(own) if gone(own.row) => {}
@@ -64,8 +66,8 @@ pub(crate) fn least(
     changes
 }
 
-/// Of a mechanism without a driver that its joints hold at a special position alone: those of which one could
-/// hold less.
+/// Of a mechanism without a driver that its joints hold at a special position alone: those of which
+/// one could hold less.
 fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Change> {
     let model = examined.model();
     let is_driven = (0..model.m()).any(|row| model.drives(row));
@@ -95,13 +97,15 @@ fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> C
     if let Some(step) = gap.steps.iter().find(|step| step.constraint == gap.constraint) {
         return Change::Smooth { step: step.clone() };
     }
-    let own =
-        |found: &&Dependency| found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row));
+    let own = |found: &&Dependency| {
+        found.terms.first().map(|term| term.row).filter(|row| gap.rows.contains(row))
+    };
     let mut rows: Vec<usize> = sets.iter().filter_map(own).collect();
     rows.sort_unstable();
     rows.retain(|row| works_without(examined, &[*row]));
-    let name =
-        |row: &usize| model.equations.block_of(*row).map(|(block, local)| block.row(local).to_string());
+    let name = |row: &usize| {
+        model.equations.block_of(*row).map(|(block, local)| block.row(local).to_string())
+    };
     let or_drop = rows.iter().filter_map(name).collect();
     Change::Fit { constraint, missing: gap.size(), or_drop, of: gap.rows.len() }
 }
@@ -112,8 +116,9 @@ fn can_go(examined: &Examined<'_>, name: &str) -> bool {
     block.is_some_and(|block| works_without(examined, &block.rows().collect::<Vec<_>>()))
 }
 
-/// True if the mechanism closes without these equations, and each driver among them has had something to
-/// drive; where there is no driver among them, every driver that is left must have something to drive.
+/// True if the mechanism closes without these equations, and each driver among them has had
+/// something to drive; where there is no driver among them, every driver that is left must have
+/// something to drive.
 fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     let model = examined.model();
     let trial = Trial { model: *model, t: examined.t, without: rows, steps: examined.walk.steps };
@@ -122,8 +127,8 @@ fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     trial.closed(examined.q).is_some_and(|found| trial.moves(&found, &drivers))
 }
 
-/// The constraints that could be removed in place of a driver that is in conflict: other drivers; where there
-/// are none, joints of one row.
+/// The constraints that could be removed in place of a driver that is in conflict: other drivers;
+/// where there are none, joints of one row.
 fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<String> {
     let names = |wanted: &dyn Fn(usize) -> bool| {
         let mut all: Vec<String> = Vec::new();
@@ -164,8 +169,8 @@ fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
         } else {
             let mut own = own;
             own.sort_unstable();
-            let instead =
-                instead(block.constraint.facts().kind, block.rows().len(), &own).map(str::to_string);
+            let instead = instead(block.constraint.facts().kind, block.rows().len(), &own)
+                .map(str::to_string);
             Change::Drop {
                 constraint,
                 rows: own.iter().map(|local| block.row(*local).to_string()).collect(),

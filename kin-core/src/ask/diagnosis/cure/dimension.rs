@@ -1,5 +1,5 @@
-//! Dimensions of a mechanism as a designer knows them, found among the parameters of its constraints: lengths
-//! of bodies, points, numbers.
+//! Dimensions of a mechanism as a designer knows them, found among the parameters of its
+//! constraints: lengths of bodies, points, numbers.
 
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::layout::Place;
@@ -55,8 +55,8 @@ pub(crate) fn points(model: &Model<'_>) -> Vec<PointAt> {
     blocks.flat_map(|(k, block)| points_of(model, k, block.constraint.as_ref())).collect()
 }
 
-/// Vectors among the parameters that are points of bodies: by what the constraint says of its points, else by
-/// their names (`u_i` of `i`).
+/// Vectors among the parameters that are points of bodies: by what the constraint says of its
+/// points, else by their names (`u_i` of `i`).
 fn points_of(model: &Model<'_>, block: usize, constraint: &dyn Constraint) -> Vec<PointAt> {
     let arguments = constraint.arguments();
     let mut attached: Vec<(usize, [f64; 3])> = Vec::new();
@@ -68,18 +68,21 @@ fn points_of(model: &Model<'_>, block: usize, constraint: &dyn Constraint) -> Ve
     let mut found = Vec::new();
     for (first, name, value) in vectors(constraint) {
         let is = |(_, point): &(usize, [f64; 3])| value.iter().zip(point).all(|(a, b)| a == b);
-        let by_name =
-            |argument: usize| name.rsplit_once('_').is_some_and(|(_, end)| end == arguments[argument].name);
+        let by_name = |argument: usize| {
+            name.rsplit_once('_').is_some_and(|(_, end)| end == arguments[argument].name)
+        };
         let taken = attached
             .iter()
             .position(|known| is(known) && by_name(known.0))
             .or_else(|| attached.iter().position(is));
         let Some((argument, _)) = taken.map(|k| attached.remove(k)) else { continue };
-        let item = match arguments.get(argument).and_then(|argument| model.layout.place(&argument.target)) {
-            Some(Place::Own { item, .. }) => Some(item),
-            Some(Place::Ground(_)) => None,
-            None => continue,
-        };
+        let item =
+            match arguments.get(argument).and_then(|argument| model.layout.place(&argument.target))
+            {
+                Some(Place::Own { item, .. }) => Some(item),
+                Some(Place::Ground(_)) => None,
+                None => continue,
+            };
         found.push(PointAt { block, first, name, argument, item, value });
     }
     found
@@ -93,10 +96,9 @@ fn vectors(constraint: &dyn Constraint) -> Vec<(usize, String, Vec<f64>)> {
         match name.rsplit_once('.') {
             Some((vector, "x")) => all.push((number, vector.to_string(), vec![value])),
             Some((vector, "y" | "z")) => {
-                if let Some((_, _, values)) = all
-                    .last_mut()
-                    .filter(|(first, known, values)| known == vector && first + values.len() == number)
-                {
+                if let Some((_, _, values)) = all.last_mut().filter(|(first, known, values)| {
+                    known == vector && first + values.len() == number
+                }) {
                     values.push(value);
                 }
             }
@@ -111,7 +113,8 @@ fn vectors(constraint: &dyn Constraint) -> Vec<(usize, String, Vec<f64>)> {
 /// Every dimension that could be another, lengths of bodies first, then numbers, then points.
 pub(crate) fn all(model: &Model<'_>) -> Vec<Dimension> {
     let points = points(model);
-    let (mut dimensions, mut used) = (Vec::new(), vec![false; points.len()]);
+    let mut dimensions = Vec::new();
+    let mut used = vec![false; points.len()];
     for item in 0..model.layout.items.len() {
         if let Some(length) = length(item, &points, &mut used) {
             dimensions.push(length);
@@ -128,12 +131,17 @@ pub(crate) fn all(model: &Model<'_>) -> Vec<Dimension> {
         own.constraint.parameters(&mut |name, value| {
             if !name.contains(['.', '[']) {
                 let of = Of::Number(block, name.to_string());
-                dimensions.push(Dimension { of, value: vec![value], slots: vec![((block, number), 0, 1.0)] });
+                dimensions.push(Dimension {
+                    of,
+                    value: vec![value],
+                    slots: vec![((block, number), 0, 1.0)],
+                });
             }
             number += 1;
         });
     }
-    dimensions.extend(points.into_iter().zip(used).filter(|(_, used)| !used).map(|(point, _)| at(point)));
+    dimensions
+        .extend(points.into_iter().zip(used).filter(|(_, used)| !used).map(|(point, _)| at(point)));
     dimensions
 }
 
@@ -146,13 +154,20 @@ fn at(point: PointAt) -> Dimension {
         let slots = point.value.iter().enumerate().map(|(k, x)| (slot(k), 0, x / size)).collect();
         return Dimension { of, value: vec![size], slots };
     }
-    Dimension { of, slots: (0..point.value.len()).map(|k| (slot(k), k, 1.0)).collect(), value: point.value }
+    Dimension {
+        of,
+        slots: (0..point.value.len()).map(|k| (slot(k), k, 1.0)).collect(),
+        value: point.value,
+    }
 }
 
-/// The length of a body with points at (±a, 0, 0): those of a link. Points at its ends are marked as used.
+/// The length of a body with points at (±a, 0, 0): those of a link. Points at its ends are marked
+/// as used.
 fn length(item: usize, points: &[PointAt], used: &mut [bool]) -> Option<Dimension> {
     let end = |point: &PointAt| {
-        point.item == Some(item) && point.value[0] != 0.0 && point.value[1..].iter().all(|x| *x == 0.0)
+        point.item == Some(item)
+            && point.value[0] != 0.0
+            && point.value[1..].iter().all(|x| *x == 0.0)
     };
     let ends: Vec<(usize, f64)> = points
         .iter()
@@ -172,12 +187,12 @@ fn length(item: usize, points: &[PointAt], used: &mut [bool]) -> Option<Dimensio
 impl Dimension {
     /// Puts another value into the equations; false where a constraint refuses it.
     pub(crate) fn put(&self, equations: &mut Equations, value: &[f64]) -> bool {
-        let offsets = self.slots.iter().map(|&(slot, k, factor)| (slot, factor * (value[k] - self.value[k])));
+        let offsets =
+            self.slots.iter().map(|&(slot, k, factor)| (slot, factor * (value[k] - self.value[k])));
         let given: Vec<(Slot, f64)> = offsets.collect();
-        given
-            .into_iter()
-            .all(|(slot, offset)| self.base(slot).is_some_and(|base| set(equations, slot, base + offset)))
-            && self.blocks().all(|block| equations.blocks[block].constraint.refusal().is_none())
+        given.into_iter().all(|(slot, offset)| {
+            self.base(slot).is_some_and(|base| set(equations, slot, base + offset))
+        }) && self.blocks().all(|block| equations.blocks[block].constraint.refusal().is_none())
     }
 
     /// The present value of a parameter that hangs on this dimension.
@@ -189,7 +204,8 @@ impl Dimension {
     /// The same point anywhere, where its distance alone is not enough.
     pub(crate) fn anywhere(&self) -> Option<Dimension> {
         let (Of::Point(..), [_]) = (&self.of, &self.value[..]) else { return None };
-        let slots = self.slots.iter().enumerate().map(|(k, (slot, _, _))| (*slot, k, 1.0)).collect();
+        let slots =
+            self.slots.iter().enumerate().map(|(k, (slot, _, _))| (*slot, k, 1.0)).collect();
         Some(Dimension { of: self.of.clone(), slots, value: self.components(&self.value) })
     }
 

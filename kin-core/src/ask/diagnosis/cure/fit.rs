@@ -14,11 +14,13 @@ pub(crate) struct Fitted {
     pub value: Vec<f64>,
     /// True if only this value fits, false if those beyond it do too.
     pub exact: bool,
-    /// How far it is from what the dimension is, by its proportion: |ln| of what it is multiplied by.   \[-\]
+    /// How far it is from what the dimension is, by its proportion: |ln| of what it is multiplied
+    /// by.   \[-\]
     pub change: f64,
 }
 
-/// A bound is told with this much to spare: at the bound itself the mechanism stands in a toggle.   \[-\]
+/// A bound is told with this much to spare: at the bound itself the mechanism stands in a
+/// toggle.   \[-\]
 const SPARE: f64 = 0.05;
 
 /// A bound is known to this share; halvings of the way to it at most.   \[-\]
@@ -37,7 +39,8 @@ pub(crate) fn fit(
     without: &[usize],
     steps: usize,
 ) -> Option<Fitted> {
-    let (equations, scale) = (model.equations.clone(), scale(dimension, &near.measures, model));
+    let equations = model.equations.clone();
+    let scale = scale(dimension, &near.measures, model);
     let mut fit = Fit { model: *model, equations, dimension, t, without, steps, scale };
     let (value, q) = fit.solved(near)?;
     if let [_] = dimension.value[..] {
@@ -64,8 +67,12 @@ struct Fit<'a> {
 }
 
 fn scale(dimension: &Dimension, measures: &Measures, model: &Model<'_>) -> f64 {
-    let length =
-        model.layout.units.iter().position(|unit| *unit == Unit::Metre).map_or(1.0, |k| measures.sizes[k]);
+    let length = model
+        .layout
+        .units
+        .iter()
+        .position(|unit| *unit == Unit::Metre)
+        .map_or(1.0, |k| measures.sizes[k]);
     dimension.value.iter().fold(length, |m, x| m.max(x.abs()))
 }
 
@@ -80,14 +87,18 @@ impl Fit<'_> {
 
     /// The pose with another value of the dimension, from one near it or beside that.
     fn closed(&mut self, value: &[f64], from: &[f64]) -> Option<Found> {
-        let (t, without, steps) = (self.t, self.without, self.steps.min(NEAR));
+        let t = self.t;
+        let without = self.without;
+        let steps = self.steps.min(NEAR);
         self.with(value, |model| Trial { model, t, without, steps }.closed_beside(from))
     }
 
     /// True if the mechanism with this value closes near a pose and moves as it should.
     fn works(&mut self, value: &[f64], from: &[f64]) -> bool {
         let Some(found) = self.closed(value, from) else { return false };
-        let (t, without, steps) = (self.t, self.without, self.steps);
+        let t = self.t;
+        let without = self.without;
+        let steps = self.steps;
         self.with(value, |model| {
             let trial = Trial { model, t, without, steps };
             (trial.moves(&found, &drivers(&model, without)) && trial.goes_on(&found)).then_some(())
@@ -95,10 +106,11 @@ impl Fit<'_> {
         .is_some()
     }
 
-    /// The value that is told for one that closes: the end of those that do, as near as possible to what the
-    /// dimension is.
+    /// The value that is told for one that closes: the end of those that do, as near as possible to
+    /// what the dimension is.
     fn bounded(&mut self, value: Vec<f64>, q: &[f64]) -> Option<Fitted> {
-        let (is, to) = (self.dimension.value[0], value[0]);
+        let is = self.dimension.value[0];
+        let to = value[0];
         if to <= 0.0 && matches!(self.dimension.of, Of::Length(_) | Of::Point(..)) {
             return None;
         }
@@ -106,7 +118,9 @@ impl Fit<'_> {
         let Some(found) = self.closed(&[beyond(to)], q) else {
             return self.works(&value, q).then(|| self.fitted(value, true));
         };
-        let (mut open, mut closed, mut pose) = (is, beyond(to), found.place.q);
+        let mut open = is;
+        let mut closed = beyond(to);
+        let mut pose = found.place.q;
         for _ in 0..HALVINGS {
             let middle = if open * closed > 0.0 {
                 (open * closed).sqrt().copysign(open)
@@ -130,7 +144,8 @@ impl Fit<'_> {
         Fitted { change: self.proportion(&value), value, exact }
     }
 
-    /// |ln| of the factor between the two values; of one that changes sign or comes from zero more than any factor that is likely.
+    /// |ln| of the factor between the two values; of one that changes sign or comes from zero more
+    /// than any factor that is likely.
     fn proportion(&self, value: &[f64]) -> f64 {
         const FAR: f64 = 3.0;
         match (&self.dimension.value[..], value) {
@@ -147,7 +162,9 @@ impl Fit<'_> {
         /// Damping, against rows and columns of order 1, at the start and at its least.   \[-\]
         const DAMPING: [f64; 2] = [1e-2, 1e-12];
         const MET: f64 = 1e-12;
-        let (n, m, d) = (self.model.n(), self.model.m(), self.dimension.value.len());
+        let n = self.model.n();
+        let m = self.model.m();
+        let d = self.dimension.value.len();
         let places: Vec<Option<(usize, usize)>> = self
             .model
             .equations
@@ -157,8 +174,9 @@ impl Fit<'_> {
             .chain((0..d).flat_map(|k| (0..m).map(move |row| Some((row, n + k)))))
             .collect();
         let mut solver = LeastSquares::new(m, n + d, &places);
-        let (mut q, mut value, mut damping) =
-            (near.place.q.clone(), self.dimension.value.clone(), DAMPING[0]);
+        let mut q = near.place.q.clone();
+        let mut value = self.dimension.value.clone();
+        let mut damping = DAMPING[0];
         let (mut point, mut slopes) = self.linearized(&q, &value)?;
         let mut merit = self.merit(&point, &near.measures);
         for _ in 0..self.steps {
@@ -167,8 +185,12 @@ impl Fit<'_> {
             }
             let y = self.step(&mut solver, (&point, &slopes), &near.measures, damping);
             let next = y.and_then(|y| {
-                let moved: Vec<f64> =
-                    q.iter().zip(&y).zip(&near.measures.sizes).map(|((q, y), size)| q + y * size).collect();
+                let moved: Vec<f64> = q
+                    .iter()
+                    .zip(&y)
+                    .zip(&near.measures.sizes)
+                    .map(|((q, y), size)| q + y * size)
+                    .collect();
                 let changed: Vec<f64> =
                     value.iter().zip(&y[n..]).map(|(value, y)| value + y * self.scale).collect();
                 let (point, slopes) = self.linearized(&moved, &changed)?;
@@ -186,7 +208,8 @@ impl Fit<'_> {
         (merit < 1e-20).then_some((value, q))
     }
 
-    /// C, C_q, and the slopes of C by the dimension, all rows of one component after those of the other.
+    /// C, C_q, and the slopes of C by the dimension, all rows of one component after those of the
+    /// other.
     fn linearized(&mut self, q: &[f64], value: &[f64]) -> Option<(Point, Vec<f64>)> {
         /// Central differences: parameters enter as a rule in the first or second power.   \[-\]
         const STEP: f64 = 1e-5;
@@ -200,15 +223,20 @@ impl Fit<'_> {
                 moved[k] += sign * h;
                 self.with(&moved, |model| model.linearize(q, t).ok()).map(|point| point.c)
             };
-            let (after, before) = (at(1.0)?, at(-1.0)?);
+            let after = at(1.0)?;
+            let before = at(-1.0)?;
             slopes.extend(after.iter().zip(before).map(|(a, b)| (a - b) / (2.0 * h)));
         }
         Some((point, slopes))
     }
 
     fn merit(&self, point: &Point, measures: &Measures) -> f64 {
-        let rows =
-            point.c.iter().zip(&measures.norms).enumerate().filter(|(row, _)| !self.without.contains(row));
+        let rows = point
+            .c
+            .iter()
+            .zip(&measures.norms)
+            .enumerate()
+            .filter(|(row, _)| !self.without.contains(row));
         rows.map(|(_, (c, norm))| (c / norm).powi(2)).sum()
     }
 
@@ -221,12 +249,16 @@ impl Fit<'_> {
     ) -> Option<Vec<f64>> {
         let Measures { sizes, norms, .. } = measures;
         let m = norms.len();
-        let weight = |row: usize| if self.without.contains(&row) { 0.0 } else { norms[row].recip() };
+        let weight =
+            |row: usize| if self.without.contains(&row) { 0.0 } else { norms[row].recip() };
         let entries = self.model.equations.entries.iter().zip(&point.values);
         let mut values: Vec<f64> = entries
-            .map(|(entry, value)| entry.map_or(0.0, |(row, column)| weight(row) * value * sizes[column]))
+            .map(|(entry, value)| {
+                entry.map_or(0.0, |(row, column)| weight(row) * value * sizes[column])
+            })
             .collect();
-        values.extend(slopes.iter().enumerate().map(|(k, slope)| weight(k % m) * slope * self.scale));
+        values
+            .extend(slopes.iter().enumerate().map(|(k, slope)| weight(k % m) * slope * self.scale));
         if !solver.factor(values.iter().copied(), damping) {
             return None;
         }

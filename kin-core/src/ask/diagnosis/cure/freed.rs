@@ -1,5 +1,5 @@
-//! The changes that take a freedom away: a joint, a pin, a drive, something that holds the body, or a longer
-//! body.
+//! The changes that take a freedom away: a joint, a pin, a drive, something that holds the body, or
+//! a longer body.
 
 use std::collections::HashSet;
 
@@ -12,8 +12,8 @@ use crate::model::verdict::{Change, Freedom, How, Persistence, Resize, Size};
 use crate::system::evaluate::Block;
 use crate::system::scaled::Model;
 
-/// The change for each lasting freedom: a joint for a body that nothing holds, a drive, or something that
-/// holds it.
+/// The change for each lasting freedom: a joint for a body that nothing holds, a drive, or
+/// something that holds it.
 pub(crate) fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
     let mut known: HashSet<(u8, String)> = HashSet::new();
@@ -43,8 +43,8 @@ pub(crate) fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec
     pinned(examined, changes)
 }
 
-/// The same, where two links that hang on one joint each are all that is free: a pin between them is likely
-/// to be missing.
+/// The same, where two links that hang on one joint each are all that is free: a pin between them
+/// is likely to be missing.
 fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
     let [
         Change::Drive { coordinate: x, moves: a, turn: None },
@@ -55,7 +55,8 @@ fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
     };
     match (&a[..], &b[..]) {
         ([a], [b]) if a != b && hangs(examined, a) && hangs(examined, b) => {
-            let (mut bodies, mut coordinates) = ([a.clone(), b.clone()], [x.clone(), y.clone()]);
+            let mut bodies = [a.clone(), b.clone()];
+            let mut coordinates = [x.clone(), y.clone()];
             if order::natural(&bodies[0], &bodies[1]) == std::cmp::Ordering::Greater {
                 bodies.reverse();
                 coordinates.reverse();
@@ -69,8 +70,7 @@ fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
 /// True if exactly one constraint acts on a planar body.
 fn hangs(examined: &Examined<'_>, name: &str) -> bool {
     let model = examined.model();
-    let of_it =
-        |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
+    let of_it = |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
     let speaks = |block: &&Block| {
         block
             .constraint
@@ -78,12 +78,13 @@ fn hangs(examined: &Examined<'_>, name: &str) -> bool {
             .iter()
             .any(|argument| model.layout.place(&argument.target).is_some_and(of_it))
     };
-    let planar = model.layout.items.iter().any(|item| item.name == name && item.kind == Kind::Planar);
+    let planar =
+        model.layout.items.iter().any(|item| item.name == name && item.kind == Kind::Planar);
     planar && model.equations.blocks.iter().filter(speaks).count() == 1
 }
 
-/// The coordinate to drive; where its body turns, its angle, and of a spatial body its turn. `moved` says in
-/// how many freedoms each coordinate changes.
+/// The coordinate to drive; where its body turns, its angle, and of a spatial body its turn.
+/// `moved` says in how many freedoms each coordinate changes.
 fn drive(
     examined: &Examined<'_>,
     (column, freedom): (usize, &Freedom),
@@ -92,11 +93,12 @@ fn drive(
 ) -> Change {
     let layout = examined.model().layout;
     let item = layout.owner(column);
-    let motion =
-        item.and_then(|item| freedom.motions.iter().find(|motion| motion.names.contains(&item.name)));
-    let turns =
-        motion.is_some_and(|motion| matches!(motion.how, How::TurnsAbout { .. } | How::Screws { .. }));
-    let (mut coordinate, mut turn) = (freedom.coordinate.clone(), None);
+    let motion = item
+        .and_then(|item| freedom.motions.iter().find(|motion| motion.names.contains(&item.name)));
+    let turns = motion
+        .is_some_and(|motion| matches!(motion.how, How::TurnsAbout { .. } | How::Screws { .. }));
+    let mut coordinate = freedom.coordinate.clone();
+    let mut turn = None;
     match item.map(|item| (item, item.kind)) {
         Some((item, Kind::Spatial)) if turns => turn = Some(item.name.clone()),
         Some((item, Kind::Planar)) if turns => {
@@ -111,8 +113,8 @@ fn drive(
     Change::Drive { coordinate, turn, moves }
 }
 
-/// For bodies that give to first order only: lengths of theirs with which they do not, a little longer than
-/// they are.
+/// For bodies that give to first order only: lengths of theirs with which they do not, a little
+/// longer than they are.
 pub(crate) fn out_of_line(examined: &Examined<'_>, freedoms: &[Freedom]) -> Option<Change> {
     const LONGER: f64 = 1.05;
     let model = examined.model();
@@ -122,7 +124,8 @@ pub(crate) fn out_of_line(examined: &Examined<'_>, freedoms: &[Freedom]) -> Opti
     let mut any = Vec::new();
     for dimension in dimension::all(model) {
         let Of::Length(item) = dimension.of else { continue };
-        let (body, value) = (model.layout.items[item].name.clone(), vec![LONGER * dimension.value[0]]);
+        let body = model.layout.items[item].name.clone();
+        let value = vec![LONGER * dimension.value[0]];
         let mut equations = model.equations.clone();
         if !names.contains(&&body) || !dimension.put(&mut equations, &value) {
             continue;
@@ -133,11 +136,16 @@ pub(crate) fn out_of_line(examined: &Examined<'_>, freedoms: &[Freedom]) -> Opti
             without: &[],
             steps: examined.walk.steps,
         };
-        let stands = trial
-            .closed_beside(examined.q)
-            .is_some_and(|found| trial.model.rank(&found.place.point.values, &found.measures) == model.n());
+        let stands = trial.closed_beside(examined.q).is_some_and(|found| {
+            trial.model.rank(&found.place.point.values, &found.measures) == model.n()
+        });
         if stands {
-            any.push(Resize { of: Size::Length { body }, is: dimension.value, fits: value, exact: true });
+            any.push(Resize {
+                of: Size::Length { body },
+                is: dimension.value,
+                fits: value,
+                exact: true,
+            });
         }
     }
     (!any.is_empty()).then_some(Change::Resize { any })

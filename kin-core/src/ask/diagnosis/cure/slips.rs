@@ -1,6 +1,6 @@
-//! Slips of the pen: points that were given to a constraint in the wrong order, in the wrong frame or for the
-//! wrong end. Each is looked for only where the numbers speak for it, and told only if the mechanism closes
-//! and moves without it.
+//! Slips of the pen: points that were given to a constraint in the wrong order, in the wrong frame
+//! or for the wrong end. Each is looked for only where the numbers speak for it, and told only if
+//! the mechanism closes and moves without it.
 
 use super::super::options::Search;
 use super::dimension::{self, PointAt};
@@ -98,8 +98,8 @@ impl Looked<'_> {
         a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() > SAME * self.length
     }
 
-    /// The constraints with just two points, in different bodies: places where two points are to meet as a
-    /// rule.
+    /// The constraints with just two points, in different bodies: places where two points are to
+    /// meet as a rule.
     fn pairs(&self) -> impl Iterator<Item = (&PointAt, &PointAt)> {
         self.points.chunk_by(|a, b| a.block == b.block).filter_map(|own| match own {
             [i, j] if i.argument != j.argument && i.value.len() == j.value.len() => Some((i, j)),
@@ -118,7 +118,8 @@ impl Looked<'_> {
                 continue;
             }
             // One of the points, or both, may be given in global coordinates.
-            let (p, q) = (vector(&i.value), vector(&j.value));
+            let p = vector(&i.value);
+            let q = vector(&j.value);
             let meets = |known: Option<[f64; 3]>, global: [f64; 3]| {
                 known.is_some_and(|known| !self.apart(known, global))
             };
@@ -130,7 +131,8 @@ impl Looked<'_> {
             };
             for point in slipped {
                 let drawn = point.item.filter(|_| self.global(point, &point.value).is_some());
-                wrong.extend(drawn.and_then(|item| Some((*point, self.local(item, &point.value)?))));
+                wrong
+                    .extend(drawn.and_then(|item| Some((*point, self.local(item, &point.value)?))));
             }
         }
         let block = wrong.first()?.0.block;
@@ -149,18 +151,25 @@ impl Looked<'_> {
             given: point.value.clone(),
             local: local.clone(),
         };
-        works.then_some(Slip { change: Change::Local { points: wrong.iter().map(told).collect() }, block })
+        works.then_some(Slip {
+            change: Change::Local { points: wrong.iter().map(told).collect() },
+            block,
+        })
     }
 
     fn name(&self, item: Option<usize>) -> String {
-        item.map_or_else(|| "ground".to_string(), |item| self.model().layout.items[item].name.clone())
+        item.map_or_else(
+            || "ground".to_string(),
+            |item| self.model().layout.items[item].name.clone(),
+        )
     }
 
-    /// True if a body has the mirror image of this point where another constraint holds it: the two are the
-    /// ends of a link.
+    /// True if a body has the mirror image of this point where another constraint holds it: the two
+    /// are the ends of a link.
     fn is_end(&self, u: &[f64], item: Option<usize>, block: usize) -> bool {
-        let mirrored =
-            |point: &&PointAt| point.block != block && point.value.iter().zip(u).all(|(a, b)| *a == -b);
+        let mirrored = |point: &&PointAt| {
+            point.block != block && point.value.iter().zip(u).all(|(a, b)| *a == -b)
+        };
         item.is_some()
             && u.iter().any(|x| *x != 0.0)
             && self.points.iter().filter(|point| point.item == item).any(|point| mirrored(&point))
@@ -174,13 +183,14 @@ impl Looked<'_> {
                 || i.item.is_none()
                     && self.is_end(&i.value, j.item, i.block)
                     && !self.is_end(&j.value, j.item, i.block);
-            // A link and a body of any other shape: the link's end is given for that body, and a point that
-            // is no end for the link.
+            // A link and a body of any other shape: the link's end is given for that body, and a
+            // point that is no end for the link.
             let foreign_end = |own: &PointAt, other: &PointAt| {
                 self.is_end(&other.value, own.item, i.block) && other.item.is_some()
             };
             let link = foreign_end(i, j) || foreign_end(j, i);
-            let [i_is_right, j_is_right] = [i, j].map(|point| self.is_end(&point.value, point.item, i.block));
+            let [i_is_right, j_is_right] =
+                [i, j].map(|point| self.is_end(&point.value, point.item, i.block));
             let one_is_right = i_is_right && j_is_right;
             let drawn = |a: &PointAt, u: &PointAt| self.global(a, &u.value);
             let meet = |a: Option<[f64; 3]>, b: Option<[f64; 3]>| matches!((a, b), (Some(a), Some(b)) if !self.apart(a, b));
@@ -199,7 +209,10 @@ impl Looked<'_> {
             let constraint = self.model().equations.blocks[i.block].name.clone();
             let bodies = [self.name(i.item), self.name(j.item)];
             let points = [i.value.clone(), j.value.clone()];
-            works.then_some(Slip { change: Change::Swap { constraint, bodies, points }, block: i.block })
+            works.then_some(Slip {
+                change: Change::Swap { constraint, bodies, points },
+                block: i.block,
+            })
         };
         self.pairs().find_map(told)
     }
@@ -207,8 +220,11 @@ impl Looked<'_> {
     /// Two constraints at the same end of a body that has no constraint at its other end.
     fn same_end(&self) -> Option<Slip> {
         for (k, a) in self.points.iter().enumerate() {
-            let on_body: Vec<&PointAt> =
-                self.points.iter().filter(|point| point.item.is_some() && point.item == a.item).collect();
+            let on_body: Vec<&PointAt> = self
+                .points
+                .iter()
+                .filter(|point| point.item.is_some() && point.item == a.item)
+                .collect();
             let [first, second] = on_body[..] else { continue };
             let is_end = a.value[0] != 0.0 && a.value[1..].iter().all(|x| *x == 0.0);
             if first.value != second.value
@@ -225,10 +241,13 @@ impl Looked<'_> {
                 })
             });
             if works {
-                let constraints =
-                    [first, second].map(|point| self.model().equations.blocks[point.block].name.clone());
-                let change =
-                    Change::OtherEnd { constraints, body: self.name(a.item), point: a.value.clone() };
+                let constraints = [first, second]
+                    .map(|point| self.model().equations.blocks[point.block].name.clone());
+                let change = Change::OtherEnd {
+                    constraints,
+                    body: self.name(a.item),
+                    point: a.value.clone(),
+                };
                 return Some(Slip { change, block: second.block });
             }
         }

@@ -1,8 +1,9 @@
-//! The second-order test: which freedoms exist to first order only, and how far play lets them move.
+//! The second-order test: which freedoms exist to first order only, and how far play lets them
+//! move.
 //!
-//! A motion q + s n + s² w, with C_q n = 0, stays on C = 0 to second order only if
-//! l · (C_q n)_q n = 0 for each l with lᵀ C_q = 0 (R. Connelly, W. Whiteley, Second-order rigidity and
-//! prestress stability, SIAM J. Discrete Math. 9, 1996). If a combination of the l makes this quadratic form
+//! A motion q + s n + s² w, with C_q n = 0, stays on C = 0 to second order only if l · (C_q n)_q
+//! n = 0 for each l with lᵀ C_q = 0 (R. Connelly, W. Whiteley, Second-order rigidity and prestress
+//! stability, SIAM J. Discrete Math. 9, 1996). If a combination of the l makes this quadratic form
 //! of n definite, no direction passes: the structure is rigid, but shaky.
 
 use super::super::examined::Examined;
@@ -34,8 +35,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// True if the second order holds all these motions and each combination of them: a combination of the forms
-/// l · (C_q n)_q n is definite.
+/// True if the second order holds all these motions and each combination of them: a combination of
+/// the forms l · (C_q n)_q n is definite.
 pub(super) fn holds(examined: &Examined<'_>, directions: &[Vec<f64>]) -> bool {
     let stresses = stresses(examined);
     if stresses.is_empty() || directions.is_empty() {
@@ -59,7 +60,11 @@ pub(super) fn holds(examined: &Examined<'_>, directions: &[Vec<f64>]) -> bool {
 }
 
 /// Of each stress the symmetric matrix of its form over the directions, by polarisation.
-fn forms(examined: &Examined<'_>, directions: &[Vec<f64>], stresses: &[Vec<f64>]) -> Vec<Vec<Vec<f64>>> {
+fn forms(
+    examined: &Examined<'_>,
+    directions: &[Vec<f64>],
+    stresses: &[Vec<f64>],
+) -> Vec<Vec<Vec<f64>>> {
     let count = directions.len();
     let mut forms = vec![vec![vec![0.0; count]; count]; stresses.len()];
     let own: Vec<Vec<f64>> = directions.iter().map(|v| curvature(examined, v)).collect();
@@ -68,9 +73,15 @@ fn forms(examined: &Examined<'_>, directions: &[Vec<f64>], stresses: &[Vec<f64>]
             let mixed: Vec<f64> = if i == j {
                 own[i].clone()
             } else {
-                let sum: Vec<f64> = directions[i].iter().zip(&directions[j]).map(|(a, b)| a + b).collect();
+                let sum: Vec<f64> =
+                    directions[i].iter().zip(&directions[j]).map(|(a, b)| a + b).collect();
                 let whole = curvature(examined, &sum);
-                whole.iter().zip(&own[i]).zip(&own[j]).map(|((whole, a), b)| 0.5 * (whole - a - b)).collect()
+                whole
+                    .iter()
+                    .zip(&own[i])
+                    .zip(&own[j])
+                    .map(|((whole, a), b)| 0.5 * (whole - a - b))
+                    .collect()
             };
             for (form, stress) in forms.iter_mut().zip(stresses) {
                 (form[i][j], form[j][i]) = (dot(stress, &mixed), dot(stress, &mixed));
@@ -80,10 +91,12 @@ fn forms(examined: &Examined<'_>, directions: &[Vec<f64>], stresses: &[Vec<f64>]
     forms
 }
 
-/// True if a symmetric matrix or its negative has a Cholesky factor with pivots that are no rounding.
+/// True if a symmetric matrix or its negative has a Cholesky factor with pivots that are no
+/// rounding.
 fn is_definite(form: &[Vec<f64>]) -> bool {
     [1.0, -1.0].into_iter().any(|sign| {
-        let mut a: Vec<Vec<f64>> = form.iter().map(|row| row.iter().map(|x| sign * x).collect()).collect();
+        let mut a: Vec<Vec<f64>> =
+            form.iter().map(|row| row.iter().map(|x| sign * x).collect()).collect();
         let size = a.iter().flatten().fold(FLAT, |m, x| m.max(x.abs()));
         (0..a.len()).all(|k| {
             let pivot = a[k][k];
@@ -102,23 +115,24 @@ fn is_definite(form: &[Vec<f64>]) -> bool {
 
 /// How far a motion n of first order goes where the joints have play.
 ///
-/// With errors e of the rows, l · C(q + s n + s² w) = ½ s² l · (C_q n)_q n = l · e to leading order. Joints
-/// with a play ε let l · e be ε Λ at most, where Λ is the sum of the forces |l| of all joints, each times
-/// how much its rows change per length. So |s| ≤ √(2 ε Λ / |l · (C_q n)_q n|), the least of all l.
+/// With errors e of the rows, l · C(q + s n + s² w) = ½ s² l · (C_q n)_q n = l · e to leading
+/// order. Joints with a play ε let l · e be ε Λ at most, where Λ is the sum of the forces |l| of
+/// all joints, each times how much its rows change per length. So |s| ≤ √(2 ε Λ / |l · (C_q n)_q
+/// n|), the least of all l.
 pub(super) fn play(examined: &Examined<'_>, v: &[f64]) -> Option<Play> {
     /// The play that is looked at, as a share of the mechanism's length.   \[-\]
     const SHARE: f64 = 1e-4;
-    let (model, sizes) = (examined.model(), &examined.measures().sizes);
+    let model = examined.model();
+    let sizes = &examined.measures().sizes;
     let metre = model.layout.units.iter().position(|unit| *unit == Unit::Metre)?;
     let play = 10.0_f64.powf((SHARE * sizes[metre]).log10().round());
     let curvature = curvature(examined, v);
     let per_length = per_length(examined);
     let reach = |stress: Vec<f64>| {
         let bend = dot(&stress, &curvature).abs();
-        let forces =
-            model.equations.blocks.iter().map(|block| {
-                block.rows().map(|row| (stress[row] * per_length[row]).powi(2)).sum::<f64>().sqrt()
-            });
+        let forces = model.equations.blocks.iter().map(|block| {
+            block.rows().map(|row| (stress[row] * per_length[row]).powi(2)).sum::<f64>().sqrt()
+        });
         let forces: f64 = forces.sum();
         (bend > FLAT && forces > 0.0).then(|| (2.0 * play * forces / bend).sqrt())
     };
@@ -144,14 +158,16 @@ pub(super) fn play(examined: &Examined<'_>, v: &[f64]) -> Option<Play> {
     largest.filter(|play| play.moves.is_finite() && play.turns.is_finite())
 }
 
-/// How much each row changes per length by which a point is off: the largest of its derivatives by lengths,
-/// one for all components of a vector.
+/// How much each row changes per length by which a point is off: the largest of its derivatives by
+/// lengths, one for all components of a vector.
 fn per_length(examined: &Examined<'_>) -> Vec<f64> {
     let model = examined.model();
     let mut most = vec![0.0_f64; model.m()];
     let Ok(point) = model.linearize(examined.q, examined.t) else { return most };
     let lengths = model.entries(&point.values);
-    for (row, _, value) in lengths.filter(|(_, column, _)| model.layout.units[*column] == Unit::Metre) {
+    for (row, _, value) in
+        lengths.filter(|(_, column, _)| model.layout.units[*column] == Unit::Metre)
+    {
         most[row] = most[row].max(value.abs());
     }
     most

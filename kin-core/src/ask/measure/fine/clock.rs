@@ -11,8 +11,8 @@ use crate::numbers::enclosure::{Interval, ONE, Series};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// A function of time may miss the quintic of a part by this share of what it changes there; over a stretch
-/// of many steps by this share of what it changes in all of them.   \[-\]
+/// A function of time may miss the quintic of a part by this share of what it changes there; over a
+/// stretch of many steps by this share of what it changes in all of them.   \[-\]
 const MISS: f64 = 1e-6;
 const MISS_OF_STRETCH: f64 = 1e-8;
 
@@ -38,8 +38,8 @@ pub(super) struct Clock<'a> {
     plain: Vec<bool>,
 }
 
-/// A constraint that time moves: the nodes of its formula by which time enters; `None` where they are not
-/// known.
+/// A constraint that time moves: the nodes of its formula by which time enters; `None` where they
+/// are not known.
 struct Source {
     block: usize,
     signals: Option<Arc<[Node]>>,
@@ -69,8 +69,8 @@ impl<'a> Clock<'a> {
         self.plain.get(step).copied().unwrap_or(true)
     }
 
-    /// Finds out which of the steps from one to before another are plain: all at once where bounds over all
-    /// of them tell, else by halves.
+    /// Finds out which of the steps from one to before another are plain: all at once where bounds
+    /// over all of them tell, else by halves.
     fn mark(&mut self, from: usize, to: usize) {
         if from >= to {
             return;
@@ -87,14 +87,16 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// The times within a step, in the order of the motion, between which all functions of time follow
-    /// quintics. Errors: too many times.
+    /// The times within a step, in the order of the motion, between which all functions of time
+    /// follow quintics. Errors: too many times.
     pub(super) fn cuts(&self, step: usize) -> Result<Vec<f64>> {
         if self.is_plain(step) {
             return Ok(Vec::new());
         }
-        let (from, to) = (self.motion.times()[step], self.motion.times()[step + 1]);
-        let (low, high) = (from.min(to), from.max(to));
+        let from = self.motion.times()[step];
+        let to = self.motion.times()[step + 1];
+        let low = from.min(to);
+        let high = from.max(to);
         let mut ends = vec![low, high];
         for (t, order) in self.breaks(step) {
             let beside = (BESIDE * (high - low)).max(8.0 * f64::EPSILON * t.abs());
@@ -117,7 +119,13 @@ impl<'a> Clock<'a> {
     }
 
     /// Appends the times within a part that its functions of time need.
-    fn halve(&self, [a, b]: [f64; 2], step: usize, shortest: f64, cuts: &mut Vec<f64>) -> Result<()> {
+    fn halve(
+        &self,
+        [a, b]: [f64; 2],
+        step: usize,
+        shortest: f64,
+        cuts: &mut Vec<f64>,
+    ) -> Result<()> {
         if cuts.len() > MOST {
             return Err(too_many(self.motion, self.motion.times()[step]));
         }
@@ -136,7 +144,9 @@ impl<'a> Clock<'a> {
     /// True if all functions of time follow quintics over steps of that length between two times.
     fn follows(&self, ends: [f64; 2], (length, single, step): (f64, bool, usize)) -> bool {
         self.sources.iter().all(|source| match self.over(source, ends) {
-            Some(all) => all.iter().all(|y| follows(y, length, if single { MISS } else { MISS_OF_STRETCH })),
+            Some(all) => {
+                all.iter().all(|y| follows(y, length, if single { MISS } else { MISS_OF_STRETCH }))
+            }
             None => single && self.samples_follow(source, ends, step),
         })
     }
@@ -152,11 +162,12 @@ impl<'a> Clock<'a> {
         all.iter().all(|y| y.len() >= FEWEST).then_some(all)
     }
 
-    /// The same as [`follows`] by samples of C, the coordinates held: sixth differences tell of the sixth
-    /// derivative.
+    /// The same as [`follows`] by samples of C, the coordinates held: sixth differences tell of the
+    /// sixth derivative.
     fn samples_follow(&self, source: &Source, [a, b]: [f64; 2], step: usize) -> bool {
         let equations = self.system.equations();
-        let (block, q) = (&equations.blocks[source.block], self.motion.q(step));
+        let block = &equations.blocks[source.block];
+        let q = self.motion.q(step);
         let mut instant = equations.instant_at(a, q);
         let mut c = vec![0.0; block.rows().len()];
         let mut rows = vec![Vec::with_capacity(GAPS + 1); c.len()];
@@ -171,7 +182,8 @@ impl<'a> Clock<'a> {
     /// The breaks of laws of time within a step, with the derivative that jumps.
     fn breaks(&self, step: usize) -> Vec<(f64, usize)> {
         let equations = self.system.equations();
-        let (from, to) = (self.motion.times()[step], self.motion.times()[step + 1]);
+        let from = self.motion.times()[step];
+        let to = self.motion.times()[step + 1];
         let mut instant = equations.instant_at(from, self.motion.q(step));
         let mut found = Vec::new();
         for source in &self.sources {
@@ -194,15 +206,18 @@ impl<'a> Clock<'a> {
 /// True if a function of time with these bounds follows the quintic of a step of that length.
 fn follows(y: &Series, length: f64, miss: f64) -> bool {
     let last = y.len().min(COEFFICIENTS) - 1;
-    // Up to the sixth coefficient by Taylor's formula, else by how much the last one that is known changes.
-    let largest = if last + 1 == COEFFICIENTS { y.at(last).mag() } else { 2.0 * y.at(last).radius() };
+    // Up to the sixth coefficient by Taylor's formula, else by how much the last one that is known
+    // changes.
+    let largest =
+        if last + 1 == COEFFICIENTS { y.at(last).mag() } else { 2.0 * y.at(last).radius() };
     let off = largest * (0.5 * length).powi(last as i32);
     off <= miss * 2.0 * y.value().radius() || off <= ROUNDING * y.value().mag()
 }
 
 /// The same of samples at even places.
 fn is_smooth(row: &[f64]) -> bool {
-    let (low, high) = row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+    let (low, high) =
+        row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
     let difference = |stride: usize| {
         let size = |window: &[f64]| {
             let signs = [1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0];
@@ -212,6 +227,7 @@ fn is_smooth(row: &[f64]) -> bool {
         row.windows(6 * stride + 1).map(size).fold(0.0, f64::max) * half.powi(6) / 720.0
     };
     // Rounding of a value is carried on by both.
-    let rounding = 64.0 * f64::EPSILON * low.abs().max(high.abs()) * (GAPS as f64 / 2.0).powi(6) / 720.0;
+    let rounding =
+        64.0 * f64::EPSILON * low.abs().max(high.abs()) * (GAPS as f64 / 2.0).powi(6) / 720.0;
     difference(1).max(difference(2)) <= MISS * (high - low) + rounding
 }

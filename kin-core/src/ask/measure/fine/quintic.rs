@@ -47,8 +47,8 @@ pub(in crate::ask::measure) fn derivative(c: &[f64]) -> Vec<f64> {
     c.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect()
 }
 
-/// The places between 0 and 1 where a polynomial changes its sign, in order: between two zeros of its slope
-/// there is one at most.
+/// The places between 0 and 1 where a polynomial changes its sign, in order: between two zeros of
+/// its slope there is one at most.
 pub(in crate::ask::measure) fn zeros(c: &[f64]) -> Vec<f64> {
     if c.len() < 2 || c.iter().any(|c| !c.is_finite()) {
         return Vec::new();
@@ -68,8 +68,8 @@ fn halved(c: &[f64], mut low: f64, mut high: f64) -> f64 {
     high
 }
 
-/// True if a polynomial surely keeps one sign, clear of zero by a share of its size, or changes it just once:
-/// by the signs of its coefficients in Bernstein's form (Descartes' rule for 0 < u < 1).
+/// True if a polynomial surely keeps one sign, clear of zero by a share of its size, or changes it
+/// just once: by the signs of its coefficients in Bernstein's form (Descartes' rule for 0 < u < 1).
 pub(in crate::ask::measure) fn is_simple(c: &[f64], margin: f64) -> bool {
     let bernstein = bernstein(c);
     let largest = bernstein.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
@@ -83,7 +83,8 @@ pub(in crate::ask::measure) fn is_simple(c: &[f64], margin: f64) -> bool {
 /// b_i = Σ_(k ≤ i) C(i, k) / C(n, k) c_k
 fn bernstein(c: &[f64]) -> Vec<f64> {
     let n = c.len().saturating_sub(1);
-    let choose = |n: usize, k: usize| (0..k).fold(1.0, |all, j| all * (n - j) as f64 / (j + 1) as f64);
+    let choose =
+        |n: usize, k: usize| (0..k).fold(1.0, |all, j| all * (n - j) as f64 / (j + 1) as f64);
     (0..=n).map(|i| (0..=i).map(|k| choose(i, k) / choose(n, k) * c[k]).sum()).collect()
 }
 
@@ -95,17 +96,22 @@ mod tests {
     fn product(zeros: &[f64]) -> Vec<f64> {
         zeros.iter().fold(vec![1.0], |c, zero| {
             let mut next = vec![0.0; c.len() + 1];
-            c.iter().enumerate().for_each(|(k, c)| (next[k], next[k + 1]) = (next[k] - zero * c, *c));
+            c.iter()
+                .enumerate()
+                .for_each(|(k, c)| (next[k], next[k + 1]) = (next[k] - zero * c, *c));
             next
         })
     }
 
     #[test]
     fn zeros_of_polynomials() {
-        for expected in [vec![0.3, 0.7], vec![0.1, 0.2, 0.9], vec![0.5], vec![0.01, 0.4, 0.5, 0.6, 0.99]] {
+        for expected in
+            [vec![0.3, 0.7], vec![0.1, 0.2, 0.9], vec![0.5], vec![0.01, 0.4, 0.5, 0.6, 0.99]]
+        {
             for beyond in [vec![], vec![1.5], vec![-0.2, 7.0]] {
                 let all: Vec<f64> = expected.iter().chain(&beyond).copied().take(5).collect();
-                let inner: Vec<f64> = all.iter().copied().filter(|u| (0.0..1.0).contains(u)).collect();
+                let inner: Vec<f64> =
+                    all.iter().copied().filter(|u| (0.0..1.0).contains(u)).collect();
                 let c = product(&all);
                 let found = zeros(&c);
                 assert_eq!(found.len(), inner.len(), "{all:?}");

@@ -17,14 +17,17 @@ fn crossings(law: crate::Law, times: &[f64], level: f64) -> Vec<(f64, bool)> {
     all.into_iter().map(|Crossing { t, rises }| (t, rises)).collect()
 }
 
-/// A zero at a time of the grid is told once and at that time, where the sign differs on either side; at the
-/// ends and where the function only touches zero it is not.
+/// A zero at a time of the grid is told once and at that time, where the sign differs on either
+/// side; at the ends and where the function only touches zero it is not.
 #[test]
 fn zeros_at_times_of_the_grid() {
     let line = crate::Law::linear(-2.0, 1.0);
     for times in [vec![0.0, 1.0, 2.0, 3.0], vec![3.0, 2.0, 1.0, 0.0], vec![1.0, 2.0, 2.5]] {
         let found = crossings(line.clone(), &times, 0.0);
-        assert!(found.len() == 1 && (found[0].0 - 2.0).abs() < 1e-12 && found[0].1, "{times:?}: {found:?}");
+        assert!(
+            found.len() == 1 && (found[0].0 - 2.0).abs() < 1e-12 && found[0].1,
+            "{times:?}: {found:?}"
+        );
     }
     assert_eq!(crossings(line.clone(), &[2.0, 3.0, 4.0], 0.0), []);
     assert_eq!(crossings(line, &[0.0, 1.0, 2.0], 0.0), []);
@@ -34,8 +37,9 @@ fn zeros_at_times_of_the_grid() {
     // down through 0 at 1, up again at 3
     let bowl = crate::Law::polynomial(&[3.0, -4.0, 1.0]);
     let found = crossings(bowl, &[0.0, 1.0, 2.0, 3.0, 4.0], 0.0);
-    let near =
-        |k: usize, t: f64, rises: bool| found.get(k).is_some_and(|f| (f.0 - t).abs() < 1e-12 && f.1 == rises);
+    let near = |k: usize, t: f64, rises: bool| {
+        found.get(k).is_some_and(|f| (f.0 - t).abs() < 1e-12 && f.1 == rises)
+    };
     assert!(found.len() == 2 && near(0, 1.0, false) && near(1, 3.0, true), "{found:?}");
 }
 
@@ -57,13 +61,16 @@ fn rests_on_the_level() {
         let resting = times.iter().filter(|t| (1.0..=4.0).contains(*t)).count();
         let found = crossings(rise(1.0, 1.0), &times, 0.0);
         assert!(found.len() <= 1 && resting >= count.min(1), "{found:?}");
-        assert!(found.iter().all(|found| (1.0..=4.0).contains(&found.0) && found.1), "{step}: {found:?}");
+        assert!(
+            found.iter().all(|found| (1.0..=4.0).contains(&found.0) && found.1),
+            "{step}: {found:?}"
+        );
         assert_eq!(found.len(), 1, "{step}");
     }
 }
 
-/// Twice within one step, upwards or downwards, on a step of any length; also where one of both is at a time
-/// of the grid.
+/// Twice within one step, upwards or downwards, on a step of any length; also where one of both is
+/// at a time of the grid.
 #[test]
 fn two_crossings_within_a_step() {
     use crate::Law;
@@ -91,18 +98,21 @@ fn two_crossings_within_a_step() {
         for times in [[0.5, 1.0, 1.5], [0.75, 1.25, 1.5]] {
             let found = crossings(law.clone(), &times, 0.0);
             assert!(
-                found.len() == 2 && (found[0].0 - 1.0).abs() < 1e-13 && (found[1].0 - 1.25).abs() < 1e-13,
+                found.len() == 2
+                    && (found[0].0 - 1.0).abs() < 1e-13
+                    && (found[1].0 - 1.25).abs() < 1e-13,
                 "{times:?}: {found:?}"
             );
         }
         // The cubic would cross zero where the function itself does not: 16 (t − 1.5)⁴ ± …
         let fourth = |off: f64| {
-            let power =
-                Law::polynomial(&[sign * off, 0.0, 0.0, 0.0, sign * 16.0]).compose(&Law::linear(-1.5, 1.0));
+            let power = Law::polynomial(&[sign * off, 0.0, 0.0, 0.0, sign * 16.0])
+                .compose(&Law::linear(-1.5, 1.0));
             crossings(power, &[1.0, 2.0], 0.0)
         };
         assert_eq!((fourth(0.01), fourth(0.0), fourth(-0.8e-13)), (vec![], vec![], vec![]));
-        let (found, half) = (fourth(-1.2e-13), (1.2e-13_f64 / 16.0).powf(0.25));
+        let found = fourth(-1.2e-13);
+        let half = (1.2e-13_f64 / 16.0).powf(0.25);
         assert!(
             found.len() == 2
                 && (found[0].0 - 1.5 + half).abs() < 1e-6
@@ -112,17 +122,19 @@ fn two_crossings_within_a_step() {
     }
 }
 
-/// A value of 1e-13 of the largest counts as zero, and one a little larger does not; the same holds for
-/// rates.
+/// A value of 1e-13 of the largest counts as zero, and one a little larger does not; the same holds
+/// for rates.
 #[test]
 fn what_is_zero_but_for_rounding() {
     use crate::Law;
     for size in [1.0, 1e6, 1e-6] {
         for sign in [size, -size] {
-            let value =
-                |c: f64| crossings(Law::polynomial(&[c * sign, 0.0, -sign]), &[-1.0, 0.0, 1.0], 0.0).len();
+            let value = |c: f64| {
+                crossings(Law::polynomial(&[c * sign, 0.0, -sign]), &[-1.0, 0.0, 1.0], 0.0).len()
+            };
             let level = |c: f64| {
-                crossings(Law::polynomial(&[sign + c * sign, 0.0, -sign]), &[-1.5, 0.0, 1.0], sign).len()
+                crossings(Law::polynomial(&[sign + c * sign, 0.0, -sign]), &[-1.5, 0.0, 1.0], sign)
+                    .len()
             };
             assert_eq!(
                 (value(0.8e-13), value(1.2e-13), level(0.8e-13), level(2e-13)),
@@ -165,15 +177,18 @@ fn roots_of_every_kind() {
             + 1e-3 * Law::linear(-at, 1.0);
         for (times, rises) in [([from, to], true), ([to, from], true)] {
             let found = root(steep.clone(), &times);
-            assert!((found.0 - at).abs() < 1e-13 * (1.0 + at.abs()) && found.1 == rises, "{at}: {found:?}");
+            assert!(
+                (found.0 - at).abs() < 1e-13 * (1.0 + at.abs()) && found.1 == rises,
+                "{at}: {found:?}"
+            );
         }
         let falling = root(-1.0 * steep, &[from, to]);
         assert!((falling.0 - at).abs() < 1e-13 * (1.0 + at.abs()) && !falling.1);
     }
 }
 
-/// Turns of an angle that a pose alone does not show are counted on from the grid; another system's motion is
-/// refused.
+/// Turns of an angle that a pose alone does not show are counted on from the grid; another system's
+/// motion is refused.
 #[test]
 fn angles_are_counted_on_between_times() {
     use crate::Law;
@@ -199,5 +214,7 @@ fn angles_are_counted_on_between_times() {
     m.add("motor", crate::joints::drivers::drive(y, Law::ramp(2.0))).unwrap();
     m.add("still", crate::joints::drivers::drive(z, Law::constant(0.0))).unwrap();
     let other = m.build().unwrap();
-    assert!(other.crossings(&motion, wound, 1.0).is_err() && other.extremes(&motion, wound).is_err());
+    assert!(
+        other.crossings(&motion, wound, 1.0).is_err() && other.extremes(&motion, wound).is_err()
+    );
 }

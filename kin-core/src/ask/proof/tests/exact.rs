@@ -1,5 +1,5 @@
-//! Bounds are the range itself but for rounding, and known wherever there is one: against values at ends and
-//! extremes, and against dual numbers.
+//! Bounds are the range itself but for rounding, and known wherever there is one: against values at
+//! ends and extremes, and against dual numbers.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -29,7 +29,10 @@ const ENDS: [f64; 33] = [
 /// Asserts that bounds hold a range, and are no wider than rounding makes them.
 fn is_range(found: Interval, [lo, hi]: [f64; 2], places: f64, what: &str) {
     let room = |x: f64| places * f64::EPSILON * x.abs() + 1e-300;
-    assert!(found.lo() <= lo && found.hi() >= hi, "{what}: {found:?} does not hold {lo:e} to {hi:e}");
+    assert!(
+        found.lo() <= lo && found.hi() >= hi,
+        "{what}: {found:?} does not hold {lo:e} to {hi:e}"
+    );
     assert!(
         found.lo() >= lo - room(lo) || lo.is_infinite(),
         "{what}: {found:?} is wider than {lo:e} to {hi:e}"
@@ -41,12 +44,15 @@ fn is_range(found: Interval, [lo, hi]: [f64; 2], places: f64, what: &str) {
 }
 
 fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
-    values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], y| [lo.min(y), hi.max(y)])
+    values
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], y| [lo.min(y), hi.max(y)])
 }
 
 /// All intervals from one end to another.
 fn intervals(ends: &[f64]) -> impl Iterator<Item = [f64; 2]> {
-    ends.iter().flat_map(move |lo| ends.iter().filter(move |hi| lo <= *hi).map(move |hi| [*lo, *hi]))
+    ends.iter()
+        .flat_map(move |lo| ends.iter().filter(move |hi| lo <= *hi).map(move |hi| [*lo, *hi]))
 }
 
 struct Line {
@@ -80,7 +86,8 @@ fn lines() -> Vec<Line> {
         image: [least, f64::INFINITY],
         extremes: Some([0.0, f64::INFINITY]),
     };
-    let (up, near) = ([0.0, f64::INFINITY], [-1.0, 1.0]);
+    let up = [0.0, f64::INFINITY];
+    let near = [-1.0, 1.0];
     vec![
         waves("sin", Interval::sin, f64::sin, [FRAC_PI_2, PI]),
         waves("cos", Interval::cos, f64::cos, [0.0, PI]),
@@ -107,7 +114,8 @@ fn lines() -> Vec<Line> {
 fn functions_give_their_range_and_nothing_beside_it() {
     for Line { name, over, f, domain, image, extremes } in lines() {
         for [lo, hi] in intervals(&ENDS) {
-            let (found, what) = (over(Interval::new(lo, hi)), format!("{name} from {lo:e} to {hi:e}"));
+            let found = over(Interval::new(lo, hi));
+            let what = format!("{name} from {lo:e} to {hi:e}");
             if lo < domain[0] || hi > domain[1] {
                 assert_eq!(found, ALL, "{what}");
                 continue;
@@ -137,31 +145,35 @@ fn functions_give_their_range_and_nothing_beside_it() {
     }
 }
 
-/// Every bound has room for the error of other platforms' functions, however exact this platform's are: a
-/// proof is the same everywhere.
+/// Every bound has room for the error of other platforms' functions, however exact this platform's
+/// are: a proof is the same everywhere.
 #[test]
 fn bounds_leave_the_room_that_is_allowed() {
     let leaves = |found: Interval, y: f64, allowed: f64, what: &str| {
         let room = 0.9 * allowed * f64::EPSILON * y.abs();
         assert!(
-            found.lo() <= y - room && found.hi() >= y + room && found.radius() <= 1.3 * room + 1e-300,
+            found.lo() <= y - room
+                && found.hi() >= y + room
+                && found.radius() <= 1.3 * room + 1e-300,
             "{what}: {found:?} around {y:e}"
         );
     };
     for Line { name, over, f, domain, .. } in
         lines().into_iter().filter(|line| !["abs", "sqr"].contains(&line.name))
     {
-        for x in [-0.7, -0.3, 0.4, 0.8, 1.3, 2.0].into_iter().filter(|x| (domain[0]..=domain[1]).contains(x))
+        for x in [-0.7, -0.3, 0.4, 0.8, 1.3, 2.0]
+            .into_iter()
+            .filter(|x| (domain[0]..=domain[1]).contains(x))
         {
             leaves(over(Interval::from(x)), f(x), ALLOWED, name);
         }
     }
     type Wave = (fn(Interval) -> Interval, fn(f64) -> f64);
-    let waves: [Wave; 3] = [(Interval::sin, f64::sin), (Interval::cos, f64::cos), (Interval::tan, f64::tan)];
-    for ((over, f), x) in waves
-        .into_iter()
-        .flat_map(|wave| [0.4, 0.9 * LARGE, 1.1 * LARGE, -0.9 * LARGE, -1.1 * LARGE].map(|x| (wave, x)))
-    {
+    let waves: [Wave; 3] =
+        [(Interval::sin, f64::sin), (Interval::cos, f64::cos), (Interval::tan, f64::tan)];
+    for ((over, f), x) in waves.into_iter().flat_map(|wave| {
+        [0.4, 0.9 * LARGE, 1.1 * LARGE, -0.9 * LARGE, -1.1 * LARGE].map(|x| (wave, x))
+    }) {
         leaves(
             over(Interval::from(x)),
             f(x),
@@ -174,15 +186,21 @@ fn bounds_leave_the_room_that_is_allowed() {
     }
 }
 
-/// Odd powers of σ are of both signs, even ones of one; the last coefficient is that over all of the
-/// interval, those before it are at its middle.
+/// Odd powers of σ are of both signs, even ones of one; the last coefficient is that over all of
+/// the interval, those before it are at its middle.
 #[test]
 fn the_formula_of_taylor_takes_each_power_by_itself() {
-    let series =
-        |c: &[f64], len: usize| Series::of(&c.iter().map(|c| Interval::from(*c)).collect::<Vec<_>>(), len);
-    let (at, over) =
-        (series(&[10.0, 1.0, 2.0, 4.0, 8.0], FULL), series(&[20.0, 30.0, 40.0, 50.0, 60.0, 0.0, 16.0], FULL));
-    is_range(taylor(&at, &over), [10.0 - 1.0 - 4.0, 10.0 + 1.0 + 2.0 + 4.0 + 8.0 + 16.0], 20.0, "all");
+    let series = |c: &[f64], len: usize| {
+        Series::of(&c.iter().map(|c| Interval::from(*c)).collect::<Vec<_>>(), len)
+    };
+    let at = series(&[10.0, 1.0, 2.0, 4.0, 8.0], FULL);
+    let over = series(&[20.0, 30.0, 40.0, 50.0, 60.0, 0.0, 16.0], FULL);
+    is_range(
+        taylor(&at, &over),
+        [10.0 - 1.0 - 4.0, 10.0 + 1.0 + 2.0 + 4.0 + 8.0 + 16.0],
+        20.0,
+        "all",
+    );
     is_range(taylor(&at, &over.cut(3)), [10.0 - 1.0, 10.0 + 1.0 + 40.0], 20.0, "two and the rest");
     is_range(taylor(&at, &over.cut(2)), [10.0 - 30.0, 10.0 + 30.0], 20.0, "one and the rest");
     assert_eq!((taylor(&at, &over.cut(1)), taylor(&at, &over.cut(0))), (Interval::from(20.0), ALL));
@@ -229,7 +247,12 @@ fn roots_powers_and_steps_give_their_range() {
         for n in 0..8_u32 {
             let least = (n > 0 && n.is_multiple_of(2) && x.contains(0.0)).then_some(0.0);
             let expected = range([lo.powi(n as i32), hi.powi(n as i32)].into_iter().chain(least));
-            is_range(x.powi(n), expected, 4.0 * f64::from(n), &format!("power {n} from {lo:e} to {hi:e}"));
+            is_range(
+                x.powi(n),
+                expected,
+                4.0 * f64::from(n),
+                &format!("power {n} from {lo:e} to {hi:e}"),
+            );
         }
         for f in [f64::floor, f64::ceil, f64::trunc, f64::round] {
             assert_eq!(
@@ -253,13 +276,15 @@ fn roots_powers_and_steps_give_their_range() {
     );
 }
 
-/// Of two numbers: products and quotients at the corners, the distance at the nearest and the farthest,
-/// angles on a grid.
+/// Of two numbers: products and quotients at the corners, the distance at the nearest and the
+/// farthest, angles on a grid.
 #[test]
 fn functions_of_two_numbers_give_their_range() {
     let ends = [-3.0, -1.0, -0.5, 0.0, 0.25, 1.0, 2.0];
     for ([a, b], [c, d]) in intervals(&ends).flat_map(|x| intervals(&ends).map(move |y| (x, y))) {
-        let (x, y, what) = (Interval::new(a, b), Interval::new(c, d), format!("[{a}, {b}] and [{c}, {d}]"));
+        let x = Interval::new(a, b);
+        let y = Interval::new(c, d);
+        let what = format!("[{a}, {b}] and [{c}, {d}]");
         is_range(x + y, [a + c, b + d], 2.0, &what);
         is_range(x - y, [a - d, b - c], 2.0, &what);
         is_range(x * y, range([a * c, a * d, b * c, b * d]), 2.0, &what);
@@ -267,9 +292,15 @@ fn functions_of_two_numbers_give_their_range() {
             true => assert_eq!(x / y, ALL, "{what}"),
             false => is_range(x / y, range([a / c, a / d, b / c, b / d]), 2.0, &what),
         }
-        let least = |lo: f64, hi: f64| if lo <= 0.0 && hi >= 0.0 { 0.0 } else { lo.abs().min(hi.abs()) };
+        let least =
+            |lo: f64, hi: f64| if lo <= 0.0 && hi >= 0.0 { 0.0 } else { lo.abs().min(hi.abs()) };
         let most = |lo: f64, hi: f64| lo.abs().max(hi.abs());
-        is_range(x.hypot(y), [least(a, b).hypot(least(c, d)), most(a, b).hypot(most(c, d))], 8.0, &what);
+        is_range(
+            x.hypot(y),
+            [least(a, b).hypot(least(c, d)), most(a, b).hypot(most(c, d))],
+            8.0,
+            &what,
+        );
         let (angle, across) = y.atan2(x);
         let is_cut = b < 0.0 && c < 0.0 && d >= 0.0;
         assert_eq!(across, is_cut, "{what}");
@@ -277,7 +308,9 @@ fn functions_of_two_numbers_give_their_range() {
             assert_eq!(angle, ALL, "{what}");
             continue;
         }
-        let grid = |lo: f64, hi: f64, k: i32| if k == 8 { hi } else { lo + (hi - lo) * f64::from(k) / 8.0 };
+        let grid = |lo: f64, hi: f64, k: i32| {
+            if k == 8 { hi } else { lo + (hi - lo) * f64::from(k) / 8.0 }
+        };
         // below the axis angles go on; a zero is above it
         let turned = |y: f64, x: f64| {
             if y == 0.0 {
@@ -299,7 +332,8 @@ fn at_one_number_all_coefficients_are_known() {
     let at = |f: Function, a: f64| Series::variable(Interval::from(a), ONE, FULL).call(f);
     for (&f, a) in Function::ALL.iter().flat_map(|f| [-2.3, -0.6, 0.3, 0.7, 1.8].map(|a| (f, a))) {
         let exact = Real(crate::numbers::real::Dual3_64::new(a, 1.0, 0.0, 0.0)).call(f).0;
-        let (found, what) = (at(f, a), format!("{f:?} at {a}"));
+        let found = at(f, a);
+        let what = format!("{f:?} at {a}");
         let exact = [exact.re, exact.v1, exact.v2 / 2.0, exact.v3 / 6.0];
         if !exact.iter().all(|c| c.is_finite()) {
             assert_eq!(found.len(), 0, "{what}: {exact:?}");
@@ -308,15 +342,21 @@ fn at_one_number_all_coefficients_are_known() {
         assert_eq!(found.len(), FULL, "{what}");
         for (k, c) in exact.into_iter().enumerate() {
             let off = (found.at(k) - Interval::from(c)).mag();
-            assert!(off <= 1e-10 * (1.0 + c.abs()), "coefficient {k} of {what}: {:?} and {c:e}", found.at(k));
+            assert!(
+                off <= 1e-10 * (1.0 + c.abs()),
+                "coefficient {k} of {what}: {:?} and {c:e}",
+                found.at(k)
+            );
         }
         let h = 1e-3;
-        let (before, after) = (at(f, a - h), at(f, a + h));
+        let before = at(f, a - h);
+        let after = at(f, a + h);
         for k in 3..ORDER {
             let slope = (after.at(k).mid() - before.at(k).mid()) / (2.0 * h * (k + 1) as f64);
             let off = (found.at(k + 1) - Interval::from(slope)).mag();
             assert!(
-                off <= 1e-3 * (1.0 + slope.abs()) && found.at(k + 1).radius() <= 1e-8 * (1.0 + slope.abs()),
+                off <= 1e-3 * (1.0 + slope.abs())
+                    && found.at(k + 1).radius() <= 1e-8 * (1.0 + slope.abs()),
                 "coefficient {} of {what}",
                 k + 1
             );
@@ -343,8 +383,8 @@ fn at_two_numbers_all_coefficients_are_known() {
         let dual = |x: f64, v: f64| Real(crate::numbers::real::Dual3_64::new(x, v, 0.0, 0.0));
         let series = |x: f64, v: f64| Series::variable(Interval::from(x), Interval::from(v), FULL);
         let exact = dual(a, v).call2(f, dual(b, w)).0;
-        let (found, what) =
-            (series(a, v).call2(f, series(b, w)), format!("{f:?} of {a} and {b}, at {v} and {w}"));
+        let found = series(a, v).call2(f, series(b, w));
+        let what = format!("{f:?} of {a} and {b}, at {v} and {w}");
         let exact = [exact.re, exact.v1, exact.v2 / 2.0, exact.v3 / 6.0];
         if !exact.iter().all(|c| c.is_finite()) {
             assert_eq!(found.len(), 0, "{what}");

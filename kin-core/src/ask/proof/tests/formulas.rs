@@ -40,11 +40,12 @@ fn decimals_are_between_two_numbers() {
     assert_eq!(<Series as Number>::powi(Series::number(2.0), 3).values().map(f64::round), [8.0; 2]);
 }
 
-/// The user's own function of parameters is evaluated at both ends and in the middle of their interval; where
-/// coordinates move its arguments, nothing is known of it.
+/// The user's own function of parameters is evaluated at both ends and in the middle of their
+/// interval; where coordinates move its arguments, nothing is known of it.
 #[test]
 fn the_users_own_functions() {
-    const OF_PARAMETER: &str = "\nparameters k\nrows 2\n- Parameter 0\n- Decimal 0.1 1\n- Foreign 0 0 1";
+    const OF_PARAMETER: &str =
+        "\nparameters k\nrows 2\n- Parameter 0\n- Decimal 0.1 1\n- Foreign 0 0 1";
     const OF_COLUMN: &str = "\nparameters\nrows 2\n- Column 0\n- Constant 1.0\n- Foreign 0 0 0 1";
     let with = |f: fn(f64) -> f64| {
         move |_: usize, x: &[Dual3_64], to: &mut Given| to.push(Dual3_64::from_re(f(x[0].re)))
@@ -52,10 +53,14 @@ fn the_users_own_functions() {
     let values = |text: &str, f: fn(f64) -> f64, x: Series| first(text, x, &with(f)).values();
     let everything = [f64::NEG_INFINITY, f64::INFINITY];
     assert_eq!(values(OF_PARAMETER, |x| 2.0 * x, over(0.0, 1.0)), [0.2, 2.0 * 0.1_f64.next_up()]);
-    assert_eq!(values(OF_PARAMETER, |x| if x == 0.1 { 1.0 } else { 5.0 }, over(0.0, 1.0)), [1.0, 5.0]);
+    assert_eq!(
+        values(OF_PARAMETER, |x| if x == 0.1 { 1.0 } else { 5.0 }, over(0.0, 1.0)),
+        [1.0, 5.0]
+    );
     assert_eq!(first(OF_PARAMETER, over(0.0, 1.0), &with(|_| f64::NAN)).len(), 0);
     assert!(first(OF_PARAMETER, over(0.0, 1.0), &with(|x| x)).is_constant());
-    let square = |x: Series| values(OF_COLUMN, |x| if (x - 0.5).abs() < 0.1 { 9.0 } else { x * x }, x);
+    let square =
+        |x: Series| values(OF_COLUMN, |x| if (x - 0.5).abs() < 0.1 { 9.0 } else { x * x }, x);
     assert_eq!(
         [
             square(over(0.0, 1.0)),
@@ -102,7 +107,10 @@ fn why_a_formula_cannot_be_read() {
     assert!(reason(LAW, Law::new(Silent)).contains("no bounds over an interval are known"));
     let rounded = reason("\nparameters\nrounded\nrows 0\n- Column 0", Law::ramp(1.0));
     assert_eq!(rounded, "its constants are rounded before they can be read");
-    assert_eq!(reason("\nparameters k\nrows 1\n- Parameter 0\n- Foreign 0 0 0", Law::ramp(1.0)), "");
+    assert_eq!(
+        reason("\nparameters k\nrows 1\n- Parameter 0\n- Foreign 0 0 0", Law::ramp(1.0)),
+        ""
+    );
     assert!(
         reason("\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0", Law::ramp(1.0))
             .contains("it calls a function of yours")
@@ -127,9 +135,16 @@ fn slopes_of_laws() {
         [FULL, ORDER]
     );
     let kink = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
-    let bend = Law::sequence(0.0, [(1.0, Law::ramp(0.0)), (1.0, Law::polynomial(&[0.0, 0.0, 1.0]))]);
-    assert_eq!([of(0, kink.clone(), over(0.9, 1.1)).len(), of(1, kink, over(0.9, 1.1)).len()], [2, 0]);
-    assert_eq!([of(0, bend.clone(), over(0.9, 1.1)).len(), of(1, bend, over(0.9, 1.1)).len()], [3, 2]);
+    let bend =
+        Law::sequence(0.0, [(1.0, Law::ramp(0.0)), (1.0, Law::polynomial(&[0.0, 0.0, 1.0]))]);
+    assert_eq!(
+        [of(0, kink.clone(), over(0.9, 1.1)).len(), of(1, kink, over(0.9, 1.1)).len()],
+        [2, 0]
+    );
+    assert_eq!(
+        [of(0, bend.clone(), over(0.9, 1.1)).len(), of(1, bend, over(0.9, 1.1)).len()],
+        [3, 2]
+    );
     let cosine = of(1, Law::sine(2.0, 3.0, 0.0), Series::number(0.2));
     assert!(
         cosine.value().contains(6.0 * 0.6_f64.cos())
@@ -189,21 +204,24 @@ fn numbers(nodes: &[Node]) -> Vec<usize> {
     nodes.iter().map(|node| node.index()).collect()
 }
 
-/// The time acts on a formula through signals: the outermost expressions that it alone moves, and rows that
-/// it alone moves.
+/// The time acts on a formula through signals: the outermost expressions that it alone moves, and
+/// rows that it alone moves.
 #[test]
 fn signals_are_what_time_moves() {
     // Rows: sin(k t) x, x, (k t)², k x.
-    let text =
-        "\nparameters k\nrows 5 0 6 7\n- Column 0\n- Time\n- Parameter 0\n- Product 1 2\n- Sin 3\n- Fused\n";
+    let text = "\nparameters k\nrows 5 0 6 7\n- Column 0\n- Time\n- Parameter 0\n- Product 1 2\n- Sin 3\n- Fused\n";
     let text = text.replace("- Fused\n", "- Product 4 0\n- Product 3 3\n- Product 2 0\n");
     let of = |text: &str| {
         let formula = formula(text);
         (numbers(&signals(&formula)), formula)
     };
     let (found, known) = of(&text);
-    let sine =
-        known.graph.operands(known.rows[0]).into_iter().find(|node| known.graph.depends(*node).on_t).unwrap();
+    let sine = known
+        .graph
+        .operands(known.rows[0])
+        .into_iter()
+        .find(|node| known.graph.depends(*node).on_t)
+        .unwrap();
     let mut expected = vec![sine.index(), known.rows[2].index()];
     expected.sort_unstable();
     assert_eq!(found, expected);
@@ -216,8 +234,8 @@ fn signals_are_what_time_moves() {
     assert!(of("\nparameters\nrows 0\n- Column 0").0.is_empty());
 }
 
-/// A condition that may change and an angle that may pass its cut are not known; no more is a slope where
-/// there is none.
+/// A condition that may change and an angle that may pass its cut are not known; no more is a slope
+/// where there is none.
 #[test]
 fn signals_that_are_not_known() {
     let over = |text: &str, lo: f64, hi: f64| {
@@ -225,16 +243,17 @@ fn signals_that_are_not_known() {
         let found = over_time(&formula, &signals(&formula), over(lo, hi), &[], &nothing_outside);
         found.iter().map(Series::len).collect::<Vec<_>>()
     };
-    let condition =
-        "\nparameters\nrows 5\n- Column 0\n- Time\n- Constant 0.05\n- Less 1 2\n- Negated 0\n- Select 3 0 4";
+    let condition = "\nparameters\nrows 5\n- Column 0\n- Time\n- Constant 0.05\n- Less 1 2\n- Negated 0\n- Select 3 0 4";
     assert_eq!(
         [over(condition, 0.0, 0.01), over(condition, 0.0, 0.1), over(condition, 0.06, 0.1)],
         [[FULL], [0], [FULL]]
     );
-    let angle = "\nparameters\nrows 4\n- Column 0\n- Time\n- Constant -1.0\n- Atan2 1 2\n- Product 0 3";
+    let angle =
+        "\nparameters\nrows 4\n- Column 0\n- Time\n- Constant -1.0\n- Atan2 1 2\n- Product 0 3";
     assert_eq!([over(angle, 0.1, 0.2), over(angle, -0.1, 0.2)], [[FULL], [0]]);
     let length = formula("\nparameters\nrows 2\n- Column 0\n- Time\n- Hypot 0 1");
-    let slope = |x: f64, t: f64| slopes(&length, &signals(&length), (&[x], t), &[], &nothing_outside)[0][0];
+    let slope =
+        |x: f64, t: f64| slopes(&length, &signals(&length), (&[x], t), &[], &nothing_outside)[0][0];
     assert!(slope(0.0, 0.0).is_nan() && (slope(3.0, 4.0) - 0.8).abs() < 1e-14);
 }
 
@@ -260,7 +279,8 @@ fn what_can_jump_where_coordinates_move() {
     ] {
         assert!(jumps(step), "{step}");
     }
-    for step in ["Sin 0", "Abs 0", "Max 0 1", "Floor 1", "Product 0 1", "Rem 1 2", "Foreign 0 0 2"] {
+    for step in ["Sin 0", "Abs 0", "Max 0 1", "Floor 1", "Product 0 1", "Rem 1 2", "Foreign 0 0 2"]
+    {
         assert!(!jumps(step), "{step}");
     }
 }
@@ -316,7 +336,10 @@ impl Constraint for Half {
     fn arguments(&self) -> Vec<crate::model::coordinates::Argument> {
         vec![crate::model::coordinates::Argument {
             name: "x",
-            target: crate::model::coordinates::Target::Coord(self.0, crate::model::coordinates::Trig::Unused),
+            target: crate::model::coordinates::Target::Coord(
+                self.0,
+                crate::model::coordinates::Trig::Unused,
+            ),
         }]
     }
 
@@ -348,7 +371,8 @@ impl Written for Half {
     }
 }
 
-/// Laws that are believed are told once each, in order; equations without bounds by their number among all.
+/// Laws that are believed are told once each, in order; equations without bounds by their number
+/// among all.
 #[test]
 fn the_equations_of_a_system() {
     let mut m = Mechanism::new("system");
@@ -366,16 +390,18 @@ fn the_equations_of_a_system() {
     assert_eq!(bounds.residual(&known, Series::number(0.0)).unwrap().len(), 4);
 }
 
-/// A constraint alone has bounds if all of it can be read; where a slope has no bound the equation is not
-/// known.
+/// A constraint alone has bounds if all of it can be read; where a slope has no bound the equation
+/// is not known.
 #[test]
 fn one_constraint_alone() {
     let mut m = Mechanism::new("alone");
     let x = m.length("x", 0.0).unwrap();
-    let (steep, half) = (steep(x, 1e200), Half(x));
+    let steep = steep(x, 1e200);
+    let half = Half(x);
     let part = Part::alone(&steep).unwrap();
     let tiny = Interval::new(-1e-300, 1e-300);
-    let (mut c, mut c_q) = (Vec::new(), Vec::new());
+    let mut c = Vec::new();
+    let mut c_q = Vec::new();
     assert!(
         part.residual(&[Series::constant(tiny)], Series::number(0.0), &mut c).is_ok()
             && c[0].value().contains(1e100)

@@ -1,5 +1,5 @@
-//! Every operation on intervals gives all that it can give: against error-free transformations, against f64's
-//! functions at points inside, at the edges.
+//! Every operation on intervals gives all that it can give: against error-free transformations,
+//! against f64's functions at points inside, at the edges.
 
 use kin_graph::{Function, Function2, Number};
 use proptest::prelude::*;
@@ -15,12 +15,12 @@ fn number() -> impl Strategy<Value = f64> {
 
 /// An interval, from a point to wide ones, and a number in it.
 fn interval() -> impl Strategy<Value = (Interval, f64)> {
-    (number(), prop_oneof![Just(0.0), Just(1e-12), 0.0..0.1_f64, 0.0..8.0_f64], 0.0..=1.0_f64).prop_map(
-        |(x, width, share)| {
-            let (lo, hi) = (x, x + width);
+    (number(), prop_oneof![Just(0.0), Just(1e-12), 0.0..0.1_f64, 0.0..8.0_f64], 0.0..=1.0_f64)
+        .prop_map(|(x, width, share)| {
+            let lo = x;
+            let hi = x + width;
             (Interval::new(lo, hi), f64::clamp(lo + share * width, lo, hi))
-        },
-    )
+        })
 }
 
 /// True if `value + rest`, a number that f64 does not hold, is inside.
@@ -71,13 +71,14 @@ proptest! {
         }
     }
 
-    /// By its coefficients in the middle and over all of the interval a function is bounded, one that rises
-    /// hardly wider than by its values.
+    /// By its coefficients in the middle and over all of the interval a function is bounded, one
+    /// that rises hardly wider than by its values.
     #[test]
     fn taylor_has_its_remainder(middle in -3.0..3.0_f64, half in 0.01..0.4_f64, share in -1.0..1.0_f64) {
         for &f in Function::ALL {
             let along = |x: Interval| Series::variable(x, Interval::from(half), ORDER + 1).call(f);
-            let (at, over) = (along(Interval::from(middle)), along(Interval::new(middle - half, middle + half)));
+            let at = along(Interval::from(middle));
+            let over = along(Interval::new(middle - half, middle + half));
             let value = crate::numbers::real::Real(middle + share * half).call(f).0;
             let bounds = taylor(&at, &over);
             prop_assert!(!value.is_finite() || bounds.contains(value), "{f:?} at {middle} + {share} of {half}: {value} is not in {bounds:?}");
@@ -108,8 +109,8 @@ proptest! {
         }
     }
 
-    /// Two ways to compute the same number give intervals that meet, and neither is much wider: so bounds are
-    /// of the function itself and not of a neighbour.
+    /// Two ways to compute the same number give intervals that meet, and neither is much wider: so
+    /// bounds are of the function itself and not of a neighbour.
     #[test]
     fn identities(a in 0.05..1.4_f64) {
         let x = Interval::from(a);
@@ -140,7 +141,8 @@ proptest! {
 
 /// Value and derivatives, as far as both know them, f64's own rounding allowed for.
 fn inside(bounds: &Series, exact: [f64; 4], what: &str) -> Result<(), TestCaseError> {
-    for (k, (value, factorial)) in exact.into_iter().zip([1.0, 1.0, 2.0, 6.0]).enumerate().take(bounds.len())
+    for (k, (value, factorial)) in
+        exact.into_iter().zip([1.0, 1.0, 2.0, 6.0]).enumerate().take(bounds.len())
     {
         let known = bounds.at(k) * Interval::from(factorial);
         if !value.is_finite() {
@@ -162,15 +164,27 @@ fn edges() {
     let known = |f: Function, lo: f64, hi: f64| over(lo, hi).call(f).len();
     let full = ORDER + 1;
     assert_eq!(
-        [known(Function::Sqrt, -0.1, 1.0), known(Function::Sqrt, 0.0, 1.0), known(Function::Sqrt, 0.1, 1.0)],
+        [
+            known(Function::Sqrt, -0.1, 1.0),
+            known(Function::Sqrt, 0.0, 1.0),
+            known(Function::Sqrt, 0.1, 1.0)
+        ],
         [0, 1, full]
     );
     assert_eq!(
-        [known(Function::Ln, 0.0, 1.0), known(Function::Asin, 0.0, 1.1), known(Function::Acosh, 0.9, 2.0)],
+        [
+            known(Function::Ln, 0.0, 1.0),
+            known(Function::Asin, 0.0, 1.1),
+            known(Function::Acosh, 0.9, 2.0)
+        ],
         [0, 0, 0]
     );
     assert_eq!(
-        [known(Function::Tan, 1.5, 1.6), known(Function::Tan, 1.6, 4.7), known(Function::Tan, 1.6, 4.8)],
+        [
+            known(Function::Tan, 1.5, 1.6),
+            known(Function::Tan, 1.6, 4.7),
+            known(Function::Tan, 1.6, 4.8)
+        ],
         [0, full, 0]
     );
     assert_eq!(
@@ -182,17 +196,25 @@ fn edges() {
         [0, full, 0]
     );
     assert_eq!(
-        [known(Function::Abs, -0.1, 0.1), known(Function::Abs, 0.0, 0.1), known(Function::Cbrt, -0.1, 0.1)],
+        [
+            known(Function::Abs, -0.1, 0.1),
+            known(Function::Abs, 0.0, 0.1),
+            known(Function::Cbrt, -0.1, 0.1)
+        ],
         [2, full, 1]
     );
-    assert_eq!((ONE / Interval::new(-1.0, 1.0), ONE / Interval::new(0.0, 1.0), ONE / ZERO), (ALL, ALL, ALL));
+    assert_eq!(
+        (ONE / Interval::new(-1.0, 1.0), ONE / Interval::new(0.0, 1.0), ONE / ZERO),
+        (ALL, ALL, ALL)
+    );
     assert_eq!((Series::constant(ONE) / over(-1.0, 1.0)).len(), 0);
     // √0, |0| of numbers that do not move are constants
     assert!(
         Series::constant(ZERO).call(Function::Sqrt).is_constant()
             && Series::constant(ZERO).call2(Function2::Hypot, Series::constant(ZERO)).is_constant()
     );
-    let (x, y) = (Interval::new(-2.0, -1.0), Interval::new(-0.1, 0.1));
+    let x = Interval::new(-2.0, -1.0);
+    let y = Interval::new(-0.1, 0.1);
     let (angle, across) = y.atan2(x);
     assert!(across && angle.contains(std::f64::consts::PI) && angle.hi() < 3.3 && angle.lo() > 3.0);
     assert_eq!(y.atan2(Interval::new(-0.1, 0.1)).0, ALL);
@@ -201,15 +223,19 @@ fn edges() {
     // a whole turn, and more, has all values; half a turn one extreme
     assert_eq!(Interval::new(0.0, 7.0).sin(), UNIT);
     assert_eq!(Interval::new(1e300, 1e300).sin(), UNIT);
-    assert!(Interval::new(0.0, 3.0).sin().hi() == 1.0 && Interval::new(0.0, 3.0).sin().lo() < 1e-15);
-    assert!(Interval::new(-1.0, 1.0).cos().hi() == 1.0 && Interval::new(2.0, 4.0).cos().lo() == -1.0);
+    assert!(
+        Interval::new(0.0, 3.0).sin().hi() == 1.0 && Interval::new(0.0, 3.0).sin().lo() < 1e-15
+    );
+    assert!(
+        Interval::new(-1.0, 1.0).cos().hi() == 1.0 && Interval::new(2.0, 4.0).cos().lo() == -1.0
+    );
     assert_eq!(Interval::from(f64::NAN), ALL);
     assert_eq!((Interval::from(f64::INFINITY), ALL.powi(3), ALL.sin()), (ALL, ALL, UNIT));
     assert!((ALL + ONE).lo() == f64::NEG_INFINITY && ALL * ZERO == ZERO && (ALL - ALL) == ALL);
 }
 
-/// Of an angle known up to whole turns, multiples by whole numbers are known in the same way, and its sine
-/// exactly; nothing else is known.
+/// Of an angle known up to whole turns, multiples by whole numbers are known in the same way, and
+/// its sine exactly; nothing else is known.
 #[test]
 fn angles_up_to_whole_turns() {
     let y = Series::variable(Interval::new(-0.01, 0.01), ONE, ORDER + 1);
@@ -234,7 +260,10 @@ fn angles_up_to_whole_turns() {
     assert_eq!([units(6.0, 3.0), units(3.0, 6.0), units(4.0, 6.0), units(5.0, 3.0)], [3, 3, 2, 1]);
     // Only whole multiples of whole turns are whole turns, and those that are counted.
     let turns = |factor: f64| angle.times(3.0).times(factor).len();
-    assert_eq!([turns(1.5), turns(0.4), turns(1.0 / 3.0), turns(1e7), turns(2.0)], [0, 0, 0, 0, ORDER + 1]);
+    assert_eq!(
+        [turns(1.5), turns(0.4), turns(1.0 / 3.0), turns(1e7), turns(2.0)],
+        [0, 0, 0, 0, ORDER + 1]
+    );
     let about = Series::constant(Interval::new(1.0, 3.0));
     assert_eq!(
         [(angle * about).len(), (about * angle).len(), (angle * (y + Series::number(2.0))).len()],

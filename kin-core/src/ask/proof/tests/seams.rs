@@ -17,7 +17,10 @@ fn known(law: &Law, lo: f64, hi: f64) -> usize {
 #[test]
 fn kinks_keep_as_many_derivatives_as_agree() {
     let kink = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
-    assert_eq!([known(&kink, 0.2, 0.8), known(&kink, 0.9, 1.1), known(&kink, 1.0, 1.0)], [FULL, 2, 2]);
+    assert_eq!(
+        [known(&kink, 0.2, 0.8), known(&kink, 0.9, 1.1), known(&kink, 1.0, 1.0)],
+        [FULL, 2, 2]
+    );
     for (law, at, order) in [
         (Law::harmonic_rise(0.3, 2.0), 0.0, 2),
         (Law::cycloidal(0.3, 2.0), 2.0, 3),
@@ -29,7 +32,10 @@ fn kinks_keep_as_many_derivatives_as_agree() {
         (
             Law::sequence(
                 0.0,
-                [(2.0, Law::cycloidal(1.0, 2.0)), (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0))],
+                [
+                    (2.0, Law::cycloidal(1.0, 2.0)),
+                    (2.0, Law::constant(1.0) - Law::cycloidal(1.0, 2.0)),
+                ],
             )
             .periodic(4.0),
             6.0,
@@ -43,7 +49,11 @@ fn kinks_keep_as_many_derivatives_as_agree() {
 #[test]
 fn pieces_that_do_not_meet_have_no_value_there() {
     let meets = |gap: f64| {
-        known(&Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(1.0 + gap))]), 0.9, 1.1) > 0
+        known(
+            &Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(1.0 + gap))]),
+            0.9,
+            1.1,
+        ) > 0
     };
     assert_eq!(
         [0.0, 1e-16, 1e-10, -1e-10, 1e-5, 1e-3, 0.1].map(meets),
@@ -66,7 +76,12 @@ fn seams_at_the_end_of_an_interval_count() {
     let saw = |k: u32| if k.is_multiple_of(2) { Law::ramp(1.0) } else { Law::linear(1.0, -1.0) };
     let law = Law::sequence(0.0, (0..200).map(|k| (1.0, saw(k))));
     assert_eq!(
-        [known(&law, 0.5, 64.5), known(&law, 100.5, 164.5), known(&law, 0.5, 65.5), known(&law, 0.5, 150.0)],
+        [
+            known(&law, 0.5, 64.5),
+            known(&law, 100.5, 164.5),
+            known(&law, 0.5, 65.5),
+            known(&law, 0.5, 150.0)
+        ],
         [2, 2, 0, 0]
     );
 }
@@ -75,7 +90,10 @@ fn seams_at_the_end_of_an_interval_count() {
 #[test]
 fn at_a_seam_alone() {
     let at = |law: Law| law.over(&Series::number(1.0)).unwrap();
-    assert!(at(Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))])).is_constant());
+    assert!(
+        at(Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]))
+            .is_constant()
+    );
     assert_eq!(at(Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(3.0))])).len(), 0);
 }
 
@@ -83,7 +101,8 @@ fn at_a_seam_alone() {
 #[test]
 fn seams_within_one_function() {
     let line = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, 1.0))]);
-    let flat = |gap: f64| Law::sequence(0.0, [(1.0, Law::constant(1.0)), (1.0, Law::constant(1.0 + gap))]);
+    let flat =
+        |gap: f64| Law::sequence(0.0, [(1.0, Law::constant(1.0)), (1.0, Law::constant(1.0 + gap))]);
     assert_eq!(
         [known(&line, 0.9, 1.1), known(&flat(0.0), 0.9, 1.1), known(&flat(1e-14), 0.9, 1.1)],
         [FULL, FULL, 0]
@@ -98,8 +117,8 @@ fn seams_within_one_function() {
     assert!(known(&fast.periodic(turn), 6.2, 6.3) > 1);
 }
 
-/// Periods are counted from the first; over many of them it has all values of one, over part of one those of
-/// that part.
+/// Periods are counted from the first; over many of them it has all values of one, over part of one
+/// those of that part.
 #[test]
 fn laws_that_repeat_have_their_own_values() {
     let law = Law::sequence(
@@ -108,7 +127,8 @@ fn laws_that_repeat_have_their_own_values() {
     )
     .periodic(4.0);
     // So far away that periods cannot be counted one by one.
-    let far = law.over(&Series::variable(Interval::new(3e16, 3e16 + 32.0), ONE, FULL)).unwrap().values();
+    let far =
+        law.over(&Series::variable(Interval::new(3e16, 3e16 + 32.0), ONE, FULL)).unwrap().values();
     assert!(far[0] <= 0.0 && far[1] >= 1.0);
     let spline = Law::spline(&[(0.3, 0.1), (1.0, 0.5), (1.7, 0.2), (2.3, 0.1)], Ends::Periodic);
     for (law, period) in [(law, 4.0), (spline, 2.0)] {
@@ -120,8 +140,10 @@ fn laws_that_repeat_have_their_own_values() {
             (1e7 * period + 0.4, 0.2),
             (0.5, 1000.3),
         ] {
-            let found =
-                law.over(&Series::variable(Interval::new(lo, lo + width), ONE, FULL)).unwrap().values();
+            let found = law
+                .over(&Series::variable(Interval::new(lo, lo + width), ONE, FULL))
+                .unwrap()
+                .values();
             let all = (0..=1000).map(|k| law.jet(lo + width * f64::from(k) / 1000.0)[0]);
             let (least, most) =
                 all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), y| (lo.min(y), hi.max(y)));
@@ -141,13 +163,16 @@ fn laws_that_repeat_have_their_own_values() {
 #[test]
 fn wide_bounds_hide_no_jump() {
     for omega in [1e9, 1e12, 1e15, 1e17] {
-        let law = Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(0.3))]);
+        let law =
+            Law::sequence(0.0, [(1.0, Law::sine(1.0, omega, 0.0)), (1.0, Law::constant(0.3))]);
         assert_eq!(known(&law, 0.999_999_999, 1.000_000_001), 0, "{omega}");
     }
-    // A small one too, whether its bounds are wide because of where the seam is or of what the law is made
-    // of.
-    let fast =
-        Law::sequence(0.0, [(1.0, Law::sine(1.0, 1e12, 0.0)), (1.0, Law::constant(1e12_f64.sin() + 1e-5))]);
+    // A small one too, whether its bounds are wide because of where the seam is or of what the law
+    // is made of.
+    let fast = Law::sequence(
+        0.0,
+        [(1.0, Law::sine(1.0, 1e12, 0.0)), (1.0, Law::constant(1e12_f64.sin() + 1e-5))],
+    );
     assert_eq!(known(&fast, 0.999_999_999, 1.000_000_001), 0);
     for (length, slope) in [(1e-5, 1.0), (1e-3, 1e3)] {
         let piece = |phase: f64| Law::sine(1.0, slope, phase);
@@ -156,7 +181,8 @@ fn wide_bounds_hide_no_jump() {
     }
 }
 
-/// An angle that may have passed its cut goes through a law that repeats after a turn, and through no other.
+/// An angle that may have passed its cut goes through a law that repeats after a turn, and through
+/// no other.
 #[test]
 fn whole_turns_are_nothing_to_laws_that_repeat() {
     let y = Series::variable(Interval::new(-0.01, 0.01), ONE, FULL);

@@ -40,7 +40,8 @@ pub(super) struct Cover<'a> {
     pub tried: Cell<usize>,
 }
 
-/// A box with a sheet for each place: its sides are the dimensions, then a span of time for each place.
+/// A box with a sheet for each place: its sides are the dimensions, then a span of time for each
+/// place.
 pub(super) struct Node {
     pub sides: Vec<Interval>,
     pub sheets: Vec<Rc<Sheet>>,
@@ -58,7 +59,8 @@ impl Cover<'_> {
         let mut all: Vec<Interval> = self.nominal.iter().map(|x| Interval::from(*x)).collect();
         for source in self.sources {
             for k in &source.parts {
-                let (x, t) = (self.nominal[*k], source.tolerance);
+                let x = self.nominal[*k];
+                let t = source.tolerance;
                 all[*k] = Interval::new(down(x - t), up(x + t));
             }
         }
@@ -70,8 +72,8 @@ impl Cover<'_> {
         self.nominal.iter().map(|x| Interval::from(*x)).collect()
     }
 
-    /// Sheets for these places over a box, which are one solution each; `guesses` are positions at its
-    /// centre, or near those.
+    /// Sheets for these places over a box, which are one solution each; `guesses` are positions at
+    /// its centre, or near those.
     pub(super) fn over(
         &self,
         which: &[usize],
@@ -101,8 +103,8 @@ impl Cover<'_> {
         Ok(left)
     }
 
-    /// The halves of a box that has its sheets, with sheets of their own that are the same solutions; `None`
-    /// where these are not found.
+    /// The halves of a box that has its sheets, with sheets of their own that are the same
+    /// solutions; `None` where these are not found.
     pub(super) fn cut(&self, which: &[usize], node: &Node, cut: usize) -> Option<Vec<Node>> {
         let mut all = Vec::new();
         for half in halved(&node.sides, cut) {
@@ -123,11 +125,13 @@ impl Cover<'_> {
         let d = self.names.len();
         let at = |place: usize| [&point[..d], &point[d + place..=d + place]].concat();
         let both = a.sheets.iter().zip(&b.sheets).enumerate();
-        a.holds(point) && b.holds(point) && both.into_iter().all(|(k, (a, b))| a.is_joined(b, &at(k)))
+        a.holds(point)
+            && b.holds(point)
+            && both.into_iter().all(|(k, (a, b))| a.is_joined(b, &at(k)))
     }
 
-    /// True if the solutions of some box and its neighbour on the other side are one. As each side is one
-    /// solution, and both have all of the face between them, that is so along the face.
+    /// True if the solutions of some box and its neighbour on the other side are one. As each side
+    /// is one solution, and both have all of the face between them, that is so along the face.
     fn are_joined(&self, left: &[Node], right: &[Node]) -> bool {
         let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
         let common = |a: &Node, b: &Node| {
@@ -145,7 +149,8 @@ impl Cover<'_> {
     fn is_outside(&self, sides: &[Interval]) -> bool {
         let least = |k: &usize| (sides[*k] - Interval::from(self.nominal[*k])).sqr().lo();
         self.sources.iter().filter(|source| source.parts.len() > 1).any(|source| {
-            source.parts.iter().map(least).fold(0.0, |sum, x| down(sum + x)) > up(source.tolerance.powi(2))
+            source.parts.iter().map(least).fold(0.0, |sum, x| down(sum + x))
+                > up(source.tolerance.powi(2))
         })
     }
 
@@ -164,7 +169,8 @@ impl Cover<'_> {
         for (number, guess) in (0..which.len()).zip(guesses) {
             let mut region = sides[..d].to_vec();
             region.push(sides[d + number]);
-            let pose = system.next_to(sides[d + number].mid(), guess).map_err(|_| Fault::Singular)?;
+            let pose =
+                system.next_to(sides[d + number].mid(), guess).map_err(|_| Fault::Singular)?;
             sheets.push(Rc::new(sheet(&self.equations, &self.sizes, &region, pose.q(0))?));
         }
         Ok(Node { sides: sides.to_vec(), sheets })
@@ -189,7 +195,8 @@ impl Cover<'_> {
     /// That nothing is proved, and where.
     fn refusal(&self, fault: &Fault, sides: &[Interval]) -> Error {
         let d = self.names.len();
-        let at = self.names.iter().zip(sides).map(|(name, side)| format!("{name} = {:.5}", side.mid()));
+        let at =
+            self.names.iter().zip(sides).map(|(name, side)| format!("{name} = {:.5}", side.mid()));
         let times = sides[d..].iter().map(|side| format!("t = {:.5}", side.mid()));
         let at = at.chain(times).collect::<Vec<_>>().join(", ");
         let reason = match fault {
@@ -202,7 +209,10 @@ impl Cover<'_> {
                 let expression = unknown.expression.as_ref();
                 let expression =
                     expression.map(|(text, _)| format!(": `{text}` jumps there, or has no slope"));
-                format!("near {at} no bounds of `{equation}` are known{}", expression.unwrap_or_default())
+                format!(
+                    "near {at} no bounds of `{equation}` are known{}",
+                    expression.unwrap_or_default()
+                )
             }
         };
         self.refused(reason)

@@ -20,8 +20,8 @@ const SLOPES: usize = 2;
 pub(super) struct Equations<'a> {
     bounds: Bounds<'a>,
     names: &'a [String],
-    /// Of each constraint, the parameters of its formula that hang on these dimensions, each with its place
-    /// among all numbers that hang on dimensions.
+    /// Of each constraint, the parameters of its formula that hang on these dimensions, each with
+    /// its place among all numbers that hang on dimensions.
     hung: Vec<Vec<(usize, usize)>>,
 }
 
@@ -39,8 +39,8 @@ pub(super) struct Slopes {
 }
 
 impl<'a> Equations<'a> {
-    /// Errors: those of [`System::prove`]; by name a law, or a function of the user's program, that hangs on
-    /// one of the dimensions: of these no bounds are known.
+    /// Errors: those of [`System::prove`]; by name a law, or a function of the user's program, that
+    /// hangs on one of the dimensions: of these no bounds are known.
     pub(super) fn new(system: &'a System, names: &'a [String]) -> Result<Self> {
         system.provable()?;
         let bounds = Bounds::new(system)?;
@@ -53,10 +53,15 @@ impl<'a> Equations<'a> {
         }
         for (number, (at, value)) in now.iter().enumerate().filter(|(number, _)| moves[*number]) {
             let (constraint, name) = match at {
-                Bound::Parameter { of: Holder::Constraint(constraint), name, .. } => (constraint, name),
+                Bound::Parameter { of: Holder::Constraint(constraint), name, .. } => {
+                    (constraint, name)
+                }
                 Bound::Axis { of: Holder::Constraint(constraint), name, .. } => {
                     let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
-                    return Err(refused(&own, "is an axis that hangs on dimensions, which has no bounds"));
+                    return Err(refused(
+                        &own,
+                        "is an axis that hangs on dimensions, which has no bounds",
+                    ));
                 }
                 _ => continue,
             };
@@ -81,7 +86,11 @@ impl<'a> Equations<'a> {
     fn nominal(&self, moving: Option<usize>) -> Result<Vec<Series>> {
         let of = |(k, name): (usize, &String)| {
             let x = Interval::from(self.system().parameter(name)?);
-            Ok(if moving == Some(k) { Series::variable(x, ONE, SLOPES) } else { Series::constant(x) })
+            Ok(if moving == Some(k) {
+                Series::variable(x, ONE, SLOPES)
+            } else {
+                Series::constant(x)
+            })
         };
         self.names.iter().enumerate().map(of).collect()
     }
@@ -97,9 +106,13 @@ impl<'a> Equations<'a> {
     }
 
     /// Bounds of every row of C.
-    pub(super) fn residual(&self, region: &Region<'_>) -> std::result::Result<Vec<Interval>, Unknown> {
+    pub(super) fn residual(
+        &self,
+        region: &Region<'_>,
+    ) -> std::result::Result<Vec<Interval>, Unknown> {
         let numbers = self.numbers(region.d, None);
-        let (q, t) = (constants(region.q), Series::constant(time(region.d)));
+        let q = constants(region.q);
+        let t = Series::constant(time(region.d));
         let mut c = Vec::with_capacity(self.system().n_equations());
         for (part, hung) in self.bounds.parts.iter().zip(&self.hung) {
             let columns: Vec<Series> = part.columns.iter().map(|column| column.of(&q)).collect();
@@ -134,7 +147,8 @@ impl<'a> Equations<'a> {
         (still, moved): (&[Series], &[Vec<Series>]),
         slopes: &mut Slopes,
     ) -> std::result::Result<(), Unknown> {
-        let (q, t) = (constants(region.q), Series::constant(time(region.d)));
+        let q = constants(region.q);
+        let t = Series::constant(time(region.d));
         let columns: Vec<Series> = part.columns.iter().map(|column| column.of(&q)).collect();
         part.with(&mut |table, parameters, outside| {
             let Formula { graph, rows, .. } = table.formula();
@@ -142,7 +156,8 @@ impl<'a> Equations<'a> {
             let known = evaluate(graph, rows, &Walk::of(&columns, t, &own, outside));
             let entries = |along, column: usize, to: &mut Vec<Entry>| {
                 let along = part.rows(table, &along, SLOPES)?;
-                let all = along.iter().enumerate().map(|(row, y)| (part.first + row, column, y.at(1)));
+                let all =
+                    along.iter().enumerate().map(|(row, y)| (part.first + row, column, y.at(1)));
                 to.extend(all.filter(|entry| entry.2 != ZERO));
                 Ok(())
             };
@@ -160,7 +175,9 @@ impl<'a> Equations<'a> {
                 }
                 let own = given(parameters, hung, moved);
                 let moves = |node| match graph.op(node) {
-                    Op::Input(Input::Parameter(k)) => own.get(k).copied().filter(|x| !x.is_constant()),
+                    Op::Input(Input::Parameter(k)) => {
+                        own.get(k).copied().filter(|x| !x.is_constant())
+                    }
                     _ => None,
                 };
                 let walk = Walk::of(&columns, t, &own, outside);
@@ -192,12 +209,19 @@ fn given(parameters: &[f64], hung: &[(usize, usize)], numbers: &[Series]) -> Vec
 }
 
 fn refused(parameter: &str, reason: &str) -> Error {
-    Error::CannotBeProved { what: "a worst case".to_string(), reason: format!("`{parameter}` {reason}") }
+    Error::CannotBeProved {
+        what: "a worst case".to_string(),
+        reason: format!("`{parameter}` {reason}"),
+    }
 }
 
-/// The number in the formula of the parameter of that name and value, or why there is none that can be
-/// followed.
-fn parameter(part: &Part<'_>, name: &str, value: &Series) -> std::result::Result<usize, &'static str> {
+/// The number in the formula of the parameter of that name and value, or why there is none that can
+/// be followed.
+fn parameter(
+    part: &Part<'_>,
+    name: &str,
+    value: &Series,
+) -> std::result::Result<usize, &'static str> {
     let found = part.constraint.formula(|table, values, _| {
         let Formula { graph, rows, parameters, .. } = table.formula();
         let k = parameters.iter().position(|known| known == name);
@@ -219,7 +243,8 @@ fn parameter(part: &Part<'_>, name: &str, value: &Series) -> std::result::Result
 /// True if a function that only the user's program can compute reads that parameter.
 fn is_foreign(graph: &Graph, node: Node, parameter: usize) -> bool {
     let Op::Opaque(number, _) = graph.op(node) else { return false };
-    let read = graph.opaques.get(number).map(|operands| graph.reachable(operands)).unwrap_or_default();
+    let read =
+        graph.opaques.get(number).map(|operands| graph.reachable(operands)).unwrap_or_default();
     read.into_iter().any(|node| graph.op(node) == Op::Input(Input::Parameter(parameter)))
 }
 
@@ -230,7 +255,12 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn of(columns: &'a [Series], t: Series, parameters: &'a [Series], outside: Outside<'a>) -> Self {
+    fn of(
+        columns: &'a [Series],
+        t: Series,
+        parameters: &'a [Series],
+        outside: Outside<'a>,
+    ) -> Self {
         Walk { inputs: Inputs { columns, t, parameters: &[], outside }, parameters }
     }
 }

@@ -1,19 +1,20 @@
-//! Worst cases that are proved: bounds of a feature over all mechanisms whose dimensions are within their
-//! tolerances.
+//! Worst cases that are proved: bounds of a feature over all mechanisms whose dimensions are within
+//! their tolerances.
 //!
 //! # What is shown
-//! At each point of the box of tolerances, and at each time of the spans that are asked for, the mechanism
-//! has the position that the motion has, carried on to these dimensions: one, continuous, without a singular
-//! position between. `low` and `high` are bounds of the feature over all of these. Of an extreme it is the
-//! largest (least) value within a span of time around it, at whose ends the rate is shown to have the signs
-//! of a rise and a fall, so that all mechanisms turn round between.
+//! At each point of the box of tolerances, and at each time of the spans that are asked for, the
+//! mechanism has the position that the motion has, carried on to these dimensions: one, continuous,
+//! without a singular position between. `low` and `high` are bounds of the feature over all of
+//! these. Of an extreme it is the largest (least) value within a span of time around it, at whose
+//! ends the rate is shown to have the signs of a rise and a fall, so that all mechanisms turn round
+//! between.
 //!
 //! # How
-//! * **A sheet** (`sheet.rs`) is the position over a box as q + S Δ and a remainder, which is small of second
-//!   order, by Krawczyk's test. So bounds are exact to first order.
+//! * **A sheet** (`sheet.rs`) is the position over a box as q + S Δ and a remainder, which is small
+//!   of second order, by Krawczyk's test. So bounds are exact to first order.
 //! * **A box that has none is halved** along the dimension or time with which coordinates move most
-//!   (`cover.rs`); halves must be one solution where they meet. What has none after 40 halvings is no proof:
-//!   the error says where.
+//!   (`cover.rs`); halves must be one solution where they meet. What has none after 40 halvings is
+//!   no proof: the error says where.
 //! * **The box with the farthest bound is halved** until that is near to a value that is attained.
 //!
 //! It stands on the same enclosures as proofs of motions ([`crate::ask::proof`]).
@@ -32,14 +33,16 @@ use crate::numbers::enclosure::interval::{Interval, ZERO, up};
 use cover::{Cover, Covered, Node};
 use equations::Equations;
 
-/// Bounds are halved until they are this share of the worst case from a value that is attained.   \[-\]
+/// Bounds are halved until they are this share of the worst case from a value that is
+/// attained.   \[-\]
 const NEAR: f64 = 0.005;
 
 /// Boxes are halved so often for that at most, for each bound.
 const FINE: usize = 250;
 
-/// Spans of time around an extreme reach so many times as far as it moves to first order, and at least over
-/// this share of the motion; they are made so many times wider, up to that share of it.   \[-\]
+/// Spans of time around an extreme reach so many times as far as it moves to first order, and at
+/// least over this share of the motion; they are made so many times wider, up to that share of
+/// it.   \[-\]
 const SPAN: f64 = 2.5;
 const LEAST: f64 = 1e-5;
 const WIDER: f64 = 3.0;
@@ -53,7 +56,8 @@ pub struct Proved {
     pub low: f64,
     /// No mechanism has more.   \[unit of the measure\]
     pub high: f64,
-    /// Laws of the program's own whose bounds were taken on their own word, each with its constraint.
+    /// Laws of the program's own whose bounds were taken on their own word, each with its
+    /// constraint.
     pub trusted: Vec<String>,
 }
 
@@ -93,7 +97,8 @@ pub(super) fn proved<M: Measure>(
     names: &[String],
     slopes: &[f64],
 ) -> Result<Proved> {
-    let (system, motion) = (followed.system, followed.motion);
+    let system = followed.system;
+    let motion = followed.motion;
     let coordinate = followed.what.coordinate(system).ok_or_else(|| Error::CannotBeProved {
         what: format!("the worst case of {}", followed.name),
         reason: "bounds are known of coordinates only; give the mechanism a coordinate for it \
@@ -103,20 +108,24 @@ pub(super) fn proved<M: Measure>(
     let nominal = names.iter().map(|name| system.parameter(name)).collect::<Result<Vec<f64>>>()?;
     let sizes = system.sizes_of(motion);
     let mut weights = vec![0.0_f64; names.len()];
-    let (mut places, mut turns) = (Vec::new(), Vec::new());
+    let mut places = Vec::new();
+    let mut turns = Vec::new();
     for term in &followed.terms {
         let by = system.sensitivities(&term.pose, names)?;
         for (weight, by) in weights.iter_mut().zip(by.all()) {
-            *weight = by.q(0).iter().zip(&sizes).fold(*weight, |m, (x, size)| m.max((x / size).abs()));
+            *weight =
+                by.q(0).iter().zip(&sizes).fold(*weight, |m, (x, size)| m.max((x / size).abs()));
         }
         let second = first(followed.what.of(system, &term.pose)?.second_rate.values());
         let moves = by.all().iter().map(|by| -by.qd(0)[coordinate] / second).collect();
         turns.push(turn(term, moves, sources, motion.times()));
         places.push(Covered { q: term.pose.q(0).to_vec(), qd: term.pose.qd(0).to_vec() });
     }
-    let (equations, what) = (Equations::new(system, names)?, followed.name.clone());
+    let equations = Equations::new(system, names)?;
+    let what = followed.name.clone();
     let tried = Cell::new(0);
-    let cover = Cover { system, equations, names, sources, nominal, sizes, weights, places, what, tried };
+    let cover =
+        Cover { system, equations, names, sources, nominal, sizes, weights, places, what, tried };
     let mut proof = Proof { cover, turns, coordinate, slopes, nominal: followed.nominal };
     proof.trails()?;
     let [low, high] = [proof.bound(-1.0)?, proof.bound(1.0)?];
@@ -134,9 +143,9 @@ fn turn(term: &Term, moves: Vec<f64>, sources: &[Source], times: &[f64]) -> Turn
 }
 
 impl Proof<'_> {
-    /// The solutions over the spans with the dimensions as they are, which begin at the computed positions;
-    /// and that whatever the dimensions, the measure turns round in each span. A span is made wider as long
-    /// as that is not shown, and no more than a part of the motion.
+    /// The solutions over the spans with the dimensions as they are, which begin at the computed
+    /// positions; and that whatever the dimensions, the measure turns round in each span. A span is
+    /// made wider as long as that is not shown, and no more than a part of the motion.
     fn trails(&mut self) -> Result<()> {
         for k in 0..self.turns.len() {
             loop {
@@ -156,16 +165,21 @@ impl Proof<'_> {
 
     /// The solution over one span with the dimensions as they are.
     fn trail(&self, k: usize) -> Result<Vec<Node>> {
-        let (turn, place, cover) = (&self.turns[k], &self.cover.places[k], &self.cover);
+        let turn = &self.turns[k];
+        let place = &self.cover.places[k];
+        let cover = &self.cover;
         let mut sides = cover.point();
-        sides.push(turn.span.map_or(Interval::from(turn.t), |(span, _)| Interval::new(span[0], span[1])));
+        sides.push(
+            turn.span.map_or(Interval::from(turn.t), |(span, _)| Interval::new(span[0], span[1])),
+        );
         let trail = cover.over(&[k], &sides, std::slice::from_ref(&place.q), 0)?;
         let here = [&cover.nominal[..], &[turn.t]].concat();
         let own = trail.iter().find(|node| node.sheets[0].holds(&here));
         if own.is_some_and(|node| node.sheets[0].is_near(&place.q)) {
             return Ok(trail);
         }
-        let reason = format!("the computed position at t = {} is not the one that is proved", turn.t);
+        let reason =
+            format!("the computed position at t = {} is not the one that is proved", turn.t);
         Err(cover.refused(reason))
     }
 
@@ -196,13 +210,18 @@ impl Proof<'_> {
         let joined = which.iter().enumerate().all(|(number, k)| {
             let at = [&cover.nominal[..], &[point[cover.names.len() + number]]].concat();
             nodes.iter().any(|node| {
-                self.turns[*k].trail.iter().any(|own| own.sheets[0].is_joined(&node.sheets[number], &at))
+                self.turns[*k]
+                    .trail
+                    .iter()
+                    .any(|own| own.sheets[0].is_joined(&node.sheets[number], &at))
             })
         });
         if joined {
             return Ok(nodes);
         }
-        Err(cover.refused("the positions of the box are not shown to be those of the motion".to_string()))
+        Err(cover.refused(
+            "the positions of the box are not shown to be those of the motion".to_string(),
+        ))
     }
 
     /// An error unless the measure rises (falls) in the whole box of a node.
@@ -216,8 +235,9 @@ impl Proof<'_> {
         let halves = halves.and_then(|cut| self.cover.cut(&[k], node, cut));
         let Some(halves) = halves else {
             let t = node.sides.last().map_or(f64::NAN, |side| side.mid());
-            let reason =
-                format!("that it turns round before t = {t:.5} whatever the dimensions is not shown");
+            let reason = format!(
+                "that it turns round before t = {t:.5} whatever the dimensions is not shown"
+            );
             return Err(self.cover.refused(reason));
         };
         halves.iter().try_for_each(|node| self.turning(k, node, rises, most))
@@ -241,8 +261,9 @@ impl Proof<'_> {
 
     /// A bound of the feature: the largest value for `side` 1, the least for −1.
     ///
-    /// The largest value within a span is below the bounds over all of the span; it is above the value at any
-    /// time of the span, of which one is taken that is near the extreme where the dimensions are worst.
+    /// The largest value within a span is below the bounds over all of the span; it is above the
+    /// value at any time of the span, of which one is taken that is near the extreme where the
+    /// dimensions are worst.
     fn bound(&self, side: f64) -> Result<f64> {
         let all: Vec<usize> = (0..self.turns.len()).collect();
         let spans: Vec<Interval> = self.turns.iter().map(|turn| self.span(turn, side)).collect();
@@ -291,9 +312,11 @@ impl Proof<'_> {
         Interval::from((turn.t + moved).clamp(from, to))
     }
 
-    /// A bound of `side` times the feature over a node, and a value of that which is attained in it.
+    /// A bound of `side` times the feature over a node, and a value of that which is attained in
+    /// it.
     fn value(&self, node: &Node, side: f64) -> (f64, Option<f64>) {
-        let (d, j) = (self.cover.names.len(), self.coordinate);
+        let d = self.cover.names.len();
+        let j = self.coordinate;
         let mut rest = ZERO;
         let mut slopes = vec![ZERO; d];
         let mut change = ZERO;
@@ -316,14 +339,18 @@ impl Proof<'_> {
                     [_] => along,
                     _ => {
                         // The disc around the dimensions as they are.
-                        let size = source.parts.iter().fold(ZERO, |sum, k| sum + slopes[*k].sqr()).sqrt();
+                        let size =
+                            source.parts.iter().fold(ZERO, |sum, k| sum + slopes[*k].sqr()).sqrt();
                         let middle = source.parts.iter().fold(ZERO, |sum, k| {
                             sum + slopes[*k]
-                                * (Interval::from(self.cover.nominal[*k]) - Interval::from(centre[*k]))
+                                * (Interval::from(self.cover.nominal[*k])
+                                    - Interval::from(centre[*k]))
                         });
                         let disc = middle + Interval::ball(up(size.hi() * source.tolerance));
-                        is_attained &=
-                            source.parts.iter().all(|k| node.sides[*k].radius() >= source.tolerance);
+                        is_attained &= source
+                            .parts
+                            .iter()
+                            .all(|k| node.sides[*k].radius() >= source.tolerance);
                         along.common(disc).unwrap_or(along)
                     }
                 };

@@ -1,4 +1,5 @@
-//! A sheet: the positions of a mechanism over a box of its dimensions and a span of time, as one function.
+//! A sheet: the positions of a mechanism over a box of its dimensions and a span of time, as one
+//! function.
 
 use nalgebra::DMatrix;
 
@@ -6,11 +7,12 @@ use super::equations::{Equations, Region, Slopes};
 use crate::ask::proof::{Entry, Unknown, settled};
 use crate::numbers::enclosure::interval::{Interval, ZERO, up};
 
-/// The smallest distance, in characteristic sizes, within which no other solution is looked for.   \[-\]
+/// The smallest distance, in characteristic sizes, within which no other solution is looked
+/// for.   \[-\]
 const LEAST: f64 = 1e-6;
 
-/// Over a box of dimensions and time, whose last is the time, there is exactly one solution of C = 0 in
-/// `alone`, at each point of the box; it is continuous, and at c + Δ it is q + S Δ + `off`.
+/// Over a box of dimensions and time, whose last is the time, there is exactly one solution of C =
+/// 0 in `alone`, at each point of the box; it is continuous, and at c + Δ it is q + S Δ + `off`.
 pub(super) struct Sheet {
     pub region: Vec<Interval>,
     /// c
@@ -40,10 +42,11 @@ struct Frame<'a> {
 
 /// The sheet over a box around a position at its centre.
 ///
-/// Along q + S Δ the rows of C are, by the mean value theorem, C(q, c) + (C_q S + C_d) Δ with derivatives
-/// within their bounds over the box. Times A that is small of second order, b. With R ≥ |I − A C_q| over
-/// positions no further than ρ from that plane, a y with b + R y < y ≤ ρ holds a solution at each Δ, the only
-/// one within ρ (as in `ask/proof/krawczyk.rs`). Its derivatives are S + e with
+/// Along q + S Δ the rows of C are, by the mean value theorem, C(q, c) + (C_q S + C_d) Δ with
+/// derivatives within their bounds over the box. Times A that is small of second order, b. With R
+/// ≥ |I − A C_q| over positions no further than ρ from that plane, a y with b + R y < y ≤ ρ holds a
+/// solution at each Δ, the only one within ρ (as in `ask/proof/krawczyk.rs`). Its derivatives are
+/// S + e with
 ///
 /// ```text
 /// C_q (S + e) = −C_d      |e| ≤ |A (C_q S + C_d)| + R |e|
@@ -56,7 +59,8 @@ pub(super) fn sheet(
 ) -> Result<Sheet, Fault> {
     let centre: Vec<f64> = region.iter().map(|x| x.mid()).collect();
     let thin = |all: &[f64]| all.iter().map(|x| Interval::from(*x)).collect::<Vec<_>>();
-    let (here, at) = (thin(q), thin(&centre));
+    let here = thin(q);
+    let at = thin(&centre);
     let place = Region { q: &here, d: &at };
     let c = equations.residual(&place).map_err(Fault::Unknown)?;
     let first = equations.slopes(&place).map_err(Fault::Unknown)?;
@@ -98,15 +102,21 @@ pub(super) fn sheet(
 
 /// x + S_j Δ
 fn along(x: Interval, slopes: &DMatrix<f64>, j: usize, moved: &[Interval]) -> Interval {
-    moved.iter().enumerate().fold(x, |sum, (k, moved)| sum + Interval::from(slopes[(j, k)]) * *moved)
+    moved
+        .iter()
+        .enumerate()
+        .fold(x, |sum, (k, moved)| sum + Interval::from(slopes[(j, k)]) * *moved)
 }
 
 impl Sheet {
     /// Bounds of the solution at a point of the box.
     fn at(&self, point: &[f64]) -> Vec<Interval> {
-        let moved = point.iter().zip(&self.centre).map(|(x, c)| Interval::from(*x) - Interval::from(*c));
+        let moved =
+            point.iter().zip(&self.centre).map(|(x, c)| Interval::from(*x) - Interval::from(*c));
         let moved: Vec<Interval> = moved.collect();
-        let of = |(j, q): (usize, &f64)| along(Interval::from(*q) + self.off[j], &self.slopes, j, &moved);
+        let of = |(j, q): (usize, &f64)| {
+            along(Interval::from(*q) + self.off[j], &self.slopes, j, &moved)
+        };
         self.q.iter().enumerate().map(of).collect()
     }
 
@@ -120,8 +130,8 @@ impl Sheet {
         self.alone.iter().zip(q).all(|(alone, q)| alone.contains(*q))
     }
 
-    /// True if two sheets that both hold a point are one there: the solution of one lies where the other has
-    /// no second.
+    /// True if two sheets that both hold a point are one there: the solution of one lies where the
+    /// other has no second.
     pub(super) fn is_joined(&self, other: &Sheet, point: &[f64]) -> bool {
         let inside = |a: &Sheet, b: &Sheet| {
             a.at(point).iter().zip(&b.alone).all(|(x, b)| b.contains(x.lo()) && b.contains(x.hi()))

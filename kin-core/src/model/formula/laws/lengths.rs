@@ -1,11 +1,14 @@
-//! Which laws of a formula are lengths and which are angles or numbers: the power of the unit of length in
-//! each is found from those of the rows and coordinates, because what is added or compared is of one kind.
+//! Which laws of a formula are lengths and which are angles or numbers: the power of the unit of
+//! length in each is found from those of the rows and coordinates, because what is added or
+//! compared is of one kind.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
 
-use kin_graph::{Comparison, Formula, Function, Function2, Input, LeafUse, Number, Source, evaluate};
+use kin_graph::{
+    Comparison, Formula, Function, Function2, Input, LeafUse, Number, Source, evaluate,
+};
 
 /// Two powers that differ by less are one.   \[-\]
 const SAME: f64 = 1e-9;
@@ -37,7 +40,9 @@ impl Power {
 
     fn times(self, factor: f64) -> Power {
         match self {
-            Sum(power, equations) => Sum(power.into_iter().map(|x| factor * x).collect(), equations),
+            Sum(power, equations) => {
+                Sum(power.into_iter().map(|x| factor * x).collect(), equations)
+            }
             other => other,
         }
     }
@@ -211,9 +216,9 @@ impl Source<Power> for Asked<'_> {
     }
 }
 
-/// The power of the unit of length in each law, 1 of a length and 0 of an angle, by their numbers; `None`
-/// where formulas do not decide it. `columns` and `rows` are the powers of coordinates and rows, where they
-/// are known.
+/// The power of the unit of length in each law, 1 of a length and 0 of an angle, by their numbers;
+/// `None` where formulas do not decide it. `columns` and `rows` are the powers of coordinates and
+/// rows, where they are known.
 pub(crate) fn lengths(
     formula: &Formula,
     laws: &[usize],

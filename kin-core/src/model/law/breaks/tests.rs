@@ -7,8 +7,8 @@ fn places(all: &[(f64, usize)]) -> Vec<(f64, usize)> {
     all.iter().map(|found| (found.x, found.order)).collect()
 }
 
-/// Places that differ by rounding are one, with the sharper break of both, on either side of zero and not
-/// beside it.
+/// Places that differ by rounding are one, with the sharper break of both, on either side of zero
+/// and not beside it.
 #[test]
 fn places_that_differ_by_rounding_are_one() {
     assert_eq!(places(&[(2.0, 0), (1.0 + 1e-13, 1), (1.0, 3)]), [(1.0, 1), (2.0, 0)]);
@@ -22,8 +22,8 @@ fn places_that_differ_by_rounding_are_one() {
     assert_eq!(places(&many).len(), MOST_BREAKS);
 }
 
-/// Carried on by Taylor's formula: exactly for a cubic, and with the fourth derivative in the second and the
-/// third.
+/// Carried on by Taylor's formula: exactly for a cubic, and with the fourth derivative in the
+/// second and the third.
 #[test]
 fn the_left_side_of_an_end() {
     let cubic = Law::polynomial(&[1.0, -2.0, 3.0, -4.0]);
@@ -34,7 +34,8 @@ fn the_left_side_of_an_end() {
             .for_each(|(found, exact)| near(found, exact, 1e-10));
     }
     let quartic = Law::polynomial(&[1.0, -2.0, 3.0, -4.0, 5.0]);
-    let (found, exact) = (left_jet(&quartic, 2.0, 0.5), quartic.jet(2.0));
+    let found = left_jet(&quartic, 2.0, 0.5);
+    let exact = quartic.jet(2.0);
     near(found[2], exact[2], 1e-10);
     near(found[3], exact[3], 1e-10);
     near(exact[1] - found[1], 120.0 * 0.5_f64.powi(3) / 6.0, 1e-10);
@@ -51,11 +52,13 @@ fn what_jumps_at_a_seam() {
     };
     assert_eq!(order([2.0, 3.0, 2.0, 0.0]), None);
     assert_eq!(
-        [[2.1, 3.0, 2.0, 0.0], [2.0, 3.1, 2.0, 0.0], [2.0, 3.0, 2.1, 0.0], [2.0, 3.0, 2.0, 0.1]].map(order),
+        [[2.1, 3.0, 2.0, 0.0], [2.0, 3.1, 2.0, 0.0], [2.0, 3.0, 2.1, 0.0], [2.0, 3.0, 2.0, 0.1]]
+            .map(order),
         [0, 1, 2, 3].map(Some)
     );
     assert_eq!(
-        [[f64::NAN, 3.0, 2.0, 0.0], [2.0, f64::NAN, 2.0, 0.0], [2.0, f64::NAN, 2.1, 0.0]].map(order),
+        [[f64::NAN, 3.0, 2.0, 0.0], [2.0, f64::NAN, 2.0, 0.0], [2.0, f64::NAN, 2.1, 0.0]]
+            .map(order),
         [Some(0), None, Some(2)]
     );
     assert_eq!(Seam::before(1.0, [1.0, 0.0, 0.0, 5.0], Sizes::of(&law, 1.0), 1.0).order(), Some(3));
@@ -64,7 +67,8 @@ fn what_jumps_at_a_seam() {
 /// Bounds of the library's own laws are nobody's word.
 #[test]
 fn laws_of_the_library_are_not_trusted() {
-    let spline = Law::spline(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)], crate::model::law::Ends::Natural);
+    let spline =
+        Law::spline(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.5)], crate::model::law::Ends::Natural);
     let plain = [
         Law::constant(1.0),
         Law::ramp(1.0),
@@ -77,7 +81,11 @@ fn laws_of_the_library_are_not_trusted() {
         Law::cycloidal(1.0, 1.0),
         Law::sequence(0.0, [(1.0, Law::ramp(1.0))]),
     ]) {
-        assert_eq!((law.trusted(), law.kind().is_empty()), (Vec::<String>::new(), false), "{law:?}");
+        assert_eq!(
+            (law.trusted(), law.kind().is_empty()),
+            (Vec::<String>::new(), false),
+            "{law:?}"
+        );
     }
 }
 
@@ -100,14 +108,15 @@ fn sizes_are_the_largest_of_each_derivative() {
         });
         assert_eq!(Sizes::of(&law, 2.0).0, [2.0, 0.5, 3.0, 4.0, 5.0], "{k}");
     }
-    let unknown =
-        Sizes([1.0, f64::NAN, 3.0, f64::NAN, 5.0]).with(Sizes([2.0, 1.0, f64::NAN, f64::NAN, 4.0])).0;
+    let unknown = Sizes([1.0, f64::NAN, 3.0, f64::NAN, 5.0])
+        .with(Sizes([2.0, 1.0, f64::NAN, f64::NAN, 4.0]))
+        .0;
     assert_eq!(unknown[..3], [2.0, 1.0, 3.0]);
     assert!(unknown[3].is_nan() && unknown[4] == 5.0);
 }
 
-/// A left side is looked at where the law has hardly changed, nearer than a billionth of the length, and no
-/// nearer than rounding lets it.
+/// A left side is looked at where the law has hardly changed, nearer than a billionth of the
+/// length, and no nearer than rounding lets it.
 #[test]
 fn how_far_before_an_end_a_law_is_looked_at() {
     let step = |f: f64, f1: f64, length: f64| Sizes([f, f1, 0.0, 0.0, 0.0]).step(length);
@@ -117,8 +126,8 @@ fn how_far_before_an_end_a_law_is_looked_at() {
     assert_eq!((step(0.0, 1.0, 4.0), step(0.0, 0.0, 4.0), step(1.0, 0.0, 4.0)), (4e-9, 4e-9, 4e-9));
 }
 
-/// Nine digits of a value, seven of a derivative, what the law changes by over the step, and rounding of the
-/// others.
+/// Nine digits of a value, seven of a derivative, what the law changes by over the step, and
+/// rounding of the others.
 #[test]
 fn what_two_sides_may_differ_by() {
     let allowed = |sizes: [f64; 5], k: usize, length: f64| Sizes(sizes).allowed(k, 1e-8, length);
@@ -145,7 +154,8 @@ fn the_least_jump_of_a_seam() {
     let sizes = Sizes::of(&law, 2.0);
     for k in 0..4 {
         let step = sizes.step(2.0);
-        let (left, allowed) = (left_jet(&law, 2.0, step), sizes.allowed(k, step, 0.5));
+        let left = left_jet(&law, 2.0, step);
+        let allowed = sizes.allowed(k, step, 0.5);
         let order = |factor: f64| {
             let mut right = left;
             right[k] += factor * allowed;
@@ -162,14 +172,18 @@ fn the_least_jump_of_a_seam() {
     }
     let held = |right: [f64; 4]| Seam::before(2.0, right, Sizes([2.0, 1.0, 1.0, 1.0, 0.0]), 1.0);
     assert_eq!(
-        (held([2.0, 1e-6, 0.0, 0.0]).order(), held([2.0, 1e-8, 0.0, 0.0]).order(), held([2.0; 4]).end()),
+        (
+            held([2.0, 1e-6, 0.0, 0.0]).order(),
+            held([2.0, 1e-8, 0.0, 0.0]).order(),
+            held([2.0; 4]).end()
+        ),
         (Some(1), None, 2.0)
     );
     assert_eq!(Seam::before(0.0, [0.0; 4], Sizes::default(), 1.0).order(), None);
 }
 
-/// The fourth derivative is that of the place that is looked at, and counts for nothing where it is not
-/// known.
+/// The fourth derivative is that of the place that is looked at, and counts for nothing where it is
+/// not known.
 #[test]
 fn the_fourth_derivative_before_an_end() {
     let law = |f4: fn(f64) -> f64| own(move |x| [0.0, 0.0, 0.0, 0.0, f4(x)]);
@@ -190,11 +204,15 @@ fn again(one: &[(f64, usize)], start: f64, period: f64, from: f64, to: f64) -> V
     repeated(&one, start, period, from, to).iter().map(|b| (b.x, b.order)).collect()
 }
 
-/// Both ends count; nothing comes of nothing, of a period that is none, and of an end that is no number.
+/// Both ends count; nothing comes of nothing, of a period that is none, and of an end that is no
+/// number.
 #[test]
 fn breaks_of_each_period() {
     let one = [(0.5, 1), (1.25, 3)];
-    assert_eq!(again(&one, 0.5, 1.0, 0.5, 2.5), [(0.5, 1), (1.25, 3), (1.5, 1), (2.25, 3), (2.5, 1)]);
+    assert_eq!(
+        again(&one, 0.5, 1.0, 0.5, 2.5),
+        [(0.5, 1), (1.25, 3), (1.5, 1), (2.25, 3), (2.5, 1)]
+    );
     assert_eq!(again(&one, 0.5, 1.0, -1.75, -0.5), [(-1.75, 3), (-1.5, 1), (-0.75, 3), (-0.5, 1)]);
     assert_eq!(again(&[(0.5, 1)], 0.5, 4.0, 100.5, 108.5), [(100.5, 1), (104.5, 1), (108.5, 1)]);
     assert_eq!(again(&[(0.5, 1)], 0.5, 0.25, -1.0, -0.5), [(-1.0, 1), (-0.75, 1), (-0.5, 1)]);
@@ -211,8 +229,8 @@ fn breaks_of_each_period() {
     assert_eq!(again(&[], 0.0, 1.0, 0.0, 9.0), []);
 }
 
-/// As many as are listed at most, from the first one on; where periods are shorter than rounding each place
-/// once.
+/// As many as are listed at most, from the first one on; where periods are shorter than rounding
+/// each place once.
 #[test]
 fn breaks_of_many_periods() {
     for one in [&[(0.5, 1)][..], &[(0.25, 1), (0.5, 2), (0.75, 3)]] {
@@ -230,7 +248,8 @@ fn breaks_of_many_periods() {
 fn a_break_at_the_end_of_a_period_is_not_lost_by_rounding() {
     let mut random = Random::new(3);
     for _ in 0..3000 {
-        let (start, period) = (random.number(), 1.5 + random.number());
+        let start = random.number();
+        let period = 1.5 + random.number();
         let last = (start + period).next_down();
         assert_eq!(again(&[(last, 2)], start, period, last, last), [(last, 2)], "{start} {period}");
     }
@@ -242,16 +261,22 @@ fn a_law_is_sampled_at_65_places() {
     let line = Law::linear(3.0, -2.0);
     let found = places(&line, -1.0, 3.0);
     assert_eq!(found.len(), 65);
-    assert!(found.iter().zip(0..).all(|((x, y), k)| *x == -1.0 + f64::from(k) / 16.0 && *y == 3.0 - 2.0 * x));
+    assert!(
+        found
+            .iter()
+            .zip(0..)
+            .all(|((x, y), k)| *x == -1.0 + f64::from(k) / 16.0 && *y == 3.0 - 2.0 * x)
+    );
     assert_eq!(places(&line, -1.0, 1e-17)[64].0, 1e-17);
     assert_eq!(Samples::between(&line, -1.0, 3.0).range(), (-3.0, 5.0));
 }
 
-/// Each passage once, upwards and downwards, also at a sample; the first number that is not on the side
-/// before.
+/// Each passage once, upwards and downwards, also at a sample; the first number that is not on the
+/// side before.
 #[test]
 fn where_a_law_takes_a_value() {
-    let preimages = |law: &Law, from: f64, to: f64, y: f64| Samples::between(law, from, to).preimages(y);
+    let preimages =
+        |law: &Law, from: f64, to: f64, y: f64| Samples::between(law, from, to).preimages(y);
     for (law, y) in [(Law::ramp(1.0), 5.0), (Law::ramp(-1.0), -5.0)] {
         assert_eq!(
             (

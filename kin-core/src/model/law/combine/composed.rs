@@ -14,8 +14,8 @@ pub(super) struct Composed {
 }
 
 impl Composed {
-    /// The outer law's jet, that of its left side where a break of it is passed backwards: the right side is
-    /// that of x.
+    /// The outer law's jet, that of its left side where a break of it is passed backwards: the
+    /// right side is that of x.
     fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
         let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
         let begins = || self.outer.range().is_some_and(|range| range.from == g);
@@ -25,8 +25,8 @@ impl Composed {
         self.outer.jet(g)
     }
 
-    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law takes their
-    /// places.
+    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law
+    /// takes their places.
     fn with_outer<I: IntoIterator<Item = Break>>(
         &self,
         mut all: Vec<Break>,
@@ -37,13 +37,16 @@ impl Composed {
         if self.outer.is_smooth() {
             return all;
         }
-        let places: Vec<f64> = [from].into_iter().chain(all.iter().map(|b| b.x)).chain([to]).collect();
+        let places: Vec<f64> =
+            [from].into_iter().chain(all.iter().map(|b| b.x)).chain([to]).collect();
         let least = all.len();
         for pair in places.windows(2) {
             let samples = Samples::between(&self.inner, pair[0], pair[1]);
             let (low, high) = samples.range();
             for outer in list(&self.outer, low, high) {
-                all.extend(samples.preimages(outer.x).into_iter().map(|x| Break { x, order: outer.order }));
+                all.extend(
+                    samples.preimages(outer.x).into_iter().map(|x| Break { x, order: outer.order }),
+                );
             }
             if all.len() - least > MOST_BREAKS {
                 break;
@@ -83,18 +86,24 @@ impl LawFunction for Composed {
     }
 
     fn fourth(&self, x: f64) -> f64 {
-        let ([g, g1, g2, g3], g4) = (self.inner.jet(x), self.inner.fourth(x));
-        let ([_, f1, f2, f3], f4) = (self.outer.jet(g), self.outer.fourth(g));
+        let [g, g1, g2, g3] = self.inner.jet(x);
+        let g4 = self.inner.fourth(x);
+        let [_, f1, f2, f3] = self.outer.jet(g);
+        let f4 = self.outer.fourth(g);
         f4 * g1.powi(4) + 6.0 * f3 * g1 * g1 * g2 + f2 * (3.0 * g2 * g2 + 4.0 * g1 * g3) + f1 * g4
     }
 
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
-        self.with_outer(self.inner.breaks(from, to), from, to, |outer, low, high| outer.breaks(low, high))
+        self.with_outer(self.inner.breaks(from, to), from, to, |outer, low, high| {
+            outer.breaks(low, high)
+        })
     }
 
     fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
         let inner = self.inner.breaks(from, to);
-        sharpest(self.with_outer(inner, from, to, |outer, low, high| outer.sharpest_break(low, high)))
+        sharpest(
+            self.with_outer(inner, from, to, |outer, low, high| outer.sharpest_break(low, high)),
+        )
     }
 
     fn is_smooth(&self) -> bool {
@@ -124,11 +133,14 @@ impl LawFunction for Composed {
 
     fn by_parameter(&self, name: &str) -> Option<Law> {
         let outer = by_part(&self.outer, "outer", name).map(|outer| outer.compose(&self.inner));
-        outer.or_else(|| Some(slope(&self.outer).compose(&self.inner) * by_part(&self.inner, "inner", name)?))
+        outer.or_else(|| {
+            Some(slope(&self.outer).compose(&self.inner) * by_part(&self.inner, "inner", name)?)
+        })
     }
 
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
-        let (mut outer, mut inner) = (self.outer.clone(), self.inner.clone());
+        let mut outer = self.outer.clone();
+        let mut inner = self.inner.clone();
         (set(&mut outer, "outer", name, value) || set(&mut inner, "inner", name, value))
             .then(|| outer.compose(&inner))
     }

@@ -10,7 +10,9 @@ const G: [f64; 5] = [0.25, 1.5, -1.0, 0.5, 0.75];
 /// The product of two polynomials by their coefficients.
 fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
     let mut all = vec![0.0; f.len() + g.len() - 1];
-    f.iter().enumerate().for_each(|(j, f)| g.iter().enumerate().for_each(|(k, g)| all[j + k] += f * g));
+    f.iter()
+        .enumerate()
+        .for_each(|(j, f)| g.iter().enumerate().for_each(|(k, g)| all[j + k] += f * g));
     all
 }
 
@@ -18,7 +20,10 @@ fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
 fn agree(law: &Law, polynomial: &[f64]) {
     let expected = Law::polynomial(polynomial);
     for x in [-1.3, -0.4, 0.0, 0.7, 1.9] {
-        law.jet(x).into_iter().zip(expected.jet(x)).for_each(|(found, exact)| near(found, exact, 1e-12));
+        law.jet(x)
+            .into_iter()
+            .zip(expected.jet(x))
+            .for_each(|(found, exact)| near(found, exact, 1e-12));
         near(law.fourth(x), expected.fourth(x), 1e-12);
     }
     bounded(law, &[(0.5, 0.5), (-0.25, -0.25), (1.5, 1.5)], 0.0);
@@ -33,7 +38,8 @@ fn agree(law: &Law, polynomial: &[f64]) {
 
 #[test]
 fn sums_products_and_compositions_of_polynomials() {
-    let (f, g) = (Law::polynomial(&F), Law::polynomial(&G));
+    let f = Law::polynomial(&F);
+    let g = Law::polynomial(&G);
     agree(&(f.clone() + g.clone()), &std::array::from_fn::<f64, 5, _>(|k| F[k] + G[k]));
     agree(&(f.clone() - g.clone()), &std::array::from_fn::<f64, 5, _>(|k| F[k] - G[k]));
     agree(&(-f.clone()), &F.map(|f| -f));
@@ -57,7 +63,8 @@ fn sums_products_and_compositions_of_polynomials() {
 
 #[test]
 fn kinds_parts_and_parameters() {
-    let (f, g) = (Law::linear(1.0, 2.0), Law::ramp(3.0));
+    let f = Law::linear(1.0, 2.0);
+    let g = Law::ramp(3.0);
     let all = [
         (
             f.clone() + g.clone(),
@@ -72,7 +79,12 @@ fn kinds_parts_and_parameters() {
             vec!["first", "second"],
         ),
         (0.5 * g.clone(), "multiple", vec!["factor", "law.rate"], vec!["law"]),
-        (f.compose(&g), "composed", vec!["outer.f0", "outer.rate", "inner.rate"], vec!["outer", "inner"]),
+        (
+            f.compose(&g),
+            "composed",
+            vec!["outer.f0", "outer.rate", "inner.rate"],
+            vec!["outer", "inner"],
+        ),
     ];
     for (law, kind, names, parts) in all {
         assert!(law.description().contains("f("), "{kind}");
@@ -82,9 +94,11 @@ fn kinds_parts_and_parameters() {
         );
         assert_eq!(shown(&law).iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), names);
         for (k, name) in names.iter().enumerate() {
-            let (mut changed, before) = (law.clone(), shown(&law));
+            let mut changed = law.clone();
+            let before = shown(&law);
             assert!(changed.set_parameter(name, 7.5));
-            for (j, ((name, value), (_, before))) in shown(&changed).iter().zip(&before).enumerate() {
+            for (j, ((name, value), (_, before))) in shown(&changed).iter().zip(&before).enumerate()
+            {
                 assert_eq!(*value, if j == k { 7.5 } else { *before }, "{kind} {name}");
             }
             assert_eq!(changed.kind(), kind);
@@ -106,16 +120,21 @@ fn kinds_parts_and_parameters() {
     }
 }
 
-/// A whole rests on what its parts rest on, is refused where one is, breaks where one does, and has bounds
-/// only where both do.
+/// A whole rests on what its parts rest on, is refused where one is, breaks where one does, and has
+/// bounds only where both do.
 #[test]
 fn what_holds_of_a_part_holds_of_the_whole() {
-    let (own, plain) = (own(|x| [x, 1.0, 0.0, 0.0, 0.0]), Law::linear(0.0, 1.0));
-    let (bad, worse) = (Law::cycloidal(1.0, 0.0), Law::cycloidal(1.0, -1.0));
+    let own = own(|x| [x, 1.0, 0.0, 0.0, 0.0]);
+    let plain = Law::linear(0.0, 1.0);
+    let bad = Law::cycloidal(1.0, 0.0);
+    let worse = Law::cycloidal(1.0, -1.0);
     let rise = Law::harmonic_rise(1.0, 1.0);
     type Both = fn(&Law, &Law) -> Law;
-    let both: [(Both, usize); 3] =
-        [(|f, g| f.clone() + g.clone(), 0), (|f, g| f.clone() * g.clone(), 0), (|f, g| f.compose(g), 1)];
+    let both: [(Both, usize); 3] = [
+        (|f, g| f.clone() + g.clone(), 0),
+        (|f, g| f.clone() * g.clone(), 0),
+        (|f, g| f.compose(g), 1),
+    ];
     for (law, first) in both {
         for (f, g) in [(&own, &plain), (&plain, &own)] {
             assert_eq!(
@@ -124,7 +143,10 @@ fn what_holds_of_a_part_holds_of_the_whole() {
             );
         }
         assert_eq!(
-            (law(&plain, &plain).trusted().len(), law(&plain, &plain).over(&Series::number(1.0)).is_none()),
+            (
+                law(&plain, &plain).trusted().len(),
+                law(&plain, &plain).over(&Series::number(1.0)).is_none()
+            ),
             (0, false)
         );
         assert_eq!(
@@ -133,7 +155,10 @@ fn what_holds_of_a_part_holds_of_the_whole() {
         );
         assert_eq!(law(&bad, &worse).refusal(), [&bad, &worse][first].refusal());
         for law in [law(&rise, &plain), law(&plain, &rise)] {
-            assert_eq!((listed(&law, -1.0, 2.0), law.is_smooth()), (vec![(0.0, 2), (1.0, 2)], false));
+            assert_eq!(
+                (listed(&law, -1.0, 2.0), law.is_smooth()),
+                (vec![(0.0, 2), (1.0, 2)], false)
+            );
             assert_eq!(
                 (listed(&law, 0.5, 2.0), law.sharpest_break(0.5, 2.0)),
                 (vec![(1.0, 2)], Some(Break { x: 1.0, order: 2 }))
@@ -153,14 +178,18 @@ fn what_holds_of_a_part_holds_of_the_whole() {
     assert!((2.0 * own).over(&Series::number(1.0)).is_none());
     // the rougher one of both, wherever it is
     let corner = Law::sequence(0.25, [(0.5, Law::ramp(1.0))]);
-    for law in [rise.clone() + corner.clone(), corner.clone() + rise.clone(), rise.clone() * corner.clone()] {
+    for law in [
+        rise.clone() + corner.clone(),
+        corner.clone() + rise.clone(),
+        rise.clone() * corner.clone(),
+    ] {
         assert_eq!(law.sharpest_break(-1.0, 2.0), Some(Break { x: 0.25, order: 1 }));
         assert_eq!(listed(&law, -1.0, 2.0), [(0.0, 2), (0.25, 1), (0.75, 1), (1.0, 2)]);
     }
 }
 
-/// At a break of the outer law that is passed backwards the law has the derivatives of its left side: by the
-/// first derivative that moves.
+/// At a break of the outer law that is passed backwards the law has the derivatives of its left
+/// side: by the first derivative that moves.
 #[test]
 fn breaks_that_are_passed_backwards() {
     // up by 1 until 1, then down by 1
@@ -179,20 +208,27 @@ fn breaks_that_are_passed_backwards() {
     }
     // beside the break each side has its own
     assert_eq!([0.9, 1.1].map(|x| corner.compose(&Law::ramp(-1.0)).jet(-x)[1]), [-1.0, 1.0]);
-    // At rest on the left of where a rise begins, at constant speed on the left of where it brakes, wherever
-    // these are.
+    // At rest on the left of where a rise begins, at constant speed on the left of where it brakes,
+    // wherever these are.
     for at in [0.0, 1e6, -1e6, 1e-6] {
-        let back = |law: Law, from: f64| law.shifted(at).compose(&Law::linear(at + from, -1.0)).jet(0.0);
+        let back =
+            |law: Law, from: f64| law.shifted(at).compose(&Law::linear(at + from, -1.0)).jet(0.0);
         assert_eq!(back(Law::harmonic_rise(1.0, 1.0), 0.0)[2], 0.0, "{at}");
         let brakes = back(Law::trapezoidal(2.0, 1.0, 2.0), 2.0);
-        [1.75, -1.0, 0.0, 0.0].into_iter().zip(brakes).for_each(|(exact, found)| near(found, exact, 1e-9));
+        [1.75, -1.0, 0.0, 0.0]
+            .into_iter()
+            .zip(brakes)
+            .for_each(|(exact, found)| near(found, exact, 1e-9));
         let speeds_up = back(Law::trapezoidal(2.0, 1.0, 2.0), 0.5);
-        [0.25, -1.0, 2.0, 0.0].into_iter().zip(speeds_up).for_each(|(exact, found)| near(found, exact, 1e-9));
+        [0.25, -1.0, 2.0, 0.0]
+            .into_iter()
+            .zip(speeds_up)
+            .for_each(|(exact, found)| near(found, exact, 1e-9));
     }
 }
 
-/// Breaks of a composition: where the inner law takes the places of the outer one's, and those of the inner
-/// one.
+/// Breaks of a composition: where the inner law takes the places of the outer one's, and those of
+/// the inner one.
 #[test]
 fn breaks_of_a_composition() {
     let motion = Law::trapezoidal(2.0, 1.0, 2.0);
@@ -211,11 +247,18 @@ fn breaks_of_a_composition() {
     let law = Law::harmonic_rise(1.0, 0.5).compose(&tent);
     assert_eq!(listed(&law, 0.1, 1.9), [(0.5, 2), (1.0, 1), (1.5, 2)]);
     assert_eq!(law.sharpest_break(0.1, 0.9), Some(Break { x: 0.5, order: 2 }));
-    assert_eq!((law.sharpest_break(0.1, 1.9), law.is_smooth()), (Some(Break { x: 1.0, order: 1 }), false));
+    assert_eq!(
+        (law.sharpest_break(0.1, 1.9), law.is_smooth()),
+        (Some(Break { x: 1.0, order: 1 }), false)
+    );
     // More than are listed are not gathered without end.
     let wave = Law::spline(&[(0.0, 0.0), (1.0, 1.0), (1.5, 0.3), (2.0, 0.0)], Ends::Periodic);
     let many = listed(&wave.compose(&Law::linear(0.0, 2.0)), 0.0, 1e9);
-    assert!(many.len() <= MOST_BREAKS && many.windows(2).all(|pair| pair[0].0 < pair[1].0), "{}", many.len());
+    assert!(
+        many.len() <= MOST_BREAKS && many.windows(2).all(|pair| pair[0].0 < pair[1].0),
+        "{}",
+        many.len()
+    );
     assert!(bounds_of(&wave.compose(&Law::linear(0.0, 2.0)), 0.0, 0.25).len() >= 4);
 }
 

@@ -2,15 +2,19 @@ use super::*;
 use crate::model::law::tests::{bounded, listed, near, own, shown};
 use crate::numbers::random::Random;
 
-/// \[s, v, a, j\] at x after pieces of (duration, acceleration that they begin with if it jumps, jerk), each
-/// integrated from the one before.
+/// \[s, v, a, j\] at x after pieces of (duration, acceleration that they begin with if it jumps,
+/// jerk), each integrated from the one before.
 fn integrated(pieces: &[(f64, Option<f64>, f64)], x: f64) -> [f64; 4] {
-    let (mut from, mut at) = (0.0, [0.0; 3]);
+    let mut from = 0.0;
+    let mut at = [0.0; 3];
     for (duration, jump, j) in pieces {
         let [s, v, a] = [at[0], at[1], jump.unwrap_or(at[2])];
         let t = (x - from).min(*duration);
-        let there =
-            [s + v * t + a * t * t / 2.0 + j * t * t * t / 6.0, v + a * t + j * t * t / 2.0, a + j * t];
+        let there = [
+            s + v * t + a * t * t / 2.0 + j * t * t * t / 6.0,
+            v + a * t + j * t * t / 2.0,
+            a + j * t,
+        ];
         if x < from + duration {
             return [there[0], there[1], there[2], *j];
         }
@@ -19,7 +23,8 @@ fn integrated(pieces: &[(f64, Option<f64>, f64)], x: f64) -> [f64; 4] {
     [at[0], 0.0, 0.0, 0.0]
 }
 
-/// The law goes as its pieces are integrated, forwards and backwards; its breaks are where they meet.
+/// The law goes as its pieces are integrated, forwards and backwards; its breaks are where they
+/// meet.
 fn goes(law: fn(f64) -> Law, distance: f64, pieces: &[(f64, Option<f64>, f64)], order: usize) {
     let end: f64 = pieces.iter().map(|piece| piece.0).sum();
     for sign in [1.0, -1.0] {
@@ -31,11 +36,16 @@ fn goes(law: fn(f64) -> Law, distance: f64, pieces: &[(f64, Option<f64>, f64)], 
             law.jet(x).into_iter().zip(exact).for_each(|(found, exact)| near(found, exact, 1e-11));
             assert_eq!(law.fourth(x), 0.0);
         }
-        assert_eq!([1.0 + 1e-13, 2.0, 9.0].map(|k| law.jet(k * end)), [[sign * distance, 0.0, 0.0, 0.0]; 3]);
+        assert_eq!(
+            [1.0 + 1e-13, 2.0, 9.0].map(|k| law.jet(k * end)),
+            [[sign * distance, 0.0, 0.0, 0.0]; 3]
+        );
         let found = listed(&law, -1.0, 2.0 * end);
         assert_eq!((found.len(), found[0].0), (pieces.len() + 1, 0.0), "{found:?}");
         let mut at = 0.0;
-        for ((x, found), duration) in found.iter().zip(pieces.iter().map(|piece| piece.0).chain([0.0])) {
+        for ((x, found), duration) in
+            found.iter().zip(pieces.iter().map(|piece| piece.0).chain([0.0]))
+        {
             near(*x, at, 1e-13);
             assert_eq!((*found, listed(&law, *x, *x).len()), (order, 1));
             at += duration;
@@ -68,8 +78,18 @@ fn trapezoidal_velocity() {
     );
     // too short for the full speed
     let half = 0.15_f64.sqrt();
-    goes(|d| Law::trapezoidal(d, 1.0, 2.0), 0.3, &[(half, Some(2.0), 0.0), (half, Some(-2.0), 0.0)], 2);
-    goes(|d| Law::trapezoidal(d, 1.0, 2.0), 0.5, &[(0.5, Some(2.0), 0.0), (0.5, Some(-2.0), 0.0)], 2);
+    goes(
+        |d| Law::trapezoidal(d, 1.0, 2.0),
+        0.3,
+        &[(half, Some(2.0), 0.0), (half, Some(-2.0), 0.0)],
+        2,
+    );
+    goes(
+        |d| Law::trapezoidal(d, 1.0, 2.0),
+        0.5,
+        &[(0.5, Some(2.0), 0.0), (0.5, Some(-2.0), 0.0)],
+        2,
+    );
 }
 
 #[test]
@@ -109,24 +129,35 @@ fn seven_pieces_of_jerk() {
     );
 }
 
-/// Whatever the numbers: within the limits, from rest to rest, no piece shorter than rounding, and no quicker
-/// way where a limit is not met.
+/// Whatever the numbers: within the limits, from rest to rest, no piece shorter than rounding, and
+/// no quicker way where a limit is not met.
 #[test]
 fn limits_are_kept_and_reached() {
     let mut random = Random::new(5);
     let mut size = || 10_f64.powf(2.0 * random.number());
     for _ in 0..400 {
-        let (d, v, a, j) = (size(), size(), size(), size());
-        for (law, jerk) in [(Law::trapezoidal(d, v, a), f64::INFINITY), (Law::s_curve(d, v, a, j), j)] {
+        let d = size();
+        let v = size();
+        let a = size();
+        let j = size();
+        for (law, jerk) in
+            [(Law::trapezoidal(d, v, a), f64::INFINITY), (Law::s_curve(d, v, a, j), j)]
+        {
             let breaks = listed(&law, -1.0, 1e9);
             let end = breaks[breaks.len() - 1].0;
-            assert!(breaks.windows(2).all(|pair| pair[1].0 - pair[0].0 > 1e-9 * end), "{law:?} {breaks:?}");
+            assert!(
+                breaks.windows(2).all(|pair| pair[1].0 - pair[0].0 > 1e-9 * end),
+                "{law:?} {breaks:?}"
+            );
             let mut most = [0.0_f64; 4];
             for x in (0..2000)
                 .map(|k| (f64::from(k) + 0.5) / 2000.0 * end)
                 .chain(breaks.windows(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0)))
             {
-                law.jet(x).into_iter().zip(&mut most).for_each(|(f, most)| *most = most.max(f.abs()));
+                law.jet(x)
+                    .into_iter()
+                    .zip(&mut most)
+                    .for_each(|(f, most)| *most = most.max(f.abs()));
             }
             assert!(
                 most[1] <= v * (1.0 + 1e-9)
@@ -159,7 +190,9 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
     }
     let said = |law: Law| law.refusal().unwrap_or_default();
     let words = |kind: &str| {
-        format!("{kind}: speed, acceleration and jerk are above zero; the sign is that of the distance")
+        format!(
+            "{kind}: speed, acceleration and jerk are above zero; the sign is that of the distance"
+        )
     };
     for wrong in [0.0, -1.0] {
         assert_eq!(
@@ -173,7 +206,10 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
         ];
         assert_eq!(laws.map(said), [words("s_curve"), words("s_curve"), words("s_curve")]);
     }
-    assert_eq!(said(Law::s_curve(1.0, 1.0, 1.0, f64::INFINITY)), "jerk is inf; give a finite number");
+    assert_eq!(
+        said(Law::s_curve(1.0, 1.0, 1.0, f64::INFINITY)),
+        "jerk is inf; give a finite number"
+    );
     // A law that is refused has no pieces, and is the distance from 0 on.
     for law in [
         Law::s_curve(1.0, 1.0, f64::NAN, 1.0),
@@ -189,16 +225,20 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
 #[test]
 fn bounds_hold_what_is_meant() {
     use crate::numbers::enclosure::{Interval, ONE};
-    let (law, half) = (Law::trapezoidal(0.3, 1.0, 2.0), 0.15_f64.sqrt());
-    let speed =
-        |x: f64| law.over(&Series::variable(Interval::from(x), ONE, 7)).expect("has bounds").at(1).radius();
+    let law = Law::trapezoidal(0.3, 1.0, 2.0);
+    let half = 0.15_f64.sqrt();
+    let speed = |x: f64| {
+        law.over(&Series::variable(Interval::from(x), ONE, 7)).expect("has bounds").at(1).radius()
+    };
     let [first, second] = [0.5, 1.01].map(|share| speed(share * half));
     assert!(second > 8.0 * f64::EPSILON, "{first:e} {second:e}");
 }
 
 #[test]
 fn parameters_of_moves() {
-    for (mut law, names) in [(Law::trapezoidal(1.0, 2.0, 3.0), 3), (Law::s_curve(1.0, 2.0, 3.0, 4.0), 4)] {
+    for (mut law, names) in
+        [(Law::trapezoidal(1.0, 2.0, 3.0), 3), (Law::s_curve(1.0, 2.0, 3.0, 4.0), 4)]
+    {
         let all: Vec<(String, f64)> = ["distance", "speed", "acceleration", "jerk"]
             .iter()
             .map(|name| name.to_string())
@@ -207,13 +247,17 @@ fn parameters_of_moves() {
         assert_eq!(shown(&law), all[..names]);
         for (k, (name, value)) in all[..names].iter().enumerate() {
             assert!(law.set_parameter(name, value + 4.0));
-            let expected: Vec<f64> = (0..names).map(|j| all[j].1 + if j <= k { 4.0 } else { 0.0 }).collect();
+            let expected: Vec<f64> =
+                (0..names).map(|j| all[j].1 + if j <= k { 4.0 } else { 0.0 }).collect();
             assert_eq!(shown(&law).iter().map(|(_, value)| *value).collect::<Vec<_>>(), expected);
         }
         assert!(!law.set_parameter("time", 1.0));
         assert_eq!(law.set_parameter("jerk", 1.0), names == 4);
         assert_eq!((law.kind(), law.trusted().len()), (["trapezoidal", "s_curve"][names - 3], 0));
     }
-    assert!(Law::trapezoidal(1.0, 1.0, 1.0).description() != Law::s_curve(1.0, 1.0, 1.0, 1.0).description());
+    assert!(
+        Law::trapezoidal(1.0, 1.0, 1.0).description()
+            != Law::s_curve(1.0, 1.0, 1.0, 1.0).description()
+    );
     assert!(own(|x| [x; 5]).compose(&Law::trapezoidal(1.0, 1.0, 1.0)).trusted().len() == 1);
 }

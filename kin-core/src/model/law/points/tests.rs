@@ -25,11 +25,18 @@ fn intervals_and_places() {
     // A repeating profile is inside its bounds, whatever rounding does.
     let mut random = crate::numbers::random::Random::new(1);
     for _ in 0..3000 {
-        let (first, last) = (random.number(), 2.0 + random.number());
-        let table = points(&[(first, 0.0), (0.5 * (first + last), 1.0), (last, 0.0)], Ends::Periodic);
-        for x in
-            [last, last.next_down(), first, first.next_down(), last + (last - first), 1e3 * random.number()]
-        {
+        let first = random.number();
+        let last = 2.0 + random.number();
+        let table =
+            points(&[(first, 0.0), (0.5 * (first + last), 1.0), (last, 0.0)], Ends::Periodic);
+        for x in [
+            last,
+            last.next_down(),
+            first,
+            first.next_down(),
+            last + (last - first),
+            1e3 * random.number(),
+        ] {
             let (x, after) = table.place(x);
             assert!(first <= x && x < last && (1..=2).contains(&after), "{first} {last} {x}");
         }
@@ -38,11 +45,16 @@ fn intervals_and_places() {
 
 #[test]
 fn tables_that_make_no_sense() {
-    let said = |table: &[(f64, f64)], ends| points(table, ends).refusal("spline").unwrap_or_default();
+    let said =
+        |table: &[(f64, f64)], ends| points(table, ends).refusal("spline").unwrap_or_default();
     assert_eq!(said(&TABLE[..1], Ends::Natural), "spline: the table has 1 points; it needs 2");
     assert_eq!(said(&TABLE[..2], Ends::Periodic), "spline: the table has 2 points; it needs 3");
     assert_eq!(
-        (said(&TABLE[..2], Ends::Natural), said(&TABLE[..2], CLAMPED), said(&TABLE, Ends::Periodic)),
+        (
+            said(&TABLE[..2], Ends::Natural),
+            said(&TABLE[..2], CLAMPED),
+            said(&TABLE, Ends::Periodic)
+        ),
         (String::new(), String::new(), String::new())
     );
     assert_eq!(
@@ -70,7 +82,8 @@ fn tables_that_make_no_sense() {
         said(&twice, Ends::Natural),
         "spline: the table does not increase: x = 0 is followed by -1 (point 2)"
     );
-    let open = |y: f64, off: f64| said(&[(0.0, y), (1.0, -3.0 * y), (2.0, y + off)], Ends::Periodic);
+    let open =
+        |y: f64, off: f64| said(&[(0.0, y), (1.0, -3.0 * y), (2.0, y + off)], Ends::Periodic);
     assert_eq!(
         open(1.0, 0.5),
         "spline: a periodic table ends as it begins, but y is 1 at first and 1.5 at last"
@@ -89,7 +102,8 @@ fn tables_that_make_no_sense() {
 #[test]
 fn numbers_of_a_table() {
     let fixed = |ends| points(&TABLE, ends).fixed_numbers();
-    let x: Vec<(String, f64)> = TABLE.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).collect();
+    let x: Vec<(String, f64)> =
+        TABLE.iter().enumerate().map(|(k, (x, _))| (format!("x[{k}]"), *x)).collect();
     let and = |more: &[(&str, f64)]| {
         x.iter()
             .cloned()
@@ -121,10 +135,16 @@ fn numbers_of_a_table() {
         (Some(vec![7.0, 3.0, -1.0, 2.0]), Some(vec![2.0, 3.0, -1.0, 7.0]))
     );
     let both = Some(vec![7.0, 3.0, -1.0, 7.0]);
-    assert_eq!((changed(Ends::Periodic, "y[0]"), changed(Ends::Periodic, "y[3]")), (both.clone(), both));
+    assert_eq!(
+        (changed(Ends::Periodic, "y[0]"), changed(Ends::Periodic, "y[3]")),
+        (both.clone(), both)
+    );
     assert_eq!(changed(Ends::Periodic, "y[2]"), Some(vec![2.0, 3.0, 7.0, 2.0]));
     assert!(["y[4]", "x[0]", "y", ""].iter().all(|name| changed(Ends::Natural, name).is_none()));
-    assert_eq!(points(&TABLE, CLAMPED).with_parameter("y[0]", 7.0).map(|points| points.ends), Some(CLAMPED));
+    assert_eq!(
+        points(&TABLE, CLAMPED).with_parameter("y[0]", 7.0).map(|points| points.ends),
+        Some(CLAMPED)
+    );
 }
 
 /// A file in a folder of its own, read as a law.
@@ -144,7 +164,10 @@ fn tables_from_files() {
         let law = read("same", text.as_bytes()).expect("is a table");
         assert_eq!(
             (shown(&law), law.fixed_numbers()),
-            (shown(&Law::spline(&TABLE, Ends::Natural)), Law::spline(&TABLE, Ends::Natural).fixed_numbers())
+            (
+                shown(&Law::spline(&TABLE, Ends::Natural)),
+                Law::spline(&TABLE, Ends::Natural).fixed_numbers()
+            )
         );
         assert_eq!(listed(&law, -9.0, 9.0).len(), 4);
     };

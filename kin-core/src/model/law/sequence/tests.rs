@@ -7,12 +7,16 @@ fn constant(c: f64) -> Law {
 
 /// 0, 0.5 to 1.5 up by 1, down again to 3.5, and 0.5 of rest.
 fn tent() -> Sequence {
-    Sequence::new(0.5, vec![(1.0, Law::ramp(1.0)), (2.0, Law::linear(1.0, -0.5)), (0.5, constant(0.0))])
+    Sequence::new(
+        0.5,
+        vec![(1.0, Law::ramp(1.0)), (2.0, Law::linear(1.0, -0.5)), (0.5, constant(0.0))],
+    )
 }
 
 #[test]
 fn seams_are_where_parts_meet() {
-    let seams: Vec<_> = tent().seams().iter().map(|seam| (seam.x, seam.order, seam.values)).collect();
+    let seams: Vec<_> =
+        tent().seams().iter().map(|seam| (seam.x, seam.order, seam.values)).collect();
     let expected = [
         (0.5, Some(1), (0.0, 0.0)),
         (1.5, Some(1), (1.0, 1.0)),
@@ -27,28 +31,40 @@ fn seams_are_where_parts_meet() {
     }
     // The end of the last part meets what is held.
     let orders = |last: Law| {
-        Sequence::new(0.0, vec![(1.0, last)]).seams().iter().map(|seam| seam.order).collect::<Vec<_>>()
+        Sequence::new(0.0, vec![(1.0, last)])
+            .seams()
+            .iter()
+            .map(|seam| seam.order)
+            .collect::<Vec<_>>()
     };
     assert_eq!(orders(Law::polynomial(&[0.0, 0.0, 0.0, 1.0])), [Some(3), Some(1)]);
     assert_eq!(orders(Law::polynomial(&[0.0, 0.0, 1.0])), [Some(2), Some(1)]);
     assert_eq!(orders(Law::polynomial(&[0.0, 2.0, -1.0])), [Some(1), Some(2)]);
     // It is judged by its own size, whatever the others are.
     let small = Sequence::new(0.0, vec![(1.0, Law::linear(1e9, -1e9)), (1.0, Law::ramp(1e-3))]);
-    assert_eq!(small.seams().iter().map(|seam| seam.order).collect::<Vec<_>>(), [Some(1), Some(1), Some(1)]);
+    assert_eq!(
+        small.seams().iter().map(|seam| seam.order).collect::<Vec<_>>(),
+        [Some(1), Some(1), Some(1)]
+    );
     assert!(Sequence::new(0.0, vec![]).seams().is_empty());
 }
 
-/// The tolerance of a slope's jump goes by the shorter one of two parts that meet, and by the length of one
-/// that stands alone.
+/// The tolerance of a slope's jump goes by the shorter one of two parts that meet, and by the
+/// length of one that stands alone.
 #[test]
 fn slopes_of_short_parts_are_off_by_more() {
-    let (short, flat) = (1e-7, |slope: f64| Law::linear(1.0, slope));
+    let short = 1e-7;
+    let flat = |slope: f64| Law::linear(1.0, slope);
     let orders = |parts: Vec<(f64, Law)>| {
         Sequence::new(0.0, parts).seams().iter().map(|seam| seam.order).collect::<Vec<_>>()
     };
     for (slope, order) in [(3e-7, None), (3e-6, Some(1))] {
         let held = 1.0 + slope * short;
-        assert_eq!(orders(vec![(1.0, constant(1.0)), (short, flat(slope))])[1..], [order, order], "{slope}");
+        assert_eq!(
+            orders(vec![(1.0, constant(1.0)), (short, flat(slope))])[1..],
+            [order, order],
+            "{slope}"
+        );
         assert_eq!(
             orders(vec![(short, flat(slope)), (1.0, constant(held))]),
             [order, order, None],
@@ -63,7 +79,10 @@ fn slopes_of_short_parts_are_off_by_more() {
 fn each_part_has_its_own_variable() {
     let law = Law::sequence(
         2.0,
-        [(1.0, Law::polynomial(&[0.0, 0.0, 1.0])), (2.0, Law::polynomial(&[1.0, -1.0, 3.0, 0.0, 2.0]))],
+        [
+            (1.0, Law::polynomial(&[0.0, 0.0, 1.0])),
+            (2.0, Law::polynomial(&[1.0, -1.0, 3.0, 0.0, 2.0])),
+        ],
     );
     let held = |y: f64| [y, 0.0, 0.0, 0.0];
     assert_eq!([-9.0, 1.999].map(|x| law.jet(x)), [held(0.0); 2]);
@@ -74,8 +93,10 @@ fn each_part_has_its_own_variable() {
     assert_eq!([5.001, 99.0].map(|x| law.jet(x)), [held(43.0); 2]);
     assert_eq!([1.0, 2.5, 3.0, 4.5, 5.0].map(|x| law.fourth(x)), [0.0, 0.0, 48.0, 48.0, 48.0]);
     assert!(Law::sequence(0.0, Vec::<(f64, Law)>::new()).at(1.0).is_nan());
-    let half =
-        Law::sequence(-1.0, [(1.5, constant(2.0) * Law::polynomial(&[2.0, 1.0])), (0.5, constant(7.0))]);
+    let half = Law::sequence(
+        -1.0,
+        [(1.5, constant(2.0) * Law::polynomial(&[2.0, 1.0])), (0.5, constant(7.0))],
+    );
     assert_eq!([-2.0, -0.75, 0.75, 1.5].map(|x| half.at(x)), [4.0, 4.5, 7.0, 7.0]);
 }
 
@@ -97,7 +118,8 @@ fn bounds_of_parts() {
     ];
     bounded(&steep, &intervals, 2.5);
     let lens = |law: &Law, lo: f64, hi: f64| {
-        law.over(&Series::variable(Interval::new(lo, hi), crate::numbers::enclosure::ONE, 7)).map(|y| y.len())
+        law.over(&Series::variable(Interval::new(lo, hi), crate::numbers::enclosure::ONE, 7))
+            .map(|y| y.len())
     };
     // A slope that jumps is the last that is known; what is held does not change.
     assert_eq!(
@@ -106,7 +128,9 @@ fn bounds_of_parts() {
     );
     assert_eq!(lens(&steep, 2.125, 2.25), Some(7));
     assert!(
-        Law::sequence(0.0, Vec::<(f64, Law)>::new()).over(&Series::number(1.0)).is_none_or(|y| y.len() == 0)
+        Law::sequence(0.0, Vec::<(f64, Law)>::new())
+            .over(&Series::number(1.0))
+            .is_none_or(|y| y.len() == 0)
     );
     let own = own(|x| [x, 1.0, 0.0, 0.0, 0.0]);
     assert!(Law::sequence(0.0, [(1.0, own.clone())]).over(&Series::number(0.5)).is_none());
@@ -116,8 +140,8 @@ fn bounds_of_parts() {
     );
 }
 
-/// Breaks of a part are its own inside, and nobody's beyond its ends; where it ends what jumps is told of the
-/// seam.
+/// Breaks of a part are its own inside, and nobody's beyond its ends; where it ends what jumps is
+/// told of the seam.
 #[test]
 fn breaks_of_parts() {
     let motion = Law::trapezoidal(2.0, 1.0, 2.0);
@@ -157,7 +181,9 @@ fn breaks_of_parts() {
 
 #[test]
 fn sequences_that_make_no_sense() {
-    let said = |parts: &[(f64, Law)]| Law::sequence(0.0, parts.iter().cloned()).refusal().unwrap_or_default();
+    let said = |parts: &[(f64, Law)]| {
+        Law::sequence(0.0, parts.iter().cloned()).refusal().unwrap_or_default()
+    };
     assert_eq!(said(&[]), "sequence: there is no part in it");
     assert_eq!(
         said(&[(1.0, constant(0.0)), (0.0, constant(0.0))]),
@@ -167,14 +193,21 @@ fn sequences_that_make_no_sense() {
         said(&[(-1.0, constant(0.0))]),
         "part 1 of the sequence has the length -1; give one above zero"
     );
-    assert_eq!(said(&[(f64::INFINITY, constant(0.0))]), "part[0].length is inf; give a finite number");
+    assert_eq!(
+        said(&[(f64::INFINITY, constant(0.0))]),
+        "part[0].length is inf; give a finite number"
+    );
     let bad = Law::cycloidal(1.0, 0.0);
     assert_eq!(
         said(&[(1.0, constant(0.0)), (1.0, bad)]),
         "part 2 of the sequence: cycloidal: the length of a rise is above zero (length = 0)"
     );
-    let parts =
-        [(1.0, constant(1.0)), (1.0, Law::linear(1.0, 0.5)), (1.0, constant(2.0)), (1.0, constant(3.0))];
+    let parts = [
+        (1.0, constant(1.0)),
+        (1.0, Law::linear(1.0, 0.5)),
+        (1.0, constant(2.0)),
+        (1.0, constant(3.0)),
+    ];
     assert_eq!(
         said(&parts),
         "parts 2 and 3 of the sequence do not meet: the first ends at 1.5, the second begins at 2"
@@ -209,7 +242,9 @@ fn parameters_of_sequences() {
         shown(&law).iter().map(|(_, value)| *value).collect::<Vec<_>>(),
         [7.0, 8.0, 9.0, 10.0, 11.0, 12.0]
     );
-    for name in ["part[2].length", "part[0].law.f0", "part[0].x", "part[x].length", "length", "part[0]", ""] {
+    for name in
+        ["part[2].length", "part[0].law.f0", "part[0].x", "part[x].length", "length", "part[0]", ""]
+    {
         assert!(!law.set_parameter(name, 1.0), "{name}");
     }
     assert_eq!(
@@ -238,7 +273,11 @@ fn a_law_over_and_over() {
     }
     let quartic = Law::polynomial(&[0.0, 0.0, 0.0, -1.0, 1.0]).periodic(1.0);
     assert_eq!((quartic.fourth(7.5), quartic.jet(7.5)), (24.0, [-0.0625, -0.25, 0.0, 6.0]));
-    bounded(&law, &[(0.25, 0.5), (4.25, 4.5), (-3.75, -3.5), (5.25, 7.5), (0.25, 9.0), (3.5, 4.5)], 2.5);
+    bounded(
+        &law,
+        &[(0.25, 0.5), (4.25, 4.5), (-3.75, -3.5), (5.25, 7.5), (0.25, 9.0), (3.5, 4.5)],
+        2.5,
+    );
     assert_eq!(listed(&law, -1.0, 5.0), [(0.0, 1), (1.0, 1), (4.0, 1), (5.0, 1)]);
     assert_eq!(
         (listed(&law, 0.5, 0.75), listed(&law, 1.0, 1.0), listed(&law, 4.0, 4.0)),
@@ -256,8 +295,8 @@ fn a_law_over_and_over() {
     assert_eq!((law.kind(), law.description().contains("over and over")), ("periodic", true));
 }
 
-/// A break of the law at either end of the period is the seam's own: one that is not there when it goes on is
-/// none.
+/// A break of the law at either end of the period is the seam's own: one that is not there when it
+/// goes on is none.
 #[test]
 fn breaks_at_the_ends_of_a_period() {
     // The rise is at rest at both ends; it and its beginning again are one cosine.
@@ -293,7 +332,10 @@ fn breaks_at_the_ends_of_a_period() {
 #[test]
 fn laws_that_do_not_repeat_and_their_parameters() {
     let said = |law: Law, period: f64| law.periodic(period).refusal().unwrap_or_default();
-    assert_eq!(said(Law::ramp(1.0), 2.0), "the law does not repeat after 2: it begins at 0 and ends at 2");
+    assert_eq!(
+        said(Law::ramp(1.0), 2.0),
+        "the law does not repeat after 2: it begins at 0 and ends at 2"
+    );
     assert_eq!(said(Law::ramp(1.0), 0.0), "periodic: the period is above zero (period = 0)");
     assert_eq!(said(Law::ramp(1.0), -1.0), "periodic: the period is above zero (period = -1)");
     assert_eq!(

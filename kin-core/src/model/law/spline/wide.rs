@@ -1,5 +1,5 @@
-//! A spline over many of its knots at once: what points and curvatures of each interval allow, in a few
-//! operations an interval.
+//! A spline over many of its knots at once: what points and curvatures of each interval allow, in a
+//! few operations an interval.
 
 use super::{Ends, Spline};
 use crate::numbers::enclosure::{Interval, ONE, Series};
@@ -11,13 +11,16 @@ const MANY: usize = 16;
 type Bounds = [Interval; 4];
 
 impl Spline {
-    /// The spline with bounds over an interval with many knots in it, of one period of it where it repeats;
-    /// `None` where there are few.
+    /// The spline with bounds over an interval with many knots in it, of one period of it where it
+    /// repeats; `None` where there are few.
     pub(super) fn over_many(&self, x: &Series) -> Option<Series> {
-        let ([lo, hi], last) = (x.values(), self.table.len() - 1);
+        let [lo, hi] = x.values();
+        let last = self.table.len() - 1;
         let before = |x: f64| self.table.partition_point(|(knot, _)| *knot <= x);
-        let (first, end) = (self.table[0].0, self.table[last].0);
-        let (from, to) = (before(lo).saturating_sub(1), before(hi).min(last));
+        let first = self.table[0].0;
+        let end = self.table[last].0;
+        let from = before(lo).saturating_sub(1);
+        let to = before(hi).min(last);
         if x.is_open() || to.saturating_sub(from) < MANY {
             return None;
         }
@@ -28,10 +31,15 @@ impl Spline {
             .into_iter()
             .filter(|(_, beyond)| *beyond != 0.0)
         {
-            let there =
-                self.cubic(knot.min(last - 1), &Series::variable(Interval::from(self.table[knot].0), ONE, 2));
+            let there = self.cubic(
+                knot.min(last - 1),
+                &Series::variable(Interval::from(self.table[knot].0), ONE, 2),
+            );
             // Its beginning is in hand.
-            all = hull(all, [there.at(0) + there.at(1) * Interval::from(beyond), there.at(1), zero, zero]);
+            all = hull(
+                all,
+                [there.at(0) + there.at(1) * Interval::from(beyond), there.at(1), zero, zero],
+            );
         }
         // Where a clamped one goes over into its line its curvature jumps.
         let jumps = matches!(self.ends, Ends::Clamped { .. }) && (lo <= first || hi >= end);
@@ -39,13 +47,16 @@ impl Spline {
         Some(x.chain(&known[..if jumps { 3 } else { 4 }]))
     }
 
-    /// Bounds of the spline over interval k: it differs from the line through both points by no more than
-    /// h²/8 times the largest curvature, and its slope from that of the line by no more than h/2 times that.
+    /// Bounds of the spline over interval k: it differs from the line through both points by no
+    /// more than h²/8 times the largest curvature, and its slope from that of the line by no more
+    /// than h/2 times that.
     fn bounds(&self, k: usize) -> Bounds {
         let number = |x: f64| Interval::from(x);
-        let ((x0, y0), (x1, y1)) = (self.table[k], self.table[k + 1]);
+        let (x0, y0) = self.table[k];
+        let (x1, y1) = self.table[k + 1];
         let [m0, m1] = [k, k + 1].map(|k| number(self.curvature[k]) + Interval::ball(self.error));
-        let (h, m) = (number(x1) - number(x0), m0.hull(m1));
+        let h = number(x1) - number(x0);
+        let m = m0.hull(m1);
         let most = number(m.mag()) * h;
         let bulge = Interval::ball((most * h).mag() / 8.0);
         let slope = (number(y1) - number(y0)) / h + Interval::ball(most.mag() / 2.0);
@@ -79,13 +90,16 @@ mod tests {
             let law = Law::spline(&table, ends);
             for (lo, hi) in [(1.03, 4.4), (-1.0, 9.0), (0.0, 3.0), (3.0, 7.5), (-40.0, 70.0)] {
                 let series = law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).unwrap();
-                let known = if ends == clamped && (lo <= table[0].0 || hi >= table[59].0) { 3 } else { 4 };
+                let known =
+                    if ends == clamped && (lo <= table[0].0 || hi >= table[59].0) { 3 } else { 4 };
                 assert_eq!(series.len(), known, "{ends:?} {lo} {hi}");
                 let mut seen = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
                 for k in 0..=4000 {
                     let jet = law.jet(lo + (hi - lo) * f64::from(k) / 4000.0);
-                    for (order, factor) in [1.0, 1.0, 2.0, 6.0].into_iter().enumerate().take(known) {
-                        let (bounds, f) = (series.at(order), jet[order] / factor);
+                    for (order, factor) in [1.0, 1.0, 2.0, 6.0].into_iter().enumerate().take(known)
+                    {
+                        let bounds = series.at(order);
+                        let f = jet[order] / factor;
                         assert!(
                             bounds.lo() - 1e-12 <= f && f <= bounds.hi() + 1e-12,
                             "{ends:?} {lo} {hi}: {order} {f} {bounds:?}"
@@ -107,8 +121,9 @@ mod tests {
     fn few_knots_are_looked_at_one_by_one() {
         let table: Vec<(f64, f64)> = (0..40).map(|k| (f64::from(k), f64::from(k % 3))).collect();
         let spline = Spline::new(super::super::Points { table, ends: Ends::Natural });
-        let over =
-            |lo: f64, hi: f64| spline.over_many(&Series::variable(Interval::new(lo, hi), ONE, 7)).is_some();
+        let over = |lo: f64, hi: f64| {
+            spline.over_many(&Series::variable(Interval::new(lo, hi), ONE, 7)).is_some()
+        };
         assert!(!over(2.5, 4.5) && !over(2.5, 16.5) && over(2.5, 17.5) && over(-5.0, 50.0));
     }
 
@@ -126,7 +141,9 @@ mod tests {
         for ends in [Ends::Natural, Ends::Clamped { start: 30.0, end: -2.0 }] {
             let spline = Spline::new(super::super::Points { table: table.clone(), ends });
             for k in 0..39 {
-                let ((x0, y0), (x1, y1), bounds) = (table[k], table[k + 1], spline.bounds(k));
+                let (x0, y0) = table[k];
+                let (x1, y1) = table[k + 1];
+                let bounds = spline.bounds(k);
                 for place in (0..=100).map(|j| x0 + (x1 - x0) * f64::from(j) / 100.0) {
                     for (f, bounds) in spline.inside(k, place).into_iter().zip(bounds) {
                         let slack = 1e-12 * (1.0 + bounds.mag());
@@ -136,11 +153,18 @@ mod tests {
                         );
                     }
                 }
-                let (h, [m0, m1]) = (x1 - x0, [k, k + 1].map(|k| spline.curvature[k]));
+                let h = x1 - x0;
+                let [m0, m1] = [k, k + 1].map(|k| spline.curvature[k]);
                 let most = h * m0.abs().max(m1.abs());
-                let widths = [0.5 * (y1 - y0).abs() + h * most / 8.0, 0.5 * most, 0.5 * (m1 - m0).abs(), 0.0];
+                let widths = [
+                    0.5 * (y1 - y0).abs() + h * most / 8.0,
+                    0.5 * most,
+                    0.5 * (m1 - m0).abs(),
+                    0.0,
+                ];
                 for (bounds, width) in bounds.into_iter().zip(widths) {
-                    let room = 1e-11 * (1.0 + bounds.mag()) + 10.0 * spline.error * (1.0 / h + h * h);
+                    let room =
+                        1e-11 * (1.0 + bounds.mag()) + 10.0 * spline.error * (1.0 / h + h * h);
                     assert!(
                         bounds.radius() <= width * (1.0 + 1e-9) + room,
                         "{ends:?} {k}: {width} {bounds:?}"
@@ -150,16 +174,19 @@ mod tests {
         }
     }
 
-    /// An interval that ends at knots takes nothing from beyond them but the curvature's jump of a clamped
-    /// end; straight on there is no curvature.
+    /// An interval that ends at knots takes nothing from beyond them but the curvature's jump of a
+    /// clamped end; straight on there is no curvature.
     #[test]
     fn bounds_that_end_at_knots() {
         let parabola = |x: f64| x * x - 3.0 * x;
-        let table: Vec<(f64, f64)> =
-            (0..40).map(|k| (0.5 * f64::from(k) - 3.0, parabola(0.5 * f64::from(k) - 3.0))).collect();
-        let (first, end) = (-3.0, 16.5);
+        let table: Vec<(f64, f64)> = (0..40)
+            .map(|k| (0.5 * f64::from(k) - 3.0, parabola(0.5 * f64::from(k) - 3.0)))
+            .collect();
+        let first = -3.0;
+        let end = 16.5;
         let law = Law::spline(&table, Ends::Clamped { start: -9.0, end: 30.0 });
-        let over = |lo: f64, hi: f64| law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).unwrap();
+        let over =
+            |lo: f64, hi: f64| law.over(&Series::variable(Interval::new(lo, hi), ONE, 7)).unwrap();
         for (lo, hi, known) in [
             (-2.75, 16.25, 4),
             (first, 16.25, 3),
@@ -172,7 +199,8 @@ mod tests {
             assert_eq!(series.len(), known, "{lo} {hi}");
             let curvature = Interval::new(if lo < first || hi > end { 0.0 } else { 1.0 }, 1.0);
             assert!(
-                (series.at(2).lo() - curvature.lo()).abs() < 1e-9 && (series.at(2).hi() - 1.0).abs() < 1e-9,
+                (series.at(2).lo() - curvature.lo()).abs() < 1e-9
+                    && (series.at(2).hi() - 1.0).abs() < 1e-9,
                 "{lo} {hi} {:?}",
                 series.at(2)
             );
@@ -183,7 +211,8 @@ mod tests {
                 "{lo} {hi} {:?}",
                 series.at(1)
             );
-            let value = |x: f64| if x > end { parabola(end) + 30.0 * (x - end) } else { parabola(x) };
+            let value =
+                |x: f64| if x > end { parabola(end) + 30.0 * (x - end) } else { parabola(x) };
             assert!(
                 series.at(0).hi() >= value(hi) - 1e-9
                     && series.at(0).hi() <= value(hi.max(end.min(hi + 0.5))).max(18.0) + 0.3,
@@ -195,8 +224,9 @@ mod tests {
         let mut wild = table.clone();
         wild[3].1 = 1e6;
         let calm = Spline::new(super::super::Points { table: wild, ends: Ends::Natural });
-        let from =
-            |lo: f64| calm.over_many(&Series::variable(Interval::new(lo, 12.0), ONE, 7)).unwrap().at(2).mag();
+        let from = |lo: f64| {
+            calm.over_many(&Series::variable(Interval::new(lo, 12.0), ONE, 7)).unwrap().at(2).mag()
+        };
         assert!(from(calm.table[14].0) < 0.5 * from(calm.table[14].0 - 1e-9));
     }
 }

@@ -18,7 +18,12 @@ struct Value {
 }
 
 fn values() -> impl Iterator<Item = Value> {
-    worst_arguments().map(|(name, arguments, nearest, rest)| Value { name, arguments, nearest, rest })
+    worst_arguments().map(|(name, arguments, nearest, rest)| Value {
+        name,
+        arguments,
+        nearest,
+        rest,
+    })
 }
 
 impl Value {
@@ -40,9 +45,10 @@ fn functions_are_right_to_half_of_what_is_allowed() {
     let mut worst: Vec<(String, f64)> = Vec::new();
     for value in values() {
         let (found, _) = value.computed();
-        let off = ((found - value.nearest) - value.rest).abs() / (f64::EPSILON * value.nearest.abs());
-        let allowed =
-            Function::named(&value.name).map_or(ALLOWED, |f| (f.facts().error)(value.arguments[0].abs()));
+        let off =
+            ((found - value.nearest) - value.rest).abs() / (f64::EPSILON * value.nearest.abs());
+        let allowed = Function::named(&value.name)
+            .map_or(ALLOWED, |f| (f.facts().error)(value.arguments[0].abs()));
         assert!(
             off <= 0.5 * allowed,
             "{} of {:?} is {found:e}, off by {off} of its last place",
@@ -62,7 +68,8 @@ fn functions_are_right_to_half_of_what_is_allowed() {
 fn bounds_hold_the_exact_value() {
     for value in values() {
         let (_, bounds) = value.computed();
-        let inside = bounds.lo() - value.nearest <= value.rest && bounds.hi() - value.nearest >= value.rest;
+        let inside =
+            bounds.lo() - value.nearest <= value.rest && bounds.hi() - value.nearest >= value.rest;
         assert!(inside, "{} of {:?} is not within {bounds:?}", value.name, value.arguments);
         // a power is the exponential of a product: it is known as well as that
         let size = if value.name == "Powf" || value.name == "Exp2" { 800.0 } else { 1.0 };

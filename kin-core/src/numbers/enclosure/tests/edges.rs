@@ -1,5 +1,5 @@
-//! At the edges: where domains end, where intervals touch, where a bound is reached, and that nothing is
-//! given away there.
+//! At the edges: where domains end, where intervals touch, where a bound is reached, and that
+//! nothing is given away there.
 
 use kin_graph::{Comparison, Condition, Function, Function2, Number, Possibly};
 
@@ -12,8 +12,8 @@ fn over(lo: f64, hi: f64) -> Series {
     Series::variable(Interval::new(lo, hi), ONE, FULL)
 }
 
-/// A function has bounds up to the ends of its domain, and none of an interval that reaches beyond on either
-/// side.
+/// A function has bounds up to the ends of its domain, and none of an interval that reaches beyond
+/// on either side.
 #[test]
 fn domains_end_where_they_end() {
     for (f, lo, hi) in [
@@ -27,11 +27,14 @@ fn domains_end_where_they_end() {
         (Function::Ln1p, -1.0, f64::INFINITY),
         (Function::Sqrt, 0.0, f64::INFINITY),
     ] {
-        let (inside, top) = (lo + 0.25, if hi.is_finite() { hi - 0.25 } else { lo + 9.0 });
+        let inside = lo + 0.25;
+        let top = if hi.is_finite() { hi - 0.25 } else { lo + 9.0 };
         let known = |from: f64, to: f64| over(from, to).call(f).len() > 0;
         assert!(known(inside, top), "{f:?}");
         assert!(
-            !known(lo - 0.5, inside) && !known(lo.next_down(), inside) && !known(lo - 2.0, lo - 1.0),
+            !known(lo - 0.5, inside)
+                && !known(lo.next_down(), inside)
+                && !known(lo - 2.0, lo - 1.0),
             "{f:?} below {lo}"
         );
         // its value at the end, if it is finite
@@ -44,7 +47,9 @@ fn domains_end_where_they_end() {
         assert!(at(lo).is_none_or(|bounds| bounds.contains(exact) && bounds.radius() < 1e-14));
         if hi.is_finite() {
             assert!(
-                !known(inside, hi + 0.5) && !known(inside, hi.next_up()) && !known(hi + 0.25, hi + 0.5),
+                !known(inside, hi + 0.5)
+                    && !known(inside, hi.next_up())
+                    && !known(hi + 0.25, hi + 0.5),
                 "{f:?} above {hi}"
             );
             assert_eq!(
@@ -78,9 +83,14 @@ fn values_stay_in_their_range() {
             assert!(x.exp().lo() >= 0.0 && x.sqr().lo() >= 0.0 && x.abs().lo() >= 0.0);
         }
     }
-    assert_eq!((Interval::new(-1e-9, 1e-9).cosh().lo(), Interval::from(-800.0).exp().lo()), (1.0, 0.0));
+    assert_eq!(
+        (Interval::new(-1e-9, 1e-9).cosh().lo(), Interval::from(-800.0).exp().lo()),
+        (1.0, 0.0)
+    );
     // as far as the argument is known, whatever its size
-    assert!(Interval::from(1e10).sin().radius() < 1e-5 && Interval::from(1e14).cos().radius() < 0.2);
+    assert!(
+        Interval::from(1e10).sin().radius() < 1e-5 && Interval::from(1e14).cos().radius() < 0.2
+    );
     assert_eq!(
         (Interval::from(1e18).sin(), Interval::new(f64::NEG_INFINITY, 0.0).cos(), ALL.tan()),
         (UNIT, UNIT, ALL)
@@ -92,8 +102,8 @@ fn values_stay_in_their_range() {
     );
 }
 
-/// All that can be said of a comparison, and no more: held against both ends of both, and what of one lies
-/// within the other.
+/// All that can be said of a comparison, and no more: held against both ends of both, and what of
+/// one lies within the other.
 #[test]
 fn comparisons_of_intervals() {
     let ends = [-1.0, 0.0, 1.0, 2.0];
@@ -102,7 +112,10 @@ fn comparisons_of_intervals() {
         .flat_map(|lo| ends.iter().filter(move |hi| *hi >= lo).map(|hi| Interval::new(*lo, *hi)))
         .collect();
     let points = |a: Interval, b: Interval| {
-        [a.lo(), a.hi(), b.lo(), b.hi(), a.mid()].into_iter().filter(|x| a.contains(*x)).collect::<Vec<_>>()
+        [a.lo(), a.hi(), b.lo(), b.hi(), a.mid()]
+            .into_iter()
+            .filter(|x| a.contains(*x))
+            .collect::<Vec<_>>()
     };
     for comparison in Comparison::ALL {
         for (a, b) in all.iter().flat_map(|a| all.iter().map(move |b| (*a, *b))) {
@@ -110,7 +123,8 @@ fn comparisons_of_intervals() {
                 .iter()
                 .flat_map(|x| points(b, a).into_iter().map(move |y| comparison.holds(x, &y)))
                 .collect();
-            let expected = Possibly { never: !holds.contains(&true), always: !holds.contains(&false) };
+            let expected =
+                Possibly { never: !holds.contains(&true), always: !holds.contains(&false) };
             let found = Series::compare(comparison, &Series::constant(a), &Series::constant(b));
             assert_eq!(found, expected, "{a:?} {comparison:?} {b:?}");
         }
@@ -124,8 +138,8 @@ fn comparisons_of_intervals() {
 
 #[test]
 fn conditions_that_may_hold() {
-    let all =
-        [(true, false), (false, true), (false, false)].map(|(never, always)| Possibly { never, always });
+    let all = [(true, false), (false, true), (false, false)]
+        .map(|(never, always)| Possibly { never, always });
     let [never, always, maybe] = all;
     for (a, b, both, either) in [
         (&never, &never, &never, &never),
@@ -140,7 +154,8 @@ fn conditions_that_may_hold() {
         }
     }
     assert_eq!(all.map(Condition::negated), [always, never, maybe]);
-    let chosen = all.map(|condition| Series::select(&condition, Series::number(1.0), Series::number(2.0)));
+    let chosen =
+        all.map(|condition| Series::select(&condition, Series::number(1.0), Series::number(2.0)));
     assert_eq!(
         chosen.map(|chosen| (chosen.len(), chosen.values())),
         [(FULL, [2.0; 2]), (FULL, [1.0; 2]), (0, [f64::NEG_INFINITY, f64::INFINITY])]
@@ -166,7 +181,10 @@ fn the_larger_and_the_size() {
         );
     }
     for (a, b) in [(low, both), (both, low)] {
-        assert_eq!((is(Function2::Max, a, b), is(Function2::Min, a, b)), ((2, [0.5, 1.5]), (2, [0.0, 1.0])));
+        assert_eq!(
+            (is(Function2::Max, a, b), is(Function2::Min, a, b)),
+            ((2, [0.5, 1.5]), (2, [0.0, 1.0]))
+        );
     }
     let size = |lo: f64, hi: f64| (over(lo, hi).abs().len(), over(lo, hi).abs().values());
     assert_eq!(
@@ -176,23 +194,30 @@ fn the_larger_and_the_size() {
     // a zero has the sign of its way of being computed
     let sign = |lo: f64, hi: f64| over(lo, hi).call(Function::Signum).values();
     assert_eq!([sign(0.1, 1.0), sign(-1.0, -0.1)], [[1.0; 2], [-1.0; 2]]);
-    assert_eq!([sign(0.0, 1.0), sign(-1.0, 0.0), sign(-1.0, 1.0)], [[f64::NEG_INFINITY, f64::INFINITY]; 3]);
+    assert_eq!(
+        [sign(0.0, 1.0), sign(-1.0, 0.0), sign(-1.0, 1.0)],
+        [[f64::NEG_INFINITY, f64::INFINITY]; 3]
+    );
     // the slope of |x| over 0 is between −1 and 1
     assert_eq!((over(-1.0, 2.0).abs().at(1), over(-1.0, 0.0).abs().at(1)), (UNIT, -ONE));
 }
 
-/// Whole powers are those of the ends, or 0 between them; of a power that is not whole the number has to be
-/// above zero.
+/// Whole powers are those of the ends, or 0 between them; of a power that is not whole the number
+/// has to be above zero.
 #[test]
 fn powers() {
     let near = |found: [f64; 2], exact: [f64; 2]| {
         assert!(found[0] <= exact[0] && found[1] >= exact[1], "{found:?} {exact:?}");
         let slack = exact.map(|x| 1e-14 * (1.0 + x.abs()));
-        assert!(exact[0] - found[0] < slack[0] && found[1] - exact[1] < slack[1], "{found:?} {exact:?}");
+        assert!(
+            exact[0] - found[0] < slack[0] && found[1] - exact[1] < slack[1],
+            "{found:?} {exact:?}"
+        );
     };
     for (lo, hi) in [(-2.0, 1.5), (0.0, 1.5), (-2.0, 0.0), (0.5, 1.5), (-2.0, -0.5)] {
         for n in [0, 1, 2, 3, 4, 5, 6, 7, 11] {
-            let (a, b) = (f64::powi(lo, n), f64::powi(hi, n));
+            let a = f64::powi(lo, n);
+            let b = f64::powi(hi, n);
             let least = if n > 0 && n % 2 == 0 && lo <= 0.0 && hi >= 0.0 { 0.0 } else { a.min(b) };
             near(over(lo, hi).powi(n).values(), [least, a.max(b)]);
             near(
@@ -224,8 +249,8 @@ fn powers() {
     near(power(Series::number(1.0), Series::number(2e6)).values(), [1.0, 1.0]);
 }
 
-/// The length of (x, y), and the angle, over boxes on all sides of the origin: by many points within, and not
-/// much wider.
+/// The length of (x, y), and the angle, over boxes on all sides of the origin: by many points
+/// within, and not much wider.
 #[test]
 fn lengths_and_angles_of_boxes() {
     let ends = [-2.0, -0.5, 0.0, 0.25, 1.5];
@@ -233,14 +258,20 @@ fn lengths_and_angles_of_boxes() {
         .iter()
         .flat_map(|lo| ends.iter().filter(move |hi| *hi > lo).map(|hi| Interval::new(*lo, *hi)))
         .collect();
-    let points = |x: Interval| (0..=20).map(move |k| x.lo() + (x.hi() - x.lo()) * f64::from(k) / 20.0);
+    let points =
+        |x: Interval| (0..=20).map(move |k| x.lo() + (x.hi() - x.lo()) * f64::from(k) / 20.0);
     for (x, y) in all.iter().flat_map(|x| all.iter().map(move |y| (*x, *y))) {
         let corners = |f: &dyn Fn(f64, f64) -> f64| {
-            let values: Vec<f64> =
-                points(x).flat_map(|x| points(y).map(move |y| (x, y))).map(|(x, y)| f(x, y)).collect();
-            values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)))
+            let values: Vec<f64> = points(x)
+                .flat_map(|x| points(y).map(move |y| (x, y)))
+                .map(|(x, y)| f(x, y))
+                .collect();
+            values
+                .into_iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)))
         };
-        let ((least, most), length) = (corners(&f64::hypot), x.hypot(y));
+        let (least, most) = corners(&f64::hypot);
+        let length = x.hypot(y);
         assert!(
             length.lo() <= least
                 && length.hi() >= most
@@ -259,7 +290,10 @@ fn lengths_and_angles_of_boxes() {
             if across && angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
         };
         let (least, most) = corners(&turned);
-        assert!(angle.lo() < least && angle.hi() > most, "{x:?} {y:?}: {angle:?} for {least} and {most}");
+        assert!(
+            angle.lo() < least && angle.hi() > most,
+            "{x:?} {y:?}: {angle:?} for {least} and {most}"
+        );
         assert!(
             angle.lo() > least - 1e-13 && angle.hi() < most + 1e-13,
             "{x:?} {y:?}: {angle:?} for {least} and {most}"
@@ -300,9 +334,13 @@ fn whole_quotients() {
 /// A result is known as far as all that it is made of; what does not move stays where it is.
 #[test]
 fn results_are_as_long_as_the_shortest_operand() {
-    let (long, short) = (over(1.0, 2.0), Series::variable(Interval::new(1.0, 2.0), ONE, 3));
+    let long = over(1.0, 2.0);
+    let short = Series::variable(Interval::new(1.0, 2.0), ONE, 3);
     for (a, b) in [(long, short), (short, long)] {
-        assert_eq!([(a + b).len(), (a - b).len(), (a * b).len(), (a / b).len(), a.hull(&b).len()], [3; 5]);
+        assert_eq!(
+            [(a + b).len(), (a - b).len(), (a * b).len(), (a / b).len(), a.hull(&b).len()],
+            [3; 5]
+        );
     }
     assert_eq!([long.chain(&[[0.0, 1.0]; 2]).len(), short.chain(&[[0.0, 1.0]; 5]).len()], [2, 3]);
     assert!(Series::number(1.0).chain(&[[2.0; 2], [1.0; 2]]).is_constant());
@@ -319,7 +357,9 @@ fn results_are_as_long_as_the_shortest_operand() {
     assert!(still.is_constant() && !still.cut(2).is_constant() && !over(1.0, 2.0).is_constant());
     assert_eq!((still.degree(), long.degree(), long.sqr().degree()), (0, 1, 2));
     let unknown = crate::numbers::enclosure::series::UNKNOWN;
-    assert!((Series::number(0.0) * unknown).len() == 0 && (unknown * Series::number(0.0)).len() == 0);
+    assert!(
+        (Series::number(0.0) * unknown).len() == 0 && (unknown * Series::number(0.0)).len() == 0
+    );
     assert!((still.cut(2) * Series::number(0.0)).is_constant());
 }
 
@@ -347,7 +387,8 @@ fn nothing_comes_of_nothing() {
         let known = open.call(*f).len() > 0;
         assert_eq!(known, matches!(f, Function::Sin | Function::Cos), "{f:?}");
     }
-    for f in Function2::ALL.iter().filter(|f| !matches!(f.name(), "Sum" | "Difference" | "Product")) {
+    for f in Function2::ALL.iter().filter(|f| !matches!(f.name(), "Sum" | "Difference" | "Product"))
+    {
         assert!(
             open.call2(*f, over(1.0, 2.0)).len() == 0 && over(1.0, 2.0).call2(*f, open).len() == 0,
             "{f:?}"

@@ -3,12 +3,16 @@
 use super::*;
 use crate::{Mechanism, System, constraint};
 
-/// Two curves x = 0.5 u + 0.7 u² and x = b u + 0.2 u² with u = t − 0.3, or −x so, that cross at x = 1.7,
-/// in units far from 1, and y = 3 x + 2 t beside them; they part by `gap`.
+/// Two curves x = 0.5 u + 0.7 u² and x = b u + 0.2 u² with u = t − 0.3, or −x so, that cross at x =
+/// 1.7, in units far from 1, and y = 3 x + 2 t beside them; they part by `gap`.
 #[constraint]
 fn crossing(x: Coord, y: Coord, t: Time, gap: f64, unit: f64, b: f64, side: f64) -> [f64; 2] {
-    let (u, v) = (t - 0.3, side * (x - 1.7));
-    [unit * ((v - 0.5 * u - 0.7 * u * u) * (v - b * u - 0.2 * u * u) - gap), 0.01 * (y - 3.0 * x - 2.0 * t)]
+    let u = t - 0.3;
+    let v = side * (x - 1.7);
+    [
+        unit * ((v - 0.5 * u - 0.7 * u * u) * (v - b * u - 0.2 * u * u) - gap),
+        0.01 * (y - 3.0 * x - 2.0 * t),
+    ]
 }
 
 /// An ellipse, and nothing inside.
@@ -23,13 +27,14 @@ fn system(gap: f64, unit: f64) -> System {
 
 fn with_slope(gap: f64, unit: f64, b: f64, side: f64) -> System {
     let mut m = Mechanism::new("crossing");
-    let [x, y] = [("x", 1.7), ("y", 5.7)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, y] =
+        [("x", 1.7), ("y", 5.7)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("c", crossing(x, y, gap, unit, b, side)).expect("adds");
     m.build().expect("builds")
 }
 
-/// Places before and behind the crossing on the branch x = slope u + bend u²/2, and how far they are
-/// apart.
+/// Places before and behind the crossing on the branch x = slope u + bend u²/2, and how far they
+/// are apart.
 fn places(
     curve: &mut Curve<'_>,
     [slope, bend]: [f64; 2],
@@ -42,7 +47,8 @@ fn places(
         curve.correct(&mut q, &along).expect("settles");
         curve.place(q, &along).expect("is regular")
     };
-    let (here, next) = (at(before), at(behind));
+    let here = at(before);
+    let next = at(behind);
     let gone: Vec<f64> = here.x.iter().zip(&next.x).map(|(a, b)| b - a).collect();
     let s = curve.dot(&gone, &gone).sqrt();
     (here, next, s)
@@ -56,8 +62,8 @@ fn near(found: &[f64], exact: &[f64], off: f64) {
     );
 }
 
-/// Where they cross, along which tangents, and with which rates on both: from either side, along either
-/// branch, in time and against it.
+/// Where they cross, along which tangents, and with which rates on both: from either side, along
+/// either branch, in time and against it.
 #[test]
 fn curves_that_cross() {
     let sizes = [2.0, 0.5];
@@ -72,13 +78,17 @@ fn curves_that_cross() {
     ];
     let systems = cases.map(|(unit, b, side)| (with_slope(0.0, unit, b, side), b, side));
     let all = systems.iter().flat_map(|(system, b, side)| {
-        [(0.5, *b, [1.4, 0.4]), (*b, 0.5, [0.4, 1.4])]
-            .map(|(slope, other, bend)| (system, (side * slope, side * other, bend.map(|bend| side * bend))))
+        [(0.5, *b, [1.4, 0.4]), (*b, 0.5, [0.4, 1.4])].map(|(slope, other, bend)| {
+            (system, (side * slope, side * other, bend.map(|bend| side * bend)))
+        })
     });
     for (system, (slope, other, bend)) in all {
-        for (ends, sign) in
-            [([-0.02, 0.03], 1.0), ([-0.05, 0.01], 1.0), ([-0.001, 0.06], 1.0), ([0.02, -0.03], -1.0)]
-        {
+        for (ends, sign) in [
+            ([-0.02, 0.03], 1.0),
+            ([-0.05, 0.01], 1.0),
+            ([-0.001, 0.06], 1.0),
+            ([0.02, -0.03], -1.0),
+        ] {
             let mut curve = Curve::new(system, &sizes, 3.0);
             let (here, next, s) = places(&mut curve, [slope, bend[0]], ends);
             // Along the curve on which time goes on as asked.
@@ -89,8 +99,11 @@ fn curves_that_cross() {
             } else {
                 here
             };
-            let next =
-                if sign < 0.0 { curve.place(next.x.clone(), &here.dx).expect("is regular") } else { next };
+            let next = if sign < 0.0 {
+                curve.place(next.x.clone(), &here.dx).expect("is regular")
+            } else {
+                next
+            };
             let again = curve.place(here.x.clone(), &here.dx).expect("is regular");
             let found = find(&mut curve, &again, &next, s, sign).expect("they cross");
             near(&found.x, &[1.7, 5.7, 0.3], 1e-9);
@@ -107,13 +120,18 @@ fn curves_that_cross() {
     }
 }
 
-/// Curves that come near one another and part do not cross, on whichever side they pass; nor does what is
-/// far off count, or a point alone.
+/// Curves that come near one another and part do not cross, on whichever side they pass; nor does
+/// what is far off count, or a point alone.
 #[test]
 fn curves_that_do_not_cross() {
-    for (gap, crosses) in
-        [(1e-6, false), (-1e-6, false), (1e-9, false), (-1e-9, false), (1e-15, true), (-1e-15, true)]
-    {
+    for (gap, crosses) in [
+        (1e-6, false),
+        (-1e-6, false),
+        (1e-9, false),
+        (-1e-9, false),
+        (1e-15, true),
+        (-1e-15, true),
+    ] {
         let system = system(gap, 1e3);
         let mut curve = Curve::new(&system, &[2.0, 0.5], 3.0);
         let (here, next, s) = places(&mut curve, [0.5, 1.4], [-0.02, 0.03]);
@@ -133,8 +151,11 @@ fn curves_that_do_not_cross() {
     let share = curve.dot(one, other);
     let across: Vec<f64> = one.iter().zip(other).map(|(a, b)| b - share * a).collect();
     let length = curve.dot(&across, &across).sqrt();
-    here.dx = one.iter().zip(&across).map(|(a, b)| 0.5 * a + 0.75_f64.sqrt() / length * b).collect();
-    assert!((curve.dot(&here.dx, one) - 0.5).abs() < 1e-12 && curve.dot(&here.dx, other).abs() < 0.75);
+    here.dx =
+        one.iter().zip(&across).map(|(a, b)| 0.5 * a + 0.75_f64.sqrt() / length * b).collect();
+    assert!(
+        (curve.dot(&here.dx, one) - 0.5).abs() < 1e-12 && curve.dot(&here.dx, other).abs() < 0.75
+    );
     curve.place(here.x.clone(), &here.dx).expect("is regular");
     assert!(find(&mut curve, &here, &next, s, 1.0).is_none());
 
@@ -155,7 +176,8 @@ fn curves_that_do_not_cross() {
 #[test]
 fn a_branch_on_which_time_stands() {
     let mut m = Mechanism::new("still");
-    let [x, y] = [("x", 0.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, y] =
+        [("x", 0.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("c", standing(x, y)).expect("adds");
     let system = m.build().expect("builds");
     let mut curve = Curve::new(&system, &[1.0, 1.0], 1.0);

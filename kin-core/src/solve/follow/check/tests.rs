@@ -1,5 +1,5 @@
-//! The check of a step, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot beside
-//! entries of 1; of a miss v Newton and Kantorovich estimate v/x.
+//! The check of a step, on x² + x + y = t, x + y = 0: det C_q is 2 x, and so is the smaller pivot
+//! beside entries of 1; of a miss v Newton and Kantorovich estimate v/x.
 
 mod around;
 
@@ -28,10 +28,11 @@ fn stand(newton: &mut Newton<'_>, x: f64) {
     newton.qd.iter_mut().chain(newton.qdd.iter_mut()).for_each(|rate| *rate = 0.0);
 }
 
-/// True if a step to `to` after one was accepted at `before` counts as missed, where the prediction misses by
-/// so much.
+/// True if a step to `to` after one was accepted at `before` counts as missed, where the prediction
+/// misses by so much.
 fn is_missed(before: f64, to: f64, miss: f64) -> bool {
-    let (system, options) = (system(), Options::default());
+    let system = system();
+    let options = Options::default();
     let mut newton = Newton::new(&system, &options);
     let mut check = Check::new(&system);
     stand(&mut newton, 1.0);
@@ -63,14 +64,15 @@ fn a_larger_miss_is_safe_while_second_order_terms_are_small() {
     }
 }
 
-/// k x² + x + y = t, x + y = 0: what a miss is to Newton's method does not depend on k, while pivots come
-/// near 1 with it.
+/// k x² + x + y = t, x + y = 0: what a miss is to Newton's method does not depend on k, while
+/// pivots come near 1 with it.
 #[constraint]
 fn steep(x: Coord, y: Coord, t: Time, k: f64) -> [f64; 2] {
     [k * x * x + x + y - t, x + y]
 }
 
-/// x y = 2 t, y = t: det C_q is y, and so is a pivot beside entries of 1; along y all equations are straight.
+/// x y = 2 t, y = t: det C_q is y, and so is a pivot beside entries of 1; along y all equations are
+/// straight.
 #[constraint]
 fn product(x: Coord, z: Coord, y: Coord, t: Time) -> [f64; 3] {
     [x * (1.0 + y) + z - 2.0 * t, x + z, y - t]
@@ -107,22 +109,24 @@ impl<'a> Led<'a> {
     fn judge(&mut self, t: f64, q: &[f64], miss: &[f64]) -> Result<(), Objection> {
         self.stand(t, q);
         let from: Vec<f64> = self.newton.q.iter().zip(miss).map(|(q, miss)| q - miss).collect();
-        let (from, still) = (Padded::from(&from[..]), Padded::new(q.len(), 0.0));
+        let from = Padded::from(&from[..]);
+        let still = Padded::new(q.len(), 0.0);
         self.check.judge(&mut self.newton, 0.1, [&from, &still, &still])
     }
 }
 
 fn steep_system(k: f64) -> System {
     let mut m = Mechanism::new("steep");
-    let [x, y] = [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, y] =
+        [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("c", steep(x, y, k)).expect("adds");
     m.build().expect("builds")
 }
 
 fn product_system() -> System {
     let mut m = Mechanism::new("product");
-    let [x, z, y] =
-        [("x", 2.0), ("z", -2.0), ("y", 1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, z, y] = [("x", 2.0), ("z", -2.0), ("y", 1.0)]
+        .map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("c", product(x, z, y)).expect("adds");
     m.build().expect("builds")
 }
@@ -130,7 +134,8 @@ fn product_system() -> System {
 /// The pivot at the other end of the step counts as this one's does, until a position is left open.
 #[test]
 fn the_pivot_at_the_other_end_counts() {
-    let (system, options) = (steep_system(100.0), Options::default());
+    let system = steep_system(100.0);
+    let options = Options::default();
     let at = |x: f64| (100.0 * x * x, [x, -x]);
     let missed = |before: f64, open: bool, miss: f64| {
         let mut led = Led::new(&system, &options);
@@ -154,7 +159,8 @@ fn the_pivot_at_the_other_end_counts() {
 /// A miss that is not a number counts as one, in whichever coordinate or rate it is.
 #[test]
 fn no_number_is_a_miss() {
-    let (system, options) = (product_system(), Options::default());
+    let system = product_system();
+    let options = Options::default();
     for (rate, k) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (2, 1)] {
         let mut led = Led::new(&system, &options);
         led.accept(1.0, &[2.0, -2.0, 1.0]);
@@ -163,18 +169,24 @@ fn no_number_is_a_miss() {
         assert_eq!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Ok(()));
         from[rate][k] = f64::NAN;
         assert!(
-            matches!(led.check.judge(&mut led.newton, 0.1, from.each_ref()), Err(Objection::Missed(_))),
+            matches!(
+                led.check.judge(&mut led.newton, 0.1, from.each_ref()),
+                Err(Objection::Missed(_))
+            ),
             "{rate} {k}"
         );
     }
 }
 
-/// Where equations are straight along a miss a pivot that has faded tells of a singular position within it,
-/// wherever it was large.
+/// Where equations are straight along a miss a pivot that has faded tells of a singular position
+/// within it, wherever it was large.
 #[test]
 fn a_pivot_that_fades_is_a_warning() {
-    let (system, options) = (product_system(), Options::default());
-    let (near, far, miss) = ((0.1, [2.0, -2.0, 0.1]), (1.0, [2.0, -2.0, 1.0]), [0.0, 0.0, 0.15]);
+    let system = product_system();
+    let options = Options::default();
+    let near = (0.1, [2.0, -2.0, 0.1]);
+    let far = (1.0, [2.0, -2.0, 1.0]);
+    let miss = [0.0, 0.0, 0.15];
     let is_missed = |found: Result<(), Objection>| matches!(found, Err(Objection::Missed(_)));
     let led = || Led::new(&system, &options);
 
@@ -220,17 +232,22 @@ fn a_pivot_that_fades_is_a_warning() {
     assert!(is_missed(faded.judge(0.6, &[2.0, -2.0, 0.6], &[0.0, 0.0, 0.7])));
 }
 
-/// The larger of both misses counts, whichever end it is seen from, in what bends and in what turns.
+/// The larger of both misses counts, whichever end it is seen from, in what bends and in what
+/// turns.
 #[test]
 fn the_larger_miss_counts() {
-    let (system, options) = (steep_system(1.0), Options::default());
-    let (h, x, d) = (0.1, 0.5, 0.01);
+    let system = steep_system(1.0);
+    let options = Options::default();
+    let h = 0.1;
+    let x = 0.5;
+    let d = 0.01;
     for (back, missed) in [(0.1, false), (0.15, true)] {
         let mut led = Led::new(&system, &options);
         led.accept(x * x, &[x, -x]);
         led.stand(x * x, &[x, -x]);
         (led.newton.qd[0], led.newton.qd[1]) = ((d - back) / h, (back - d) / h);
-        let (from, still) = (Padded::from(&[x - d, d - x][..]), Padded::new(2, 0.0));
+        let from = Padded::from(&[x - d, d - x][..]);
+        let still = Padded::new(2, 0.0);
         let found = led.check.judge(&mut led.newton, h, [&from, &still, &still]);
         assert_eq!(matches!(found, Err(Objection::Missed(_))), missed, "{back}: {found:?}");
     }
@@ -260,8 +277,8 @@ fn led_angle(a: Coord, law: Law, t: Time) -> f64 {
     a - law.at(t)
 }
 
-/// A motor that goes out and comes back within a step is seen where equations are not straight that far, or a
-/// body turns too far meanwhile.
+/// A motor that goes out and comes back within a step is seen where equations are not straight that
+/// far, or a body turns too far meanwhile.
 #[test]
 fn out_and_back_within_a_step() {
     let options = Options::default();
@@ -270,15 +287,19 @@ fn out_and_back_within_a_step() {
         let mut led = Led::new(system, &options);
         led.accept(0.0, q);
         led.stand(1.0, q);
-        let (from, still) = (Padded::from(q), Padded::new(q.len(), 0.0));
+        let from = Padded::from(q);
+        let still = Padded::new(q.len(), 0.0);
         led.check.judge(&mut led.newton, 1.0, [&from, &still, &still])
     };
-    for (height, found) in
-        [(0.01, Ok(())), (0.2, Ok(())), (0.9, Err(Objection::Hidden)), (-0.9, Err(Objection::Hidden))]
-    {
+    for (height, found) in [
+        (0.01, Ok(())),
+        (0.2, Ok(())),
+        (0.9, Err(Objection::Hidden)),
+        (-0.9, Err(Objection::Hidden)),
+    ] {
         let mut m = Mechanism::new("square");
-        let [x, y] =
-            [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+        let [x, y] = [("x", 1.0), ("y", -1.0)]
+            .map(|(name, guess)| m.length(name, guess).expect("a new name"));
         m.add("c", led_square(x, y, hill(1.0, height))).expect("adds");
         assert_eq!(judge(&m.build().expect("builds"), &[1.0, -1.0]), found, "{height}");
     }
@@ -286,18 +307,21 @@ fn out_and_back_within_a_step() {
         let mut m = Mechanism::new("angle");
         let a = m.angle("a", 0.0).expect("a new name");
         m.add("c", led_angle(a, hill(0.0, height))).expect("adds");
-        // The angle alone is given by its row; beside equations that are not straight it is looked at.
-        let [x, y] =
-            [("x", 1.0), ("y", -1.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+        // The angle alone is given by its row; beside equations that are not straight it is looked
+        // at.
+        let [x, y] = [("x", 1.0), ("y", -1.0)]
+            .map(|(name, guess)| m.length(name, guess).expect("a new name"));
         m.add("square", led_square(x, y, hill(1.0, 0.0))).expect("adds");
         assert_eq!(judge(&m.build().expect("builds"), &[0.0, 1.0, -1.0]), found, "{height}");
     }
 }
 
-/// A block that has turned over is seen however near both positions are, after one that was left open too.
+/// A block that has turned over is seen however near both positions are, after one that was left
+/// open too.
 #[test]
 fn a_block_that_turns_over() {
-    let (system, options) = (steep_system(1.0), Options::default());
+    let system = steep_system(1.0);
+    let options = Options::default();
     let at = |led: &mut Led<'_>, x: f64| led.judge(x * x, &[x, -x], &[0.0; 2]);
     let mut led = Led::new(&system, &options);
     led.check.leave_open();
@@ -311,13 +335,17 @@ fn a_block_that_turns_over() {
 /// The prediction is that of second degree: what rates explain is no miss.
 #[test]
 fn rates_are_no_miss() {
-    let (system, options) = (steep_system(1.0), Options::default());
+    let system = steep_system(1.0);
+    let options = Options::default();
     for (share, missed) in [(0.2, false), (0.3, true), (-0.2, false), (-0.3, true)] {
-        let (h, x, miss) = (0.5, 0.5, 0.5 * share);
+        let h = 0.5;
+        let x = 0.5;
+        let miss = 0.5 * share;
         let mut led = Led::new(&system, &options);
         led.accept(x * x, &[x, -x]);
         led.stand(x * x, &[x, -x]);
-        let (qd, qdd) = ([0.0, 3.0], [0.0, -7.0]);
+        let qd = [0.0, 3.0];
+        let qdd = [0.0, -7.0];
         for k in 0..2 {
             (led.newton.qd[k], led.newton.qdd[k]) = (qd[k] + h * qdd[k], qdd[k]);
         }
@@ -333,14 +361,16 @@ fn no_body_turns_too_far_in_one_step() {
     let mut m = Mechanism::new("angle");
     let a = m.angle("a", 0.0).expect("a new name");
     m.add("c", angle(a)).expect("adds");
-    let (system, options) = (m.build().expect("builds"), Options::default());
+    let system = m.build().expect("builds");
+    let options = Options::default();
     let step = |by: f64| {
         let mut led = Led::new(&system, &options);
         led.accept(0.0, &[0.0]);
         led.stand(by, &[by]);
         led.newton.qd[0] = by / 0.1;
-        let (start, rate, still) =
-            (Padded::from(&[0.0][..]), Padded::from(&[by / 0.1][..]), Padded::new(1, 0.0));
+        let start = Padded::from(&[0.0][..]);
+        let rate = Padded::from(&[by / 0.1][..]);
+        let still = Padded::new(1, 0.0);
         led.check.judge(&mut led.newton, 0.1, [&start, &rate, &still])
     };
     assert_eq!([step(0.95 * REACH), step(-0.95 * REACH)], [Ok(()); 2]);
@@ -354,10 +384,12 @@ fn each_objection_has_its_reason() {
     assert!((0..4).all(|k| !all[k].is_empty() && !all[..k].contains(&all[k])), "{all:?}");
 }
 
-/// A step that is accepted leaves the pivot at its end for the next one, be it larger or smaller than before.
+/// A step that is accepted leaves the pivot at its end for the next one, be it larger or smaller
+/// than before.
 #[test]
 fn a_step_hands_its_pivot_on() {
-    let (system, options) = (steep_system(100.0), Options::default());
+    let system = steep_system(100.0);
+    let options = Options::default();
     let at = |x: f64| (100.0 * x * x, [x, -x]);
     let missed = |first: f64, second: f64| {
         let mut led = Led::new(&system, &options);

@@ -13,8 +13,8 @@ impl Drive {
         self.samples > 0
     }
 
-    /// The same as [`Drive::ends_suffice`] where some constraints have no bounds: these are sampled with q
-    /// held at the end of the step, and move it as far as where that was looked at last.
+    /// The same as [`Drive::ends_suffice`] where some constraints have no bounds: these are sampled
+    /// with q held at the end of the step, and move it as far as where that was looked at last.
     pub(crate) fn samples_suffice(
         &mut self,
         Span { equations, from, to, pivot }: Span<'_>,
@@ -59,7 +59,9 @@ impl Source {
     fn sample(&mut self, equations: &Equations, scratch: &mut Instant, [from, to]: [f64; 2]) {
         let block = &equations.blocks[self.block];
         let ends = [from, to].map(|t| (t, equations.held(block, t, scratch)));
-        let (mut most, first, last) = (vec![0.0_f64; self.terms.len()], &ends[0].1[0], &ends[1].1[0]);
+        let mut most = vec![0.0_f64; self.terms.len()];
+        let first = &ends[0].1[0];
+        let last = &ends[1].1[0];
         for k in 0..=SAMPLES {
             let t = from + (to - from) * f64::from(k) / f64::from(SAMPLES);
             let [c, ..] = equations.held(block, t, scratch);
@@ -71,9 +73,14 @@ impl Source {
                 }
             }
             for (row, most) in most.iter_mut().enumerate() {
-                *most = most.max(c[row] - first[row].max(last[row])).max(first[row].min(last[row]) - c[row]);
+                *most = most
+                    .max(c[row] - first[row].max(last[row]))
+                    .max(first[row].min(last[row]) - c[row]);
             }
         }
-        self.terms.iter_mut().zip(most).for_each(|(term, most)| term.bound = Bound([most, 0.0, 0.0, 0.0]));
+        self.terms
+            .iter_mut()
+            .zip(most)
+            .for_each(|(term, most)| term.bound = Bound([most, 0.0, 0.0, 0.0]));
     }
 }

@@ -12,8 +12,8 @@ fn bound(c: &[[f64; 2]], len: usize) -> Option<[f64; COEFFICIENTS]> {
     Bound::of(&Series::of(&c, len)).map(|bound| bound.0)
 }
 
-/// A smooth signal is off by its third derivative; one of which less is known by how much its last derivative
-/// may jump. One that may turn round leaves what is between its ends besides.
+/// A smooth signal is off by its third derivative; one of which less is known by how much its last
+/// derivative may jump. One that may turn round leaves what is between its ends besides.
 #[test]
 fn how_far_a_signal_may_be_off() {
     let near = |found: Option<[f64; 4]>, exact: [f64; 4]| {
@@ -31,7 +31,10 @@ fn how_far_a_signal_may_be_off() {
     near(bound(&c([-2.0, 1.0]), 2), [0.0, 4.0, 0.0, 0.0]);
     near(bound(&c([0.5, 1.0]), 1), [1.0, 0.0, 0.0, 0.0]);
     near(bound(&[[3.0, 3.0]], 7), [0.0; 4]);
-    assert_eq!((bound(&c([0.5, 1.0]), 0), bound(&[[0.0, 0.0], [0.0, f64::INFINITY]], 2)), (None, None));
+    assert_eq!(
+        (bound(&c([0.5, 1.0]), 0), bound(&[[0.0, 0.0], [0.0, f64::INFINITY]], 2)),
+        (None, None)
+    );
 }
 
 #[test]
@@ -45,8 +48,8 @@ fn bounds_of_several_signals() {
     assert_eq!(sum.0, [2.5, 2.0, 6.0, 7.0]);
 }
 
-/// A position that each unit of an equation moves by `lever`; along that it bends and turns by so much, and
-/// is singular from a multiple on.
+/// A position that each unit of an equation moves by `lever`; along that it bends and turns by so
+/// much, and is singular from a multiple on.
 struct Known {
     instant: Instant,
     lever: f64,
@@ -134,8 +137,8 @@ fn near(found: [f64; 4], exact: [f64; 4]) {
     );
 }
 
-/// Bounds hold for a number of steps, within the times for which they were found, while the smallest pivot
-/// leaves room.
+/// Bounds hold for a number of steps, within the times for which they were found, while the
+/// smallest pivot leaves room.
 #[test]
 fn what_is_told_by_what_was_seen() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
@@ -178,18 +181,20 @@ fn what_is_told_by_what_was_seen() {
 #[test]
 fn an_even_motor_is_told_for_good() {
     let system = driven(Law::linear(1.0, 2.0));
-    let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
+    let mut drive = Drive::new(system.equations());
+    let mut lever = Known::new(&system);
     assert!(!drive.ends_suffice && !hides(&mut drive, &system, [0.0, 5.0], &mut lever));
     assert!(drive.ends_suffice && drive.ends_suffice(-1e9, 1e9, 0.0));
     assert!(drive.sources[0].terms.is_empty() && lever.moved.is_empty() && drive.looks == u32::MAX);
 }
 
-/// One that goes to and fro is known for all time, and weighed by the length of the step; over one step alone
-/// by what it does there.
+/// One that goes to and fro is known for all time, and weighed by the length of the step; over one
+/// step alone by what it does there.
 #[test]
 fn a_motor_to_and_fro() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
-    let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
+    let mut drive = Drive::new(system.equations());
+    let mut lever = Known::new(&system);
     assert!(!hides(&mut drive, &system, [0.0, 0.1], &mut lever));
     assert_eq!(
         (drive.ends_suffice, drive.steps, drive.looks, drive.longest, drive.pivot),
@@ -227,7 +232,8 @@ fn a_motor_to_and_fro() {
 #[test]
 fn time_in_c_q() {
     let system = stretching(Law::sine(0.1, 1.0, 0.0));
-    let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
+    let mut drive = Drive::new(system.equations());
+    let mut lever = Known::new(&system);
     assert!(!hides(&mut drive, &system, [0.0, 0.1], &mut lever));
     assert_eq!(
         (drive.steps, drive.looks, drive.ends_suffice, drive.sources[0].apart),
@@ -244,14 +250,19 @@ fn time_in_c_q() {
     assert!(!hides(&mut drive, &even, [0.0, 0.1], &mut Known::new(&even)) && !drive.ends_suffice);
 }
 
-/// Where equations are straight along each signal as far as all may have led it does not matter where it was.
+/// Where equations are straight along each signal as far as all may have led it does not matter
+/// where it was.
 #[test]
 fn straight_along_all_signals() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
     let straight = |bounds: &[f64], term_lever: f64, [bend, turned, singular]: [f64; 3]| {
-        let (mut drive, mut lever) = (Drive::new(system.equations()), Known::new(&system));
-        let term =
-            |off: &f64| Term { slopes: vec![*off], bound: Bound([*off, 0.0, 0.0, 0.0]), lever: term_lever };
+        let mut drive = Drive::new(system.equations());
+        let mut lever = Known::new(&system);
+        let term = |off: &f64| Term {
+            slopes: vec![*off],
+            bound: Bound([*off, 0.0, 0.0, 0.0]),
+            lever: term_lever,
+        };
         drive.sources[0].terms = bounds.iter().map(term).collect();
         (lever.bend, lever.turned, lever.singular) = (bend, turned, singular);
         let found = drive.is_straight(system.equations(), 1.0, &mut lever);
@@ -276,8 +287,8 @@ fn pair(x: Coord, y: Coord, f: Law, g: Law, t: Time) -> [f64; 2] {
     [x - f.at(t), y - g.at(t)]
 }
 
-/// Of several signals each counts: one that goes on evenly does not hide another one, nor one that is known
-/// one that is sampled.
+/// Of several signals each counts: one that goes on evenly does not hide another one, nor one that
+/// is known one that is sampled.
 #[test]
 fn several_signals() {
     let system_of = |f: Law, g: Law| {
@@ -287,12 +298,16 @@ fn several_signals() {
         m.build().expect("builds")
     };
     let mixed = system_of(Law::linear(0.0, 1.0), Law::sine(1.0, 1.0, 0.0));
-    let (mut drive, mut lever) = (Drive::new(mixed.equations()), Known::new(&mixed));
+    let mut drive = Drive::new(mixed.equations());
+    let mut lever = Known::new(&mixed);
     assert!(!hides(&mut drive, &mixed, [0.0, 0.1], &mut lever));
     near(drive.off.0, [0.0, 0.0, 0.125, 1.0 / 6.0]);
-    let silent =
-        system_of(Law::new(Silent(|t| [t * t * t, 3.0 * t * t, 6.0 * t, 6.0])), Law::sine(1.0, 1.0, 0.0));
-    let (mut drive, mut lever) = (Drive::new(silent.equations()), Known::new(&silent));
+    let silent = system_of(
+        Law::new(Silent(|t| [t * t * t, 3.0 * t * t, 6.0 * t, 6.0])),
+        Law::sine(1.0, 1.0, 0.0),
+    );
+    let mut drive = Drive::new(silent.equations());
+    let mut lever = Known::new(&silent);
     assert!(!hides(&mut drive, &silent, [0.0, 0.1], &mut lever));
     assert_eq!(lever.moved, [(0, vec![1.0, 0.0]), (0, vec![0.0, 1.0])]);
 
@@ -307,11 +322,13 @@ fn several_signals() {
     assert_eq!((drive.looks, drive.steps), (LOOKS, 0));
 }
 
-/// A signal that was sampled while no bounds were known is followed by its own slopes as soon as they are.
+/// A signal that was sampled while no bounds were known is followed by its own slopes as soon as
+/// they are.
 #[test]
 fn bounds_that_come_to_be_known() {
     let system = driven(Law::sine(1.0, 1.0, 0.0));
-    let (mut drive, instant) = (Drive::new(system.equations()), Known::new(&system).instant);
+    let mut drive = Drive::new(system.equations());
+    let instant = Known::new(&system).instant;
     let source = &mut drive.sources[0];
     let bounds = Some(vec![Bound([0.0, 0.0, 0.0, 1.0])]);
     for _ in 0..2 {

@@ -1,5 +1,5 @@
-//! Positions that are passed, or at which a motion ends, where several loops come to them at once: on
-//! equations whose solutions are known.
+//! Positions that are passed, or at which a motion ends, where several loops come to them at once:
+//! on equations whose solutions are known.
 
 mod together;
 
@@ -38,15 +38,17 @@ fn loops(
     m.build().expect("builds")
 }
 
-/// Loops that come to their toggles together end there, whether on a coarse grid or a fine one, and one that
-/// ends at the toggle comes to it.
+/// Loops that come to their toggles together end there, whether on a coarse grid or a fine one, and
+/// one that ends at the toggle comes to it.
 #[test]
 fn loops_that_toggle_together() {
     for count in [1, 2, 3] {
         let system = loops(count, 1.0, |m, name, x| assert!(m.add(name, arc(x)).is_ok()));
         for points in [3, 7, 40] {
             let error = system.run(linspace(0.0, 3.0, points)).unwrap_err();
-            let Error::Toggle { t, movable, .. } = &error else { panic!("{count} {points}: {error}") };
+            let Error::Toggle { t, movable, .. } = &error else {
+                panic!("{count} {points}: {error}")
+            };
             assert!(
                 (t - 2.0).abs() < 1e-9 && movable.contains(&"x0".to_string()),
                 "{count} {points}: {t} {movable:?}"
@@ -55,13 +57,15 @@ fn loops_that_toggle_together() {
         let motion = system.run(linspace(0.0, 1.99, 12)).expect("comes so far");
         for k in 0..count {
             let sense = if k % 2 == 0 { 1.0 } else { -1.0 };
-            assert!((motion.q(11)[k] - sense * (1.0 - 0.25 * 1.99 * 1.99_f64).sqrt()).abs() < 1e-12);
+            assert!(
+                (motion.q(11)[k] - sense * (1.0 - 0.25 * 1.99 * 1.99_f64).sqrt()).abs() < 1e-12
+            );
         }
     }
 }
 
-/// Loops whose branches cross together go on smoothly, whether the crossing is a time of the grid or not, and
-/// in both senses of time.
+/// Loops whose branches cross together go on smoothly, whether the crossing is a time of the grid
+/// or not, and in both senses of time.
 #[test]
 fn loops_that_cross_together() {
     for count in [1, 2, 4] {
@@ -73,10 +77,14 @@ fn loops_that_cross_together() {
             linspace(0.0, 0.6, 3),
             linspace(0.0, 1.0, 101),
         ] {
-            let motion =
-                system.run(times.clone()).unwrap_or_else(|error| panic!("{count} {times:?}: {error}"));
+            let motion = system
+                .run(times.clone())
+                .unwrap_or_else(|error| panic!("{count} {times:?}: {error}"));
             let places = motion.singular_positions();
-            assert!(places.len() == 1 && (places[0].t - 0.3).abs() < 1e-6, "{count} {times:?}: {places:?}");
+            assert!(
+                places.len() == 1 && (places[0].t - 0.3).abs() < 1e-6,
+                "{count} {times:?}: {places:?}"
+            );
             let branch = &places[0].branches[0];
             for k in 0..count {
                 assert!(
@@ -140,8 +148,8 @@ fn ends(walk: Walk<'_, '_>) -> (f64, Option<Branch>, usize) {
     }
 }
 
-/// From before a crossing to times before, at and behind it, near and far, straight on or into the other
-/// branch, in both senses of time.
+/// From before a crossing to times before, at and behind it, near and far, straight on or into the
+/// other branch, in both senses of time.
 #[test]
 fn through_a_crossing_on_either_branch() {
     let system = one(|m, name, x| assert!(m.add(name, cubic_crossing(x)).is_ok()));
@@ -153,11 +161,15 @@ fn through_a_crossing_on_either_branch() {
                 let [x, qd, _] = branches[0](from);
                 for at in [-0.5 * sense * from.abs(), 0.0, 1e-4, 1e-3, 0.01, 0.1, 0.3] {
                     let u = sense * at;
-                    let (found, branch, passed) = walking(&system, [x, qd, 0.3 + from, 0.3 + u], turns, ends);
+                    let (found, branch, passed) =
+                        walking(&system, [x, qd, 0.3 + from, 0.3 + u], turns, ends);
                     let beyond = at >= 0.0 && sense * (u - from) > 0.0 && u * from <= 0.0;
                     let exact = branches[usize::from(turns && beyond)](u);
                     let case = format!("{from} {turns} {u}: {found} {exact:?} {passed}");
-                    assert!((found - exact[0]).abs() < 1e-9 && passed == usize::from(beyond), "{case}");
+                    assert!(
+                        (found - exact[0]).abs() < 1e-9 && passed == usize::from(beyond),
+                        "{case}"
+                    );
                     assert_eq!(branch.is_some(), at == 0.0, "{case}");
                     branch.iter().for_each(|branch| {
                         assert!((branch.qd[0] - exact[1]).abs() < 1e-5, "{case} {branch:?}")
@@ -168,12 +180,13 @@ fn through_a_crossing_on_either_branch() {
     }
 }
 
-/// A toggle is the end of a motion that asks for it or for more, and is found as exactly as it is known; what
-/// ends before it is reached.
+/// A toggle is the end of a motion that asks for it or for more, and is found as exactly as it is
+/// known; what ends before it is reached.
 #[test]
 fn a_toggle_ends_a_passage() {
     let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
-    let (x, qd) = ((1.0 - 0.25 * 1.9 * 1.9_f64).sqrt(), -0.25 * 1.9 / (1.0 - 0.25 * 1.9 * 1.9_f64).sqrt());
+    let x = (1.0 - 0.25 * 1.9 * 1.9_f64).sqrt();
+    let qd = -0.25 * 1.9 / (1.0 - 0.25 * 1.9 * 1.9_f64).sqrt();
     for sense in [1.0, -1.0] {
         for to in [2.5, 2.0, 2.0 - 1e-13] {
             let lost = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, |walk| {
@@ -181,14 +194,17 @@ fn a_toggle_ends_a_passage() {
             });
             let Lost::Turned(place) = lost else { panic!("is lost") };
             assert!(
-                (place.t - sense * 2.0).abs() < 1e-13 && place.q[0].abs() < 1e-6 && place.branches.is_empty(),
+                (place.t - sense * 2.0).abs() < 1e-13
+                    && place.q[0].abs() < 1e-6
+                    && place.branches.is_empty(),
                 "{} {:?}",
                 place.t,
                 place.q
             );
         }
         for to in [2.0 - 1e-9, 1.99, 1.95] {
-            let (found, ..) = walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, ends);
+            let (found, ..) =
+                walking(&system, [x, sense * qd, sense * 1.9, sense * to], false, ends);
             assert!((found - (1.0 - 0.25 * to * to).sqrt()).abs() < 1e-9, "{to} {found}");
         }
     }
@@ -247,7 +263,10 @@ fn a_branch_on_which_time_stands_is_not_taken() {
     let system = one(|m, name, x| assert!(m.add(name, standing(x)).is_ok()));
     for other in [false, true] {
         let (found, branch, passed) = walking(&system, [-0.2, 1.0, -0.2, 0.3], other, ends);
-        assert!((found - 0.3).abs() < 1e-12 && branch.is_none() && passed == 1, "{other} {found} {passed}");
+        assert!(
+            (found - 0.3).abs() < 1e-12 && branch.is_none() && passed == 1,
+            "{other} {found} {passed}"
+        );
     }
 }
 
@@ -271,8 +290,8 @@ fn a_crossing_and_a_toggle_within_one_step() {
     }
 }
 
-/// A crossing within a step: straight on only where time goes on behind it, and into the other branch no
-/// further than the step.
+/// A crossing within a step: straight on only where time goes on behind it, and into the other
+/// branch no further than the step.
 #[test]
 fn a_step_over_a_crossing() {
     let system = one(|m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
@@ -281,8 +300,8 @@ fn a_step_over_a_crossing() {
         walking(&system, from, other, |mut walk| {
             let s = 0.05;
             let mut next = walk.curve.step(&walk.here, s).expect("is followed");
-            let found =
-                branching::find(&mut walk.curve, &walk.here, &next, s, walk.sign).expect("they cross");
+            let found = branching::find(&mut walk.curve, &walk.here, &next, s, walk.sign)
+                .expect("they cross");
             if backwards {
                 next.dx.iter_mut().for_each(|dx| *dx = -*dx);
             }
@@ -307,12 +326,21 @@ fn weak(y: Coord, w: Coord, t: Time) -> [f64; 2] {
 #[test]
 fn what_moves_at_a_toggle() {
     let mut m = Mechanism::new("weak");
-    let [x, y, w] =
-        [("x", 1.0), ("y", 0.0), ("w", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, y, w] = [("x", 1.0), ("y", 0.0), ("w", 0.0)]
+        .map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("arc", arc(x)).expect("adds");
     m.add("weak", weak(y, w)).expect("adds");
     let system = m.build().expect("builds");
-    let place =
-        SingularPosition::new(&system, SingularKind::TurningPoint, 2.0, &[0.0, 2000.0, -2000.0], Vec::new());
-    assert_eq!((&place.movable[..], place.dependent.len()), (&["x".to_string()][..], 1), "{place:?}");
+    let place = SingularPosition::new(
+        &system,
+        SingularKind::TurningPoint,
+        2.0,
+        &[0.0, 2000.0, -2000.0],
+        Vec::new(),
+    );
+    assert_eq!(
+        (&place.movable[..], place.dependent.len()),
+        (&["x".to_string()][..], 1),
+        "{place:?}"
+    );
 }

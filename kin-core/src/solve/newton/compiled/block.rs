@@ -20,8 +20,8 @@ use crate::system::stop;
 /// Times of a block at most, between plain steps.
 const MOST: usize = 240;
 
-/// A pivot or determinant that is less than this share of what it was where the block began is left to plain
-/// steps.   \[-\]
+/// A pivot or determinant that is less than this share of what it was where the block began is left
+/// to plain steps.   \[-\]
 pub(super) const LEAST: f64 = 0.02;
 
 /// How far q, and q̇, q̈ and q⃛ by the largest of them, may be from those of a plain step.   \[-\]
@@ -34,20 +34,20 @@ pub(super) struct Block<S: Level> {
     instant: Instant,
     /// True if laws have breaks that are looked for time by time.
     watches: bool,
-    /// Where the torn coordinates are led by earlier times: coefficients of q in powers of time since the
-    /// last one.
+    /// Where the torn coordinates are led by earlier times: coefficients of q in powers of time
+    /// since the last one.
     curves: Vec<Curve>,
-    /// Through the last three times, and through four that reach back as far as lanes lead on; true where the
-    /// latter would have been nearer.
+    /// Through the last three times, and through four that reach back as far as lanes lead on; true
+    /// where the latter would have been nearer.
     near: Curves,
     far: Curves,
     trusts_far: bool,
-    /// The first time that curves may reach back to, and how many breaks and singular positions there were
-    /// then.
+    /// The first time that curves may reach back to, and how many breaks and singular positions
+    /// there were then.
     since: usize,
     met: usize,
-    /// The first time from which plain steps have to lead up to a block: where anything can jump, the one
-    /// after the last objection.
+    /// The first time from which plain steps have to lead up to a block: where anything can jump,
+    /// the one after the last objection.
     from: usize,
     /// A position that is looked at.
     q: Vec<f64>,
@@ -66,7 +66,8 @@ enum End {
 
 impl<S: Level> Block<S> {
     pub(super) fn new(simd: S, tape: Arc<Tape>, case: Case, run: &Run<'_>) -> Self {
-        let (times, system) = (Times::new(simd, tape, case), run.system());
+        let times = Times::new(simd, tape, case);
+        let system = run.system();
         let curves = vec![[0.0; 9]; times.torn().len()];
         let spread = (3 * Times::<S>::LANES).div_ceil(8);
         Block {
@@ -87,8 +88,8 @@ impl<S: Level> Block<S> {
         }
     }
 
-    /// The number of times after which a block can begin: plain steps have to lead up to it, and where rows
-    /// give all coordinates nothing has to be guessed.
+    /// The number of times after which a block can begin: plain steps have to lead up to it, and
+    /// where rows give all coordinates nothing has to be guessed.
     pub(super) fn begins_after(&self) -> usize {
         self.from + if self.curves.is_empty() { 1 } else { ORDERS }
     }
@@ -101,10 +102,16 @@ impl<S: Level> Block<S> {
         }
     }
 
-    /// Computes times from the last one of the motion, which is a plain step's, as far as there is no
-    /// objection; gives how many.
-    pub(super) fn take(&mut self, run: &mut Run<'_>, times: &[f64], motion: &mut Motion) -> Result<usize> {
-        let (first, worst) = (motion.len(), motion.worst);
+    /// Computes times from the last one of the motion, which is a plain step's, as far as there is
+    /// no objection; gives how many.
+    pub(super) fn take(
+        &mut self,
+        run: &mut Run<'_>,
+        times: &[f64],
+        motion: &mut Motion,
+    ) -> Result<usize> {
+        let first = motion.len();
+        let worst = motion.worst;
         let Some(mut pivot) = self.limit(run, motion) else { return Ok(0) };
         let begun = pivot;
         let met = motion.breaks.len() + motion.singular.len();
@@ -154,8 +161,8 @@ impl<S: Level> Block<S> {
         Ok(motion.len() - first)
     }
 
-    /// Looks for breaks of laws on the way to each time from number `first` on; an error cuts the motion
-    /// where single steps end.
+    /// Looks for breaks of laws on the way to each time from number `first` on; an error cuts the
+    /// motion where single steps end.
     fn look(&mut self, run: &mut Run<'_>, motion: &mut Motion, first: usize) -> Result<()> {
         let equations = run.system().equations();
         for k in (first..motion.len()).filter(|_| self.watches) {
@@ -172,11 +179,12 @@ impl<S: Level> Block<S> {
         Ok(())
     }
 
-    /// The limits for the times to come, by the plain step in hand, and its smallest pivot; `None` where
-    /// plain steps had better go on.
+    /// The limits for the times to come, by the plain step in hand, and its smallest pivot; `None`
+    /// where plain steps had better go on.
     fn limit(&mut self, run: &Run<'_>, motion: &Motion) -> Option<f64> {
         let newton = &run.stepper()?.newton;
-        let (options, layout) = (newton.options, newton.system.layout());
+        let options = newton.options;
+        let layout = newton.system.layout();
         let tolerance = match options.stop {
             Stop::Converged { tolerance } => tolerance,
             Stop::ResidualOnly(_) => 1e-13,
@@ -191,7 +199,9 @@ impl<S: Level> Block<S> {
         limits.shares.clear();
         limits.shares.extend(newton.sizes.iter().map(|size| size.recip()));
         limits.turns.clear();
-        limits.turns.extend(layout.units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))));
+        limits
+            .turns
+            .extend(layout.units.iter().map(|unit| f64::from(u8::from(*unit != Unit::Metre))));
         match options.stop {
             Stop::ResidualOnly(bound) => {
                 limits.rows.clear();
@@ -214,14 +224,18 @@ impl<S: Level> Block<S> {
         let lead = if self.trusts_far && reaches { &mut self.far } else { &mut self.near };
         lead.lead(motion, last);
         let of = |column: &usize| lead.of(motion, last, *column);
-        self.curves.iter_mut().zip(self.times.torn()).for_each(|(curve, column)| *curve = of(column));
+        self.curves
+            .iter_mut()
+            .zip(self.times.torn())
+            .for_each(|(curve, column)| *curve = of(column));
     }
 
-    /// Where Newton's method took more than one step from number `before` to the last one of the motion: were
-    /// the right times asked where they lead?
+    /// Where Newton's method took more than one step from number `before` to the last one of the
+    /// motion: were the right times asked where they lead?
     fn compare(&mut self, motion: &Motion, before: usize) {
         let last = motion.len() - 1;
-        if before < self.since + self.far.reach_back() || self.times.steps().iter().all(|steps| *steps < 2.0)
+        if before < self.since + self.far.reach_back()
+            || self.times.steps().iter().all(|steps| *steps < 2.0)
         {
             return;
         }
@@ -242,12 +256,15 @@ impl<S: Level> Block<S> {
         let plain = [motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)];
         (0..=ORDERS).all(|order| {
             let shares = &self.limits.shares;
-            let size =
-                plain[order].iter().zip(shares).fold(1.0_f64, |m, (x, share)| m.max((x * share).abs()));
+            let size = plain[order]
+                .iter()
+                .zip(shares)
+                .fold(1.0_f64, |m, (x, share)| m.max((x * share).abs()));
             let size = if order == 0 { 1.0 } else { size };
             let near = |(column, x): (usize, &f64)| {
                 let own = self.times.of(column, order)[0];
-                (own - x).abs() * shares[column] <= SAME[order] * size.max((x * shares[column]).abs())
+                (own - x).abs() * shares[column]
+                    <= SAME[order] * size.max((x * shares[column]).abs())
             };
             plain[order].iter().enumerate().all(near)
         })
@@ -261,14 +278,18 @@ impl<S: Level> Block<S> {
         pivot: &mut f64,
         motion: &mut Motion,
     ) -> End {
-        let (first, mut before, mut end) = (lanes.start, motion.times()[motion.len() - 1], End::None);
+        let first = lanes.start;
+        let mut before = motion.times()[motion.len() - 1];
+        let mut end = End::None;
         let Block { times: solved, instant, q, .. } = self;
         let branches = !run.system().equations().branches().is_empty();
-        // Where rows give all coordinates there is one position at each time, however far it is from the last
-        // one: there is no branch to leave, and nothing to be seen in between, unless something jumps.
+        // Where rows give all coordinates there is one position at each time, however far it is
+        // from the last one: there is no branch to leave, and nothing to be seen in between, unless
+        // something jumps.
         let is_given = solved.torn().is_empty() && !solved.jumps();
         let mut taken = first..first;
-        let own = times[lanes.clone()].iter().zip(solved.judged.miss.as_slice()[lanes.clone()].iter());
+        let own =
+            times[lanes.clone()].iter().zip(solved.judged.miss.as_slice()[lanes.clone()].iter());
         for ((t, miss), share) in own.zip(&solved.judged.pivot.as_slice()[lanes]) {
             let own = begun * share;
             let least = own.min(*pivot);
@@ -298,7 +319,8 @@ impl<S: Level> Block<S> {
 
     /// Appends lanes to a motion.
     fn keep(&self, times: &[f64], lanes: Range<usize>, motion: &mut Motion) {
-        let (judged, first) = (&self.times.judged, lanes.start);
+        let judged = &self.times.judged;
+        let first = lanes.start;
         let residuals = &judged.residual.as_slice()[lanes.clone()];
         let most = residuals.iter().copied().fold(0.0, f64::max);
         if let Some(lane) = residuals.iter().position(|own| *own == most)
@@ -311,13 +333,18 @@ impl<S: Level> Block<S> {
         }
         motion.residuals.extend_from_slice(residuals);
         motion.times.extend_from_slice(&times[lanes.clone()]);
-        self.times.append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd, &mut motion.qddd]);
+        self.times
+            .append(lanes, [&mut motion.q, &mut motion.qd, &mut motion.qdd, &mut motion.qddd]);
     }
 }
 
 /// True if a position is what constraints mean.
 #[cold]
-pub(super) fn is_meant(equations: &Equations, (t, q): (f64, &[f64]), instant: &mut Instant) -> bool {
+pub(super) fn is_meant(
+    equations: &Equations,
+    (t, q): (f64, &[f64]),
+    instant: &mut Instant,
+) -> bool {
     equations.set_time(t, instant);
     equations.set_position(q, instant);
     equations.first_wrong(instant).is_none()

@@ -15,7 +15,8 @@ use crate::system::parameters::CasePlace;
 /// From so many times of a case on a program pays for it.
 const FEWEST: usize = 24;
 
-/// Cases that are tried at most, to find one with a first position where the system as it is has none.
+/// Cases that are tried at most, to find one with a first position where the system as it is has
+/// none.
 const TRIED: usize = 8;
 
 /// Many cases of a system.
@@ -48,8 +49,8 @@ pub(super) enum By {
 }
 
 impl Cases {
-    /// As these options ask for it. Errors: options that a program does not know, or a mechanism that cannot
-    /// be compiled, where a program is asked for.
+    /// As these options ask for it. Errors: options that a program does not know, or a mechanism
+    /// that cannot be compiled, where a program is asked for.
     pub(crate) fn new(varied: &Varied<'_>, options: &Options, lanes: Lanes) -> Result<Self> {
         let Varied { system, count, times, .. } = *varied;
         let pays = times.len() >= FEWEST || options.engine == Engine::Compiled;
@@ -67,7 +68,12 @@ impl Cases {
     }
 
     /// The means for one case, of so many times. Errors: as [`Computing::new`].
-    pub(crate) fn computing(&self, system: &System, times: usize, options: &Options) -> Result<Computing> {
+    pub(crate) fn computing(
+        &self,
+        system: &System,
+        times: usize,
+        options: &Options,
+    ) -> Result<Computing> {
         let own = || Ok(Computing { lanes: self.lanes, ..Computing::new(system, times, options)? });
         match &self.by {
             By::Steps(reason) => Ok(Computing::by(None, reason.clone(), self.lanes)),
@@ -82,8 +88,9 @@ impl Cases {
 }
 
 impl Varied<'_> {
-    /// The tape of all cases, its elimination chosen at the first position of the system as it is, so that no
-    /// case hangs on others; or of a case, where that has none. None where the first cases have none either.
+    /// The tape of all cases, its elimination chosen at the first position of the system as it is,
+    /// so that no case hangs on others; or of a case, where that has none. None where the first
+    /// cases have none either.
     fn tape(&self, options: &Options, lanes: Lanes) -> std::result::Result<Option<Tape>, Refusal> {
         can_be(self.system)?;
         if !lanes.are_there() {
@@ -100,7 +107,11 @@ impl Varied<'_> {
     }
 
     /// The same, made of one of the cases; `None` where that has no first position.
-    fn made_of(&self, typical: &System, options: &Options) -> Option<std::result::Result<Tape, Refusal>> {
+    fn made_of(
+        &self,
+        typical: &System,
+        options: &Options,
+    ) -> Option<std::result::Result<Tape, Refusal>> {
         let first = *self.times.first()?;
         let mut run = Run::new(typical, options, None).ok()?;
         run.reach(first, &mut Motion::new(typical, 1)).ok()?;

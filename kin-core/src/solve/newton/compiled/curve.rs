@@ -10,8 +10,8 @@ const MOST: usize = 4;
 /// Coefficients of the rate: two for each time.
 const RATES: usize = 2 * MOST;
 
-/// The linear map from q̇ and q̈ at some times to the polynomial of least degree that meets them. It is the
-/// same for all coordinates, and on an even grid for all groups of times.
+/// The linear map from q̇ and q̈ at some times to the polynomial of least degree that meets them.
+/// It is the same for all coordinates, and on an even grid for all groups of times.
 pub(super) struct Curves {
     /// How many times before the last one each of them is; the last one is the first.
     behind: Vec<usize>,
@@ -36,7 +36,10 @@ impl Curves {
     pub(super) fn lead(&mut self, motion: &Motion, last: usize) {
         let mut times = [0.0; MOST];
         let all = motion.times();
-        times.iter_mut().zip(&self.behind).for_each(|(t, behind)| *t = all[last - behind] - all[last]);
+        times
+            .iter_mut()
+            .zip(&self.behind)
+            .for_each(|(t, behind)| *t = all[last - behind] - all[last]);
         if times.iter().zip(&self.times).all(|(t, known)| is_same(*t, *known)) {
             return;
         }
@@ -53,7 +56,8 @@ impl Curves {
     pub(super) fn of(&self, motion: &Motion, last: usize, column: usize) -> Curve {
         let mut sums = [0.0; RATES];
         for (behind, [first, second]) in self.behind.iter().zip(self.parts.as_chunks::<2>().0) {
-            let (qd, qdd) = (motion.qd(last - behind)[column], motion.qdd(last - behind)[column]);
+            let qd = motion.qd(last - behind)[column];
+            let qdd = motion.qdd(last - behind)[column];
             for (k, sum) in sums.iter_mut().enumerate() {
                 *sum += qd * first[k] + qdd * second[k];
             }
@@ -69,7 +73,8 @@ pub(super) fn at(curve: &Curve, s: f64) -> f64 {
     curve.iter().rev().fold(0.0, |sum, c| sum * s + c)
 }
 
-/// The coefficients of the integral of the polynomial that meets so many rates, q̇ and q̈ time by time.
+/// The coefficients of the integral of the polynomial that meets so many rates, q̇ and q̈ time by
+/// time.
 fn integral(times: &[f64; MOST], rates: [f64; RATES], count: usize) -> [f64; RATES] {
     let at = |k: usize| times[k / 2];
     // Divided differences over each time twice.
@@ -107,9 +112,9 @@ mod tests {
         let n = motion.names().len();
         for t in [0.0, 0.1, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7] {
             let s = t - 0.7;
-            let (q, qd, qdd) = (0..9)
-                .rev()
-                .fold((0.0, 0.0, 0.0), |(q, qd, qdd), k| (q * s + c[k], qd * s + q, qdd * s + 2.0 * qd));
+            let (q, qd, qdd) = (0..9).rev().fold((0.0, 0.0, 0.0), |(q, qd, qdd), k| {
+                (q * s + c[k], qd * s + q, qdd * s + 2.0 * qd)
+            });
             motion.times.push(t);
             motion.q.extend(vec![q; n]);
             motion.qd.extend(vec![qd; n]);

@@ -1,5 +1,5 @@
-//! The constraints themselves at a time that a program has computed: by their own kernels, with parameters as
-//! they are now.
+//! The constraints themselves at a time that a program has computed: by their own kernels, with
+//! parameters as they are now.
 
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
@@ -19,9 +19,9 @@ pub(super) struct Sums {
 }
 
 impl Run<'_> {
-    /// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, if the motion has q⃛, C_q q⃛ = −g‴(0) at the last time
-    /// of the motion; `allowed` is how far each row may be off. The position in hand is that time's then:
-    /// [`Run::go_on`] makes it another one.
+    /// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, if the motion has q⃛, C_q q⃛ = −g‴(0) at the
+    /// last time of the motion; `allowed` is how far each row may be off. The position in hand is
+    /// that time's then: [`Run::go_on`] makes it another one.
     pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64], room: &mut Sums) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
         self.stepper_mut().is_some_and(|stepper| {
@@ -31,7 +31,8 @@ impl Run<'_> {
             let holds = newton.linearize(motion.times()[last]).is_ok() && {
                 let (values, rhs) = newton.linear.values_and_rhs();
                 let equations = newton.system.equations();
-                let look = Look { equations, instant: &mut newton.instant, c: &newton.c, values, rhs };
+                let look =
+                    Look { equations, instant: &mut newton.instant, c: &newton.c, values, rhs };
                 holds(look, rates, (allowed, room))
             };
             // The sizes that were measured there count from now on, or never.
@@ -54,7 +55,8 @@ pub(super) struct Look<'n> {
     pub rhs: &'n mut [f64],
 }
 
-/// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, unless it is empty, C_q q⃛ = −g‴(0) at that point.
+/// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, unless it is empty, C_q q⃛ = −g‴(0) at that
+/// point.
 pub(super) fn holds(
     Look { equations, instant, c, values, rhs }: Look<'_>,
     [qd, qdd, qddd]: [&[f64]; 3],

@@ -1,4 +1,5 @@
-//! Single positions by the program that was asked for: one time alone, from coordinates that are near.
+//! Single positions by the program that was asked for: one time alone, from coordinates that are
+//! near.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -15,15 +16,15 @@ use crate::system::{Solution, System, stop};
 /// Newton steps at most: from near by they are few, and from elsewhere damped ones are asked for.
 const STEPS: usize = 4;
 
-/// Every coordinate is this near to where it begins, unless rows give them all: from further off the steps of
-/// a program may come to another assembly than those of all coordinates.   \[-\]
+/// Every coordinate is this near to where it begins, unless rows give them all: from further off
+/// the steps of a program may come to another assembly than those of all coordinates.   \[-\]
 const NEAR: f64 = 0.1;
 
 /// The tolerance of the stop rule at most: see [`Stop::Converged`].   \[-\]
 const TOLERANCE: f64 = 1e-13;
 
-/// The constraints' own kernels look at the first position in a room, and at each that so many others have
-/// gone before.
+/// The constraints' own kernels look at the first position in a room, and at each that so many
+/// others have gone before.
 const LOOKS: usize = 64;
 
 /// A program for single positions, with what is known where its elimination was chosen.
@@ -65,9 +66,14 @@ struct Asked<'a> {
     steps: usize,
 }
 
-/// Position, velocity and acceleration at time t from coordinates that are near, by the program that
-/// [`System::compile`] has made; `None` where plain steps have to find them.
-pub(crate) fn position(system: &System, t: f64, from: &[f64], options: &Options) -> Option<Solution> {
+/// Position, velocity and acceleration at time t from coordinates that are near, by the program
+/// that [`System::compile`] has made; `None` where plain steps have to find them.
+pub(crate) fn position(
+    system: &System,
+    t: f64,
+    from: &[f64],
+    options: &Options,
+) -> Option<Solution> {
     let programs = system.cache().get::<super::programs::Programs>()?;
     programs.positions()?.position(system, t, from, options)
 }
@@ -100,11 +106,13 @@ impl Positions {
             return None;
         }
         // Rates are those of the position before the last correction, which has to be none.
-        let (tolerance, steps) = (tolerance.min(TOLERANCE), options.max_iterations.min(STEPS));
+        let tolerance = tolerance.min(TOLERANCE);
+        let steps = options.max_iterations.min(STEPS);
         Lanes::Best.dispatch(Asked { positions: self, system, t, from, tolerance, steps }).ok()?
     }
 
-    /// True if rows give all coordinates: there is one position at each time, wherever it is looked for from.
+    /// True if rows give all coordinates: there is one position at each time, wherever it is looked
+    /// for from.
     fn is_given(&self) -> bool {
         self.tape.torn().is_empty() && !self.tape.jumps()
     }
@@ -113,7 +121,8 @@ impl Positions {
     fn limits(&self, system: &System, tolerance: f64, steps: usize) -> Limits {
         let sizes: Vec<f64> = self.tape.torn().iter().map(|column| self.sizes[*column]).collect();
         let entries = system.equations().entries.iter().zip(&self.values);
-        let entries = entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)));
+        let entries =
+            entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)));
         let mut rows = Vec::new();
         stop::allowances(tolerance, &self.norms, entries, &self.q, &mut rows);
         Limits {
@@ -146,7 +155,8 @@ impl Positions {
     }
 
     fn new_room<S: Level>(&self, simd: S, system: &System) -> Room {
-        let (n, equations) = (self.q.len(), system.equations());
+        let n = self.q.len();
+        let equations = system.equations();
         let case = self.tape.case(system).unwrap_or_default();
         let mut room = Room {
             alone: Alone::new(simd, Arc::clone(&self.tape), case),
@@ -189,9 +199,11 @@ impl Asked<'_> {
         let smallest_pivot = found.pivot * positions.pivot;
         let [q, qd, qdd] = room.alone.numbers();
         let near = |(q, (from, size)): (&f64, (&f64, &f64))| (q - from).abs() <= NEAR * size;
-        let is_near = positions.is_given() || q.iter().zip(from.iter().zip(&positions.sizes)).all(near);
+        let is_near =
+            positions.is_given() || q.iter().zip(from.iter().zip(&positions.sizes)).all(near);
         // 0 · x is 0 of a number, and not a number of anything else.
-        let finite = [&q, &qd, &qdd].iter().all(|list| list.iter().fold(0.0, |sum, x| sum + 0.0 * x) == 0.0);
+        let finite =
+            [&q, &qd, &qdd].iter().all(|list| list.iter().fold(0.0, |sum, x| sum + 0.0 * x) == 0.0);
         // Plain steps tell whether a position is singular.
         let fits = finite && is_near && smallest_pivot >= SIMILAR * DOUBTFUL;
         if !(fits && self.is_meant(room, &q) && self.is_believed(room, [&q, &qd, &qdd])) {
@@ -214,15 +226,15 @@ impl Asked<'_> {
         equations.branches().is_empty() || is_meant(equations, (self.t, q), &mut room.instant)
     }
 
-    /// True unless the constraints' own kernels are asked and say something else: then they are asked again
-    /// at the next position.
+    /// True unless the constraints' own kernels are asked and say something else: then they are
+    /// asked again at the next position.
     fn is_believed(&self, room: &mut Room, [q, qd, qdd]: [&[f64]; 3]) -> bool {
         if !room.calls.is_multiple_of(LOOKS) {
             room.calls += 1;
             return true;
         }
-        let (equations, Room { instant, c, values, rhs, sums, limits, .. }) =
-            (self.system.equations(), &mut *room);
+        let equations = self.system.equations();
+        let Room { instant, c, values, rhs, sums, limits, .. } = &mut *room;
         equations.set_time(self.t, instant);
         equations.set_position(q, instant);
         equations.linearize(q, instant, c, values);

@@ -1,5 +1,5 @@
-//! The programs of a system: made once for each position that runs begin at, and kept beside the system until
-//! something in it is set.
+//! The programs of a system: made once for each position that runs begin at, and kept beside the
+//! system until something in it is set.
 
 use std::sync::Arc;
 
@@ -21,8 +21,8 @@ pub(super) struct Programs {
     positions: Option<Arc<Positions>>,
 }
 
-/// A program with the pose that its elimination was chosen at. At another one it would give the same numbers
-/// but for the last digits, and those must not depend on what was run before.
+/// A program with the pose that its elimination was chosen at. At another one it would give the
+/// same numbers but for the last digits, and those must not depend on what was run before.
 #[derive(Clone)]
 struct Made {
     pose: Arc<[u64]>,
@@ -31,7 +31,8 @@ struct Made {
 
 /// The program for a run that begins at the position in hand.
 pub(super) fn cached(newton: &Newton<'_>, t: f64) -> Compiling {
-    let (system, pose) = (newton.system, bits(newton, t));
+    let system = newton.system;
+    let pose = bits(newton, t);
     let mut programs = known(system);
     if let Some(made) = programs.asked.iter().chain(&programs.last).find(|made| made.pose == pose) {
         return made.tape.clone();
@@ -46,7 +47,8 @@ pub(super) fn cached(newton: &Newton<'_>, t: f64) -> Compiling {
 pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
     let tape = cached(newton, t);
     let asked = Some(Made { pose: bits(newton, t), tape: tape.clone() });
-    let positions = tape.as_ref().ok().map(|tape| Arc::new(Positions::new(Arc::clone(tape), newton, t)));
+    let positions =
+        tape.as_ref().ok().map(|tape| Arc::new(Positions::new(Arc::clone(tape), newton, t)));
     newton.system.cache().put(Arc::new(Programs { asked, positions, ..known(newton.system) }));
     tape
 }
@@ -69,7 +71,8 @@ fn known(system: &System) -> Programs {
 
 /// All that a program is made by: what an elimination is chosen by, and whether q⃛ is asked for.
 fn bits(newton: &Newton<'_>, t: f64) -> Arc<[u64]> {
-    let numbers = [t].into_iter().chain(newton.q.iter().copied()).chain(newton.sizes.iter().copied());
+    let numbers =
+        [t].into_iter().chain(newton.q.iter().copied()).chain(newton.sizes.iter().copied());
     numbers.map(f64::to_bits).chain([u64::from(newton.options.jerk)]).collect()
 }
 

@@ -1,15 +1,16 @@
 //! Positions on a step: one rule chooses the branch, whatever the guess was.
 //!
-//! Newton's method ends within rounding of the exact position. Where a coordinate rests on a step of an
-//! equation, that rounding decides the branch, and it depends on the guess: on the engine, on the grid, on
-//! other coordinates. So of branches that are right to rounding the one with the greater choices is taken: a
-//! whole number that is met counts as reached, a condition that is met counts as true.
+//! Newton's method ends within rounding of the exact position. Where a coordinate rests on a step
+//! of an equation, that rounding decides the branch, and it depends on the guess: on the engine, on
+//! the grid, on other coordinates. So of branches that are right to rounding the one with the
+//! greater choices is taken: a whole number that is met counts as reached, a condition that is met
+//! counts as true.
 
 use crate::solve::newton::Newton;
 use crate::system::stop;
 
-/// A coordinate may be off by this share of its size beside rounding of itself: what the stop rule leaves.
-/// \[-\]
+/// A coordinate may be off by this share of its size beside rounding of itself: what the stop rule
+/// leaves. \[-\]
 const OFF: f64 = 1e-13;
 
 /// Shares of that by which a coordinate is moved over a step, the smallest first.   \[-\]
@@ -21,8 +22,8 @@ const ROUNDS: usize = 8;
 /// Newton steps at most from one branch to the next.
 const STEPS: usize = 24;
 
-/// A row that was met may be off by this many times the allowed amount where its coordinates are moved over a
-/// step.   \[-\]
+/// A row that was met may be off by this many times the allowed amount where its coordinates are
+/// moved over a step.   \[-\]
 const HELD: f64 = 2.0;
 
 /// A position on a step, on the branch with the greater choices.
@@ -33,8 +34,8 @@ struct Greater {
 }
 
 impl Newton<'_> {
-    /// Goes from the position in hand to the branch with the greater choices as long as there is one that is
-    /// right to rounding; true if the matrix of the position in hand is factored.
+    /// Goes from the position in hand to the branch with the greater choices as long as there is
+    /// one that is right to rounding; true if the matrix of the position in hand is factored.
     #[cold]
     pub(in crate::solve::newton) fn take_greater_choices(&mut self, t: f64) -> bool {
         for _ in 0..ROUNDS {
@@ -48,10 +49,12 @@ impl Newton<'_> {
         true
     }
 
-    /// The position in hand with coordinates moved by rounding such that constraints make greater choices,
-    /// the first constraint's before those of the next, if there are any.
+    /// The position in hand with coordinates moved by rounding such that constraints make greater
+    /// choices, the first constraint's before those of the next, if there are any.
     fn greater(&mut self, t: f64) -> Option<Greater> {
-        let (system, mut q, mut changed) = (self.system, self.q.to_vec(), Vec::new());
+        let system = self.system;
+        let mut q = self.q.to_vec();
+        let mut changed = Vec::new();
         let equations = system.equations();
         let mut all = self.choices_at(t, &q, None);
         for &number in equations.jumping() {
@@ -77,8 +80,10 @@ impl Newton<'_> {
             }
         }
         changed.dedup();
-        let choices: Vec<(usize, Vec<f64>)> =
-            changed.into_iter().map(|number| (number, self.choices_at(t, &q, Some(number)))).collect();
+        let choices: Vec<(usize, Vec<f64>)> = changed
+            .into_iter()
+            .map(|number| (number, self.choices_at(t, &q, Some(number))))
+            .collect();
         self.instant_at(t, false);
         (!choices.is_empty()).then_some(Greater { q, choices })
     }
@@ -94,8 +99,8 @@ impl Newton<'_> {
         columns
     }
 
-    /// Newton's method from there, rows that are met being left as they are: coordinates that were moved by
-    /// rounding stay where they are. False if it does not end.
+    /// Newton's method from there, rows that are met being left as they are: coordinates that were
+    /// moved by rounding stay where they are. False if it does not end.
     fn settle(&mut self, t: f64) -> bool {
         let mut allowed = Vec::new();
         for _ in 0..STEPS {
@@ -122,7 +127,10 @@ impl Newton<'_> {
     /// True if constraints make the choices that were looked for.
     fn has_choices(&mut self, t: f64, greater: &Greater) -> bool {
         let q = self.q.to_vec();
-        greater.choices.iter().all(|(number, choices)| self.choices_at(t, &q, Some(*number)) == *choices)
+        greater
+            .choices
+            .iter()
+            .all(|(number, choices)| self.choices_at(t, &q, Some(*number)) == *choices)
     }
 
     /// All choices of a constraint, or of all of them, at a position that the instant is set to.
@@ -134,7 +142,9 @@ impl Newton<'_> {
         equations.set_position(q, &mut self.instant);
         let mut choices = Vec::new();
         match number {
-            Some(number) => equations.choices_of(&equations.blocks[number], &self.instant, &mut choices),
+            Some(number) => {
+                equations.choices_of(&equations.blocks[number], &self.instant, &mut choices)
+            }
             None => equations.choices(&self.instant, &mut choices),
         }
         choices

@@ -1,4 +1,5 @@
-//! The iteration of one position, by the matrix of a mechanism with as many equations as coordinates.
+//! The iteration of one position, by the matrix of a mechanism with as many equations as
+//! coordinates.
 
 use super::{Ending, Iterating};
 use crate::numbers::padded;
@@ -34,13 +35,15 @@ impl Single<'_, '_> {
         false
     }
 
-    /// The last correction has led over a jump. Its target is the more exact position, so Newton's steps go
-    /// on from there. Where they lead back over the jump, both branches are right to rounding, and the one
-    /// whose choices are greater is taken: a whole number that is met counts as reached.
+    /// The last correction has led over a jump. Its target is the more exact position, so Newton's
+    /// steps go on from there. Where they lead back over the jump, both branches are right to
+    /// rounding, and the one whose choices are greater is taken: a whole number that is met counts
+    /// as reached.
     #[cold]
     fn jump(&mut self) -> Ending {
         let newton = &mut *self.newton;
-        let (equations, mut choices) = (newton.system.equations(), Vec::new());
+        let equations = newton.system.equations();
+        let mut choices = Vec::new();
         newton.instant_at(self.t, true);
         equations.choices(&newton.instant, &mut choices);
         let Some(left) = &self.left else {
@@ -89,7 +92,8 @@ impl Iterating for Single<'_, '_> {
     #[inline(always)]
     fn correction_but_for_rounding(&self, tolerance: f64) -> f64 {
         let Newton { linear, q, sizes, .. } = &*self.newton;
-        let (all, rounding) = (linear.solution().iter().zip(q.iter()).zip(sizes), stop::rounding(tolerance));
+        let all = linear.solution().iter().zip(q.iter()).zip(sizes);
+        let rounding = stop::rounding(tolerance);
         largest(all.map(|((dq, q), size)| stop::share(*dq, *q, *size, rounding)))
     }
 
@@ -104,8 +108,8 @@ impl Iterating for Single<'_, '_> {
         correction <= stop::resting(q, sizes, linear.smallest_pivot()) && self.is_met(tolerance)
     }
 
-    /// The last correction keeps errors of predictions from adding up, and where equations jump it decides
-    /// the branch.
+    /// The last correction keeps errors of predictions from adding up, and where equations jump it
+    /// decides the branch.
     #[inline(always)]
     fn end(&mut self) -> Ending {
         let is_corrected = self.newton.options.predict || self.newton.jumps;

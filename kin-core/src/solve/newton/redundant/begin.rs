@@ -22,12 +22,15 @@ impl<'a> Position<'a> {
         (q, measures): (Vec<f64>, Measures),
     ) -> Self {
         let model = system.model_within(options.closure);
-        let (n, equations) = (model.n(), model.equations);
-        let mut point = Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
+        let n = model.n();
+        let equations = model.equations;
+        let mut point =
+            Point { c: vec![0.0; model.m()], values: vec![0.0; equations.entries.len()] };
         equations.set_constants(&mut point.values);
         let [row_shares, shares] = [&measures.norms, &measures.sizes]
             .map(|sizes| sizes.iter().map(|size| size.recip()).collect::<Vec<_>>());
-        let turns: Vec<f64> = (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
+        let turns: Vec<f64> =
+            (0..n).map(|column| f64::from(u8::from(model.turns(column)))).collect();
         let zeros = || Padded::new(n, 0.0);
         Position {
             scales: scales(&model, &measures),
@@ -104,7 +107,8 @@ impl<'a> Position<'a> {
         t: f64,
         start: &[f64],
     ) -> Result<(Self, Outcome)> {
-        let (model, steps) = (system.model_within(options.closure), options.search.steps);
+        let model = system.model_within(options.closure);
+        let steps = options.search.steps;
         let found = search::descend(model, start, t, &|_| true, false, steps);
         Self::found(system, options, t, found, (start, None))
     }
@@ -123,7 +127,8 @@ impl<'a> Position<'a> {
                 None => unmet(system, start, t, 0, None),
             });
         };
-        let (steps, q) = (found.place.steps, found.place.q);
+        let steps = found.place.steps;
+        let q = found.place.q;
         let measures = match options.follow {
             Follow::Unchecked => found.measures,
             _ => model.measure_steps(&q, t, &found.measures),

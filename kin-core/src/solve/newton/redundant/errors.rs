@@ -4,8 +4,15 @@ use crate::model::error::Error;
 use crate::system::System;
 
 /// The same error where nobody asks what is wrong: the equation that is furthest from being met.
-pub(super) fn unmet(system: &System, q: &[f64], t: f64, iterations: usize, last: Option<f64>) -> Error {
-    let (model, instant) = (system.model(), system.equations().instant_at(t, q));
+pub(super) fn unmet(
+    system: &System,
+    q: &[f64],
+    t: f64,
+    iterations: usize,
+    last: Option<f64>,
+) -> Error {
+    let model = system.model();
+    let instant = system.equations().instant_at(t, q);
     match model.linearize(q, t) {
         Err(bad) => system.equations().not_finite(bad, system.layout(), &instant),
         Ok(point) => {

@@ -7,16 +7,19 @@ use crate::solve::follow::{Lever, Objection, Span, misses_too_far, turns_too_far
 use crate::system::evaluate::Instant;
 
 impl Position<'_> {
-    /// The objection to the step to `target`: it turns something too far, a prediction from either end misses
-    /// the other by more than is sure to be one branch, or drives may move further in between. Signs of
-    /// determinants, which rectangular matrices have not, are not asked.
+    /// The objection to the step to `target`: it turns something too far, a prediction from either
+    /// end misses the other by more than is sure to be one branch, or drives may move further in
+    /// between. Signs of determinants, which rectangular matrices have not, are not asked.
     pub(super) fn objection(&mut self, target: f64) -> Option<Objection> {
         if self.options.follow == Follow::Unchecked {
             return None;
         }
-        let (from, pivot) = (self.t, self.solver.smallest_pivot());
-        let ([qd, qdd], to) = (self.predictor.before(), [&self.q, &self.qd, &self.qdd]);
-        let [miss, reach] = padded::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
+        let from = self.t;
+        let pivot = self.solver.smallest_pivot();
+        let [qd, qdd] = self.predictor.before();
+        let to = [&self.q, &self.qd, &self.qdd];
+        let [miss, reach] =
+            padded::miss(target - from, [&self.last, qd, qdd], to, &self.shares, &self.turns);
         if turns_too_far(reach) {
             return Some(Objection::Long);
         }
@@ -26,8 +29,10 @@ impl Position<'_> {
         let mut drive = self.drive.take()?;
         let equations = self.model.equations;
         let hides = !drive.ends_suffice(from, target, pivot) && {
-            let mut lever =
-                LeastSquaresLever { instant: equations.instant_at(target, &self.q), position: self };
+            let mut lever = LeastSquaresLever {
+                instant: equations.instant_at(target, &self.q),
+                position: self,
+            };
             drive.hides(Span { equations, from, to: target, pivot }, &mut lever)
         };
         self.drive = Some(drive);

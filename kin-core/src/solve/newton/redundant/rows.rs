@@ -52,7 +52,8 @@ impl Iterating for Rows<'_, '_> {
     #[cold]
     fn has_changed_branch(&mut self) -> bool {
         let Position { model, instant, q, .. } = &mut *self.position;
-        let (equations, [mut before, mut now]) = (model.equations, [Vec::new(), Vec::new()]);
+        let equations = model.equations;
+        let [mut before, mut now] = [Vec::new(), Vec::new()];
         if self.before.is_empty() {
             return false;
         }

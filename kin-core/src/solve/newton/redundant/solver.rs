@@ -11,13 +11,16 @@ use crate::system::scaled::{Measures, Model};
 pub(super) enum Solver {
     /// Where equations agree, which half the work does for.
     Independent(Independent),
-    /// Where they may contradict one another a little: no equation is to be believed more than another.
+    /// Where they may contradict one another a little: no equation is to be believed more than
+    /// another.
     LeastSquares(LeastSquares),
 }
 
 impl Solver {
     pub(super) fn new(model: &Model<'_>) -> Self {
-        let (m, n, places) = (model.m(), model.n(), &model.equations.entries);
+        let m = model.m();
+        let n = model.n();
+        let places = &model.equations.entries;
         if model.closure > 0.0 {
             Solver::LeastSquares(LeastSquares::new(m, n, places))
         } else {
@@ -25,7 +28,8 @@ impl Solver {
         }
     }
 
-    /// Takes the values of C_q in the order of its entries; false if the columns depend on one another.
+    /// Takes the values of C_q in the order of its entries; false if the columns depend on one
+    /// another.
     pub(super) fn factor(&mut self, values: impl Iterator<Item = f64>) -> bool {
         match self {
             Solver::Independent(rows) => rows.factor(values),
@@ -59,14 +63,26 @@ impl Solver {
 }
 
 /// C_q x = the right side at a position, in the sense of least squares.
-pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: Explain) -> Result<Vec<f64>> {
+pub(crate) fn solved(
+    system: &System,
+    q: &[f64],
+    t: f64,
+    rhs: &[f64],
+    explain: Explain,
+) -> Result<Vec<f64>> {
     let model = system.model();
-    let (measures, m, n) = (model.measure(q, t), model.m(), model.n());
+    let measures = model.measure(q, t);
+    let m = model.m();
+    let n = model.n();
     let instant = || model.equations.instant_at(t, q);
-    let point =
-        model.linearize(q, t).map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
+    let point = model
+        .linearize(q, t)
+        .map_err(|bad| model.equations.not_finite(bad, model.layout, &instant()))?;
     let mut least_squares = LeastSquares::new(m, n, &model.equations.entries);
-    let scaled = scales(&model, &measures).into_iter().zip(&point.values).map(|(scale, value)| scale * value);
+    let scaled = scales(&model, &measures)
+        .into_iter()
+        .zip(&point.values)
+        .map(|(scale, value)| scale * value);
     if !least_squares.factor(scaled, 0.0) {
         return Err((explain.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()));
     }
@@ -76,7 +92,8 @@ pub(crate) fn solved(system: &System, q: &[f64], t: f64, rhs: &[f64], explain: E
 
 /// The factor of each value of C_q that makes it of order 1.
 pub(super) fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
-    let scale =
-        |entry: &Option<(usize, usize)>| entry.map_or(0.0, |(row, column)| sizes[column] / norms[row]);
+    let scale = |entry: &Option<(usize, usize)>| {
+        entry.map_or(0.0, |(row, column)| sizes[column] / norms[row])
+    };
     model.equations.entries.iter().map(scale).collect()
 }

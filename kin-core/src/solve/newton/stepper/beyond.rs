@@ -1,4 +1,5 @@
-//! Where smaller steps of time help no more: along the curve past a singular position, or the end of a run.
+//! Where smaller steps of time help no more: along the curve past a singular position, or the end
+//! of a run.
 
 use super::super::advance::{Asked, SHORTEST};
 use super::super::{Failure, Newton, Outcome, Steps, largest};
@@ -6,11 +7,13 @@ use super::{SHORT, Stepper, Trouble};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
-use crate::solve::follow::{self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition};
+use crate::solve::follow::{
+    self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition,
+};
 
 impl Stepper<'_> {
-    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`, if that
-    /// can be done; `to` was asked for.
+    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`,
+    /// if that can be done; `to` was asked for.
     pub(super) fn pass(
         &mut self,
         trouble: Trouble,
@@ -21,7 +24,8 @@ impl Stepper<'_> {
     ) -> Result<Outcome> {
         let to = asked.to;
         if self.check.is_some() {
-            let (before, options) = (self.bifurcations, self.newton.options);
+            let before = self.bifurcations;
+            let options = self.newton.options;
             let turns = |number| options.follow.turns(before + number);
             let (passed, steps) = follow::pass(&self.newton, &self.q, t, goal, &turns);
             self.effort.walk(steps);
@@ -43,7 +47,8 @@ impl Stepper<'_> {
             && self.check.is_some()
             && self.moved(target - t, target) > SHORT;
         Err(match trouble {
-            // The shortest step of all still turns bodies too far for Newton's method to find its way.
+            // The shortest step of all still turns bodies too far for Newton's method to find its
+            // way.
             Trouble::Failed(_) if is_far => Error::CannotFollow {
                 t,
                 units: self.newton.system.unit_words().clone(),
@@ -52,7 +57,8 @@ impl Stepper<'_> {
             },
             Trouble::Failed(failure) => {
                 self.newton.q.copy_from_slice(&self.failed);
-                // The error names the worst equation, so the equations are evaluated at the failed position.
+                // The error names the worst equation, so the equations are evaluated at the failed
+                // position.
                 let _ = self.newton.linearize(target);
                 self.newton.error(failure, target, Some(t))
             }
@@ -103,8 +109,8 @@ impl Stepper<'_> {
     }
 }
 
-/// q⃛ at a singular position on one of its branches: from the means of what it is a little before and after,
-/// twice (Richardson).
+/// q⃛ at a singular position on one of its branches: from the means of what it is a little before
+/// and after, twice (Richardson).
 fn jerk_between(
     newton: &mut Newton<'_>,
     q: &[f64],
@@ -120,7 +126,9 @@ fn jerk_between(
         .map(|((qd, qdd), share)| (qd.abs() * share).max((qdd.abs() * share).sqrt()));
     let fastest = largest(rates);
     let mut jerk = vec![0.0; q.len()];
-    for (steps, weight) in [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)] {
+    for (steps, weight) in
+        [(-1.0, 2.0 / 3.0), (1.0, 2.0 / 3.0), (-2.0, -1.0 / 6.0), (2.0, -1.0 / 6.0)]
+    {
         let h = steps * NEAR / fastest;
         newton
             .q
@@ -139,5 +147,13 @@ fn jerk_between(
 fn toggle(found: &SingularPosition, asked: f64, units: &Units) -> Error {
     debug_assert_eq!(found.kind, SingularKind::TurningPoint);
     let SingularPosition { t, movable, dependent, .. } = found.clone();
-    Error::Toggle { t, units: units.clone(), asked, movable, dependent, diagnosis: None, motion: None }
+    Error::Toggle {
+        t,
+        units: units.clone(),
+        asked,
+        movable,
+        dependent,
+        diagnosis: None,
+        motion: None,
+    }
 }

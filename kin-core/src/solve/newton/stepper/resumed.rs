@@ -7,14 +7,19 @@ use crate::solve::motion::Motion;
 use crate::system::evaluate::Instant;
 
 impl Stepper<'_> {
-    /// True if the ends of a step between two times, with that smallest pivot, tell all that time does in
-    /// between.
-    pub(in crate::solve::newton) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+    /// True if the ends of a step between two times, with that smallest pivot, tell all that time
+    /// does in between.
+    pub(in crate::solve::newton) fn ends_suffice(
+        &mut self,
+        from: f64,
+        to: f64,
+        pivot: f64,
+    ) -> bool {
         self.check.as_mut().is_none_or(|check| check.ends_suffice(from, to, pivot))
     }
 
-    /// The same where what has no bounds is sampled, at the position of the later time, which the instant is
-    /// set to.
+    /// The same where what has no bounds is sampled, at the position of the later time, which the
+    /// instant is set to.
     pub(in crate::solve::newton) fn samples_suffice(
         &mut self,
         (from, to, q): (f64, f64, &[f64]),
@@ -22,14 +27,16 @@ impl Stepper<'_> {
         instant: &mut Instant,
     ) -> bool {
         let equations = self.newton.system.equations();
-        let Some(check) = self.check.as_mut().filter(|check| check.may_sample()) else { return false };
+        let Some(check) = self.check.as_mut().filter(|check| check.may_sample()) else {
+            return false;
+        };
         equations.set_time(to, instant);
         equations.set_position(q, instant);
         check.samples_suffice(Span { equations, from, to, pivot }, instant)
     }
 
-    /// The last three times of a motion are those before the next step; at the last one the smallest pivot is
-    /// this.
+    /// The last three times of a motion are those before the next step; at the last one the
+    /// smallest pivot is this.
     pub(in crate::solve::newton) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         let Some(last) = motion.len().checked_sub(1) else { return };
         let times = motion.times();
@@ -49,7 +56,8 @@ impl Stepper<'_> {
         self.check.iter_mut().for_each(|check| check.go_on(pivot));
     }
 
-    /// The next step begins at time k of a motion, whatever was done before. Errors: C_q is singular there.
+    /// The next step begins at time k of a motion, whatever was done before. Errors: C_q is
+    /// singular there.
     pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
         self.predictor.forget();
         self.passed.clear();

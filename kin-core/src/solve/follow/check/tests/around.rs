@@ -1,5 +1,5 @@
-//! Questions at the present position: is C_q singular near it, which drives move it, what is the outlook of a
-//! sweep?
+//! Questions at the present position: is C_q singular near it, which drives move it, what is the
+//! outlook of a sweep?
 
 use super::super::{Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
@@ -13,13 +13,14 @@ fn above_zero(x: Coord, y: Coord, t: Time) -> [f64; 2] {
     [x.sqrt() + y - 1.0 - t, y]
 }
 
-/// Where there is no matrix it counts as singular; what was measured on the way is forgotten, and the
-/// position in hand is as it was.
+/// Where there is no matrix it counts as singular; what was measured on the way is forgotten, and
+/// the position in hand is as it was.
 #[test]
 fn a_look_around_leaves_nothing_behind() {
     let options = Options::default();
     let mut m = Mechanism::new("above zero");
-    let [x, y] = [("x", 1.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
+    let [x, y] =
+        [("x", 1.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
     m.add("c", above_zero(x, y)).expect("adds");
     let system = m.build().expect("builds");
     let mut led = Led::new(&system, &options);
@@ -33,7 +34,8 @@ fn a_look_around_leaves_nothing_behind() {
     let system = steep_system(1.0);
     let mut led = Led::new(&system, &options);
     led.accept(1.0, &[1.0, -1.0]);
-    let (signs, norms) = (led.check.negative.clone(), led.newton.linear.norms().to_vec());
+    let signs = led.check.negative.clone();
+    let norms = led.newton.linear.norms().to_vec();
     is_singular_near(&mut led.newton, &[1e3, 0.0], 1.0, &signs);
     assert_eq!(led.newton.linear.norms(), norms);
 }
@@ -41,12 +43,14 @@ fn a_look_around_leaves_nothing_behind() {
 /// The right side of a lever is zero but for the rows that are asked for, whatever it was before.
 #[test]
 fn a_lever_moves_its_own_rows_alone() {
-    let (system, options) = (steep_system(1.0), Options::default());
+    let system = steep_system(1.0);
+    let options = Options::default();
     let mut led = Led::new(&system, &options);
     led.accept(1.0, &[1.0, -1.0]);
     let mut v = led.newton.q.clone();
     led.newton.linear.rhs_mut().fill(7.0);
-    let mut lever = Factored { newton: &mut led.newton, v: &mut v, turns: &Padded::default(), negative: &[] };
+    let mut lever =
+        Factored { newton: &mut led.newton, v: &mut v, turns: &Padded::default(), negative: &[] };
     // C_q = [3 1; 1 1]
     for (first, b, exact) in [
         (0, &[1.0][..], [0.5, -0.5]),

@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Several loops that turn round together: told between two places that are near one another, unless the time
-/// asked for comes before.
+/// Several loops that turn round together: told between two places that are near one another,
+/// unless the time asked for comes before.
 #[test]
 fn turning_round_together() {
     let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
@@ -26,15 +26,16 @@ fn turning_round_together() {
             }
         };
         let time = walk.time;
-        let found = [3.0, turn, turn - 5e-13 * time, turn - 5e-12 * time, 1.5].map(|to| ends(&mut walk, to));
+        let found = [3.0, turn, turn - 5e-13 * time, turn - 5e-12 * time, 1.5]
+            .map(|to| ends(&mut walk, to));
         assert_eq!(found, [true, true, true, false, false]);
         walk.to = 3.0;
         assert!(matches!(walk.turn_together(&next, 2.0 * TOGETHER), Ok(None)));
     });
 }
 
-/// The other branch is taken where it is met as it was foreseen: not too far off, along its tangent, and with
-/// time going on.
+/// The other branch is taken where it is met as it was foreseen: not too far off, along its
+/// tangent, and with time going on.
 #[test]
 fn turning_into_a_branch() {
     let system = one(|m, name, x| assert!(m.add(name, crossing(x)).is_ok()));
@@ -68,7 +69,8 @@ fn turning_into_a_branch() {
         let skew = |walk: &mut Walk<'_, '_>, angle: f64| {
             let dx = turned(angle);
             let h = s * dx[1];
-            walk.turn_into(&[0.0, 0.3], &dx, &Branch { qd: vec![0.5], qdd: vec![0.4] }, s).map(|_| h)
+            walk.turn_into(&[0.0, 0.3], &dx, &Branch { qd: vec![0.5], qdd: vec![0.4] }, s)
+                .map(|_| h)
         };
         assert!(
             skew(&mut walk, 0.2).is_some()
@@ -80,20 +82,22 @@ fn turning_into_a_branch() {
     });
 }
 
-/// An even number of loops that turn over in a short step: rates are those of the place between both ends;
-/// the time asked for may be before it, at it, or behind.
+/// An even number of loops that turn over in a short step: rates are those of the place between
+/// both ends; the time asked for may be before it, at it, or behind.
 #[test]
 fn crossing_together() {
     let system = one(|m, name, x| assert!(m.add(name, arc(x)).is_ok()));
     let at = |t: f64| (1.0 - 0.25 * t * t).sqrt();
     walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |walk| {
-        let (time, sizes) = (walk.time, walk.curve.sizes.clone());
+        let time = walk.time;
+        let sizes = walk.curve.sizes.clone();
         let s = 0.01;
         let cross = |to: f64, share: f64| {
             walking(&system, [at(1.0), -0.25 / at(1.0), 1.0, 3.0], false, |mut walk| {
                 let next = walk.curve.step(&walk.here, s).expect("is followed");
                 (walk.to, walk.time) = (to, time);
-                let (here, behind) = (walk.here.rates(), next.rates());
+                let here = walk.here.rates();
+                let behind = next.rates();
                 let stepped = walk.cross_together(next, s, share * s).expect("is followed");
                 (stepped, walk.passed, here, behind)
             })
@@ -105,13 +109,19 @@ fn crossing_together() {
         // behind it, at the end of the step and on the way there
         let (stepped, passed, here, behind) = cross(3.0, 0.25);
         assert!(
-            matches!(stepped, Stepped::On(_)) && passed.len() == 1 && (passed[0].t - t(0.25)).abs() < 1e-12,
+            matches!(stepped, Stepped::On(_))
+                && passed.len() == 1
+                && (passed[0].t - t(0.25)).abs() < 1e-12,
             "{time} {sizes:?}"
         );
         for k in 0..2 {
             let found = [&passed[0].branches[0].qd, &passed[0].branches[0].qdd][k][0];
-            let (a, b) = (here[k][0], behind[k][0]);
-            assert!((found - a - 0.25 * (b - a)).abs() < 1e-9 * (b - a).abs(), "{k}: {found} {a} {b}");
+            let a = here[k][0];
+            let b = behind[k][0];
+            assert!(
+                (found - a - 0.25 * (b - a)).abs() < 1e-9 * (b - a).abs(),
+                "{k}: {found} {a} {b}"
+            );
         }
         let regular = |to: f64, share: f64| match cross(to, share) {
             (Stepped::Landed(Landed::Regular(q)), passed, ..) => (q[0], passed.len()),

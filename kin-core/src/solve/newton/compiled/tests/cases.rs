@@ -19,7 +19,8 @@ fn cases_of(system: &System, names: &[&str], times: &[f64]) -> Cases {
     Cases::new(&varied, &compiled(), Lanes::Best).expect("compiles")
 }
 
-/// How many times a tape computes with these numbers of a case, and how far off they are from plain steps.
+/// How many times a tape computes with these numbers of a case, and how far off they are from plain
+/// steps.
 fn computed(system: &System, times: &[f64], tape: &Arc<Tape>, case: &Case) -> (usize, f64) {
     let options = compiled();
     let mut run = Run::new(system, &options, None).expect("runs");
@@ -32,7 +33,9 @@ fn computed(system: &System, times: &[f64], tape: &Arc<Tape>, case: &Case) -> (u
 /// A number that was folded is looked at in each case: one in which it is another has other means.
 #[test]
 fn a_case_that_differs_in_what_was_folded_is_not_computed_by_the_program_of_others() {
-    let (system, times, options) = (four_bar(1.0), linspace(0.0, 0.4, 41), compiled());
+    let system = four_bar(1.0);
+    let times = linspace(0.0, 0.4, 41);
+    let options = compiled();
     let cases = cases_of(&system, &["A.u_i.x"], &times);
     let By::Program(tape) = &cases.by else { panic!("a program") };
     let by_own = |name: &str, value: f64| {
@@ -63,10 +66,12 @@ fn rod(x: Coord, y: Coord, a: f64, l: f64) -> f64 {
 #[test]
 fn wrong_steps_and_numbers_of_a_program_of_cases_never_come_to_a_number() {
     let mut m = crate::Mechanism::new("slide");
-    let [x, y] = [("x", 0.3), ("y", 0.95)].map(|(name, at)| m.length(name, at).expect("a new name"));
+    let [x, y] =
+        [("x", 0.3), ("y", 0.95)].map(|(name, at)| m.length(name, at).expect("a new name"));
     m.add("rod", rod(x, y, 0.02, 1.0)).expect("adds");
     m.add("motor", drive(x, crate::Law::sine(0.3, 1.0, 0.5))).expect("adds");
-    let (system, times) = (m.build().expect("builds"), linspace(0.0, 0.4, 41));
+    let system = m.build().expect("builds");
+    let times = linspace(0.0, 0.4, 41);
     let cases = cases_of(&system, &["rod.l", "rod.a", "motor.law.amplitude"], &times);
     let By::Program(tape) = &cases.by else { panic!("a program") };
     let mut case = system.clone();
