@@ -60,7 +60,6 @@ pub struct System {
     /// Ranges that measures should keep to.
     pub(crate) limits: Vec<Limit>,
     /// The constraints with conditions or other kinks, which a run has to look for.
-    switching: Arc<[usize]>,
     /// Axes of which components were set.
     axes: Vec<axes::Given>,
     cache: Cache,
@@ -90,9 +89,6 @@ impl System {
         equations.find_drivers(&initial);
         let linear = prepared(&layout, &equations, &initial, &links);
         let rows = (0..equations.rows).map(|row| equations.equation(row)).collect();
-        let all = equations.blocks.iter().enumerate();
-        let switching =
-            all.filter(|(_, block)| switches(block.constraint.as_ref())).map(|(k, _)| k).collect();
         let asked = Vec::new();
         let limits = Vec::new();
         System {
@@ -108,7 +104,6 @@ impl System {
             dimensions: None,
             linear,
             limits,
-            switching,
             axes: Vec::new(),
             cache: Cache::default(),
             loads: Arc::default(),
@@ -264,7 +259,7 @@ impl System {
 
     /// The constraints with conditions or other kinks.
     pub(crate) fn switching(&self) -> &[usize] {
-        &self.switching
+        self.equations.switching()
     }
 
     pub(crate) fn preferred(&self) -> &[(usize, f64)] {
@@ -371,10 +366,4 @@ pub(crate) fn time(t: f64) -> Result<f64> {
     } else {
         Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") })
     }
-}
-
-/// True if an equation may have anything that switches; on the dual route that is not known, and it
-/// counts as not switching.
-fn switches(constraint: &dyn Constraint) -> bool {
-    constraint.formula(|table, _, _| table.may_switch()).unwrap_or(false)
 }

@@ -65,6 +65,18 @@ fn a_coordinate_at_rest_on_a_step_is_on_one_side_by_every_engine() {
     }
 }
 
+/// Where a prediction is on the other side of a kink, Newton's correction may grow once.
+#[test]
+fn a_step_over_a_kink_succeeds_by_every_engine() {
+    for seed in [10_202, 17_114] {
+        let Case { words, system, times, loose, .. } = random(seed);
+        let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
+        let plain = by(Engine::Plain);
+        assert!(plain.is_ok(), "{words}: {plain:?}");
+        assert_eq!(difference(&plain, &by(Engine::Compiled), loose), None, "{words}");
+    }
+}
+
 /// Where, how large and when a mechanism is.
 fn frame(random: &mut crate::families::Random, family: usize) -> Frame {
     let places = [(1.0, 0.0), (1e6, 0.0), (1e-6, 0.0), (1.0, 1e6), (1e-6, 1.0)];

@@ -106,6 +106,8 @@ pub(crate) struct Newton<'a> {
     pub steps_before: usize,
     /// True if a constraint can jump where coordinates move.
     jumps: bool,
+    /// True if a constraint can jump or has a kink.
+    has_branches: bool,
 }
 
 impl<'a> Newton<'a> {
@@ -131,6 +133,7 @@ impl<'a> Newton<'a> {
             steps: 0,
             steps_before: 0,
             jumps: !equations.jumping().is_empty(),
+            has_branches: !equations.jumping().is_empty() || !equations.switching().is_empty(),
         }
     }
 

@@ -64,6 +64,8 @@ pub(crate) struct Equations {
     asked: Asked,
     /// The constraints that can jump, once that has been asked.
     jumping: OnceLock<Vec<usize>>,
+    /// The constraints with conditions or other kinks, once that has been asked.
+    switching: OnceLock<Vec<usize>>,
     /// True if rows give all coordinates one after the other, once that has been asked.
     explicit: OnceLock<bool>,
 }

@@ -18,7 +18,7 @@ use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::units::Unit;
 use crate::solve::follow::REACH;
-use crate::solve::motion::{Motion, Quantity};
+use crate::solve::motion::{EventKind, Motion, Quantity};
 use crate::solve::newton::run::Run;
 use crate::solve::newton::{Options, Outcome};
 use crate::system::System;
@@ -89,6 +89,15 @@ struct Refining<'a> {
     added: usize,
 }
 
+/// Times between kinks that follow one another within a step: without one of them the ends of the
+/// step show nothing of the kinks.
+fn between_kinks(motion: &Motion, [begin, end]: [f64; 2]) -> Vec<f64> {
+    let inside = |t: f64| (t - begin) * (end - t) > 0.0;
+    let kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink);
+    let times: Vec<f64> = kinks.map(|event| event.t).filter(|t| inside(*t)).collect();
+    times.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect()
+}
+
 /// A law of a coordinate.
 struct Profile {
     block: usize,
@@ -136,6 +145,7 @@ impl<'a> Refining<'a> {
         let begin = self.motion.times()[k];
         let end = self.motion.times()[k + 1];
         let mut cuts: Vec<f64> = self.changes.cuts([begin, end]).collect();
+        cuts.extend(between_kinks(self.motion, [begin, end]));
         if cuts.is_empty() && self.clock.is_plain(k) && self.is_seen(k) {
             add(&next, fine);
             return Ok(());

@@ -13,9 +13,16 @@ use crate::solve::newton::{Engine, Options};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Each step of a motion is looked at in so many places; a condition that holds for less than that
-/// and not at its ends is not seen.
+/// Each step of a motion is looked at in so many places. Between two of them a switch may leave its
+/// side and come back: Kin finds that where its margin has one smallest value in between.
 const PLACES: usize = 4;
+
+/// Slopes of margins are measured over this share of a step.   \[-\]
+const SLOPE: f64 = 1e-4;
+
+/// A margin whose smallest value, by the cubic through both ends, is above this share of the smaller
+/// one at the ends does not reach zero.   \[-\]
+const CLEAR: f64 = 0.5;
 
 /// Positions may be off by this share of the largest coordinate of their unit.   \[-\]
 const ROUNDING: f64 = 1e-13;
@@ -107,10 +114,32 @@ impl Watched<'_> {
                     self.system.solve_at_with(t, &pose(u), &by_steps).ok().map(|own| at(&own.q, t))
                 }
             };
+            let margins = |u: f64| {
+                let columns = local(&pose(u), &radii);
+                self.margins(&switches, &columns, from + u * (to - from))
+            };
+            let mut left = along(0.0);
             for place in 1..=PLACES {
                 let low = (place - 1) as f64 / PLACES as f64;
                 let high = place as f64 / PLACES as f64;
                 let after = along(high);
+                let before = std::mem::replace(&mut left, after.clone());
+                let stays =
+                    |step: usize| known(before[step]).is_some() && before[step] == after[step];
+                for (step, u) in dips(&margins, [low, high], &stays) {
+                    let Some(away) = known(along(u)[step]).filter(|away| Some(*away) != last[step])
+                    else {
+                        continue;
+                    };
+                    if solved(u).is_some_and(|own| known(own[step]) != Some(away)) {
+                        continue;
+                    }
+                    let out = first_with([low, u], &|u| known(along(u)[step]) == Some(away));
+                    let back = first_with([u, high], &|u| along(u)[step] == after[step]);
+                    for (u, new) in [(out, away), (back, !away)] {
+                        all.push(self.event(switches[step], new, from + u * (to - from)));
+                    }
+                }
                 for (step, side) in after.iter().enumerate() {
                     let Some(new) = known(*side) else {
                         last[step] = last[step].filter(|_| *side == Side::OnKink);
@@ -150,6 +179,26 @@ impl Watched<'_> {
             };
             columns.iter().map(own).collect()
         }
+    }
+
+    /// The distance of each switch from its kink, positive on one side and negative on the other;
+    /// NaN for a condition of several comparisons.
+    fn margins(&self, switches: &[Node], columns: &[[f64; 2]], t: f64) -> Vec<f64> {
+        let graph = &self.formula.graph;
+        let q: Vec<f64> = columns.iter().map(|[x, _]| *x).collect();
+        let numbers = Numbers { q: &q, t, parameters: self.parameters, outside: self.outside };
+        let results = evaluate(graph, switches, &numbers);
+        let of = |node: Node| results.number(node).unwrap_or(f64::NAN);
+        let margin = |node: &Node| match graph.op(*node) {
+            Op::Select(c, ..) => match graph.op(c) {
+                Op::Compare(_, a, b) => of(a) - of(b),
+                _ => f64::NAN,
+            },
+            Op::Call(_, a) => of(a),
+            Op::Call2(_, a, b) => of(a) - of(b),
+            _ => f64::NAN,
+        };
+        switches.iter().map(margin).collect()
     }
 
     fn is_switch(&self, node: Node) -> bool {
@@ -270,6 +319,65 @@ fn radii(motion: &Motion) -> Vec<f64> {
         units.iter().zip(&most).filter(|(own, _)| *own == unit).fold(0.0_f64, |m, (_, x)| m.max(*x))
     };
     units.iter().map(|unit| ROUNDING * largest(unit)).collect()
+}
+
+/// Switches whose margins come nearest to zero between two places and may pass it there, each with
+/// the place. `stays` is true of a switch that is on one side at both.
+fn dips(
+    margins: &dyn Fn(f64) -> Vec<f64>,
+    [low, high]: [f64; 2],
+    stays: &dyn Fn(usize) -> bool,
+) -> Vec<(usize, f64)> {
+    let width = high - low;
+    let small = SLOPE * width;
+    let [ends, beside] = [[low, high], [low + small, high - small]].map(|all| all.map(margins));
+    let mut found = Vec::new();
+    for step in (0..ends[0].len()).filter(|step| stays(*step)) {
+        let sign = ends[0][step].signum();
+        let values = [0, 1].map(|end| sign * ends[end][step]);
+        let nearby = [0, 1].map(|end| sign * beside[end][step]);
+        // Slopes inwards from both ends, per width.
+        let inwards = [0, 1].map(|end| (nearby[end] - values[end]) / SLOPE);
+        if !(values[0] > 0.0 && values[1] > 0.0 && inwards[0] < 0.0 && inwards[1] < 0.0) {
+            continue;
+        }
+        let cubic = |u: f64| {
+            let v = 1.0 - u;
+            values[0] * v * v * (1.0 + 2.0 * u)
+                + values[1] * u * u * (1.0 + 2.0 * v)
+                + inwards[0] * u * v * v
+                + inwards[1] * v * u * u
+        };
+        let least = (1..8).map(|k| cubic(f64::from(k) / 8.0)).fold(f64::INFINITY, f64::min);
+        if least <= CLEAR * values[0].min(values[1]) {
+            found.push((step, lowest([low, high], &|u| sign * margins(u)[step])));
+        }
+    }
+    found
+}
+
+/// The place of the smallest value of a function that falls and rises between two places: at once
+/// where it is below zero.
+fn lowest([mut low, mut high]: [f64; 2], f: &dyn Fn(f64) -> f64) -> f64 {
+    const STEPS: usize = 60;
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+    let mut values = inner.map(f);
+    for _ in 0..STEPS {
+        if let Some(k) = (0..2).find(|k| values[*k] < 0.0) {
+            return inner[k];
+        }
+        if values[0] < values[1] {
+            high = inner[1];
+            inner = [high - GOLDEN * (high - low), inner[0]];
+            values = [f(inner[0]), values[0]];
+        } else {
+            low = inner[0];
+            inner = [inner[1], low + GOLDEN * (high - low)];
+            values = [values[1], f(inner[1])];
+        }
+    }
+    0.5 * (low + high)
 }
 
 /// The first place, as nearly as can be told, at which a switch is on its new side.

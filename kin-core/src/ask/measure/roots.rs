@@ -16,6 +16,10 @@ const ROUNDING: f64 = 1e-13;
 /// crosses it.   \[-\]
 const NEAR: f64 = 1e-5;
 
+/// A zero at which a function rises by less than this share, over the steps beside it, is
+/// flat.   \[-\]
+const FLAT: f64 = 1e-9;
+
 /// Steps of one search: Newton takes a handful, halving at most about sixty.
 const STEPS: usize = 100;
 
@@ -90,7 +94,11 @@ impl<'a, M: Measure> Search<'a, M> {
             }
             match last {
                 // Of a rest the first time counts.
-                Some((before, from)) if k - before > 2 && from.f.signum() != end.f.signum() => {
+                Some((before, from))
+                    if from.f.signum() != end.f.signum()
+                        && (k - before > 2
+                            || k - before == 2 && self.is_flat(k - 1, from, end)) =>
+                {
                     let first = self.on_grid(before + 1).t;
                     let x = self.grid.value.values()[before + 1];
                     roots.push(self.found_at(first, from, x));
@@ -102,6 +110,13 @@ impl<'a, M: Measure> Search<'a, M> {
             last = Some((k, end));
         }
         Ok(roots)
+    }
+
+    /// True if a time of the grid at which f is zero is a flat zero: beside it f is lost in rounding,
+    /// so that no search comes nearer.
+    fn is_flat(&self, k: usize, from: End, to: End) -> bool {
+        let rise = self.on_grid(k).slope * (to.t - from.t);
+        rise.abs() <= FLAT * from.f.abs().max(to.f.abs())
     }
 
     fn on_grid(&self, k: usize) -> End {

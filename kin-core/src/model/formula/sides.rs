@@ -115,6 +115,21 @@ pub(crate) fn choices(formula: &Formula, at: &Numbers<'_>, to: &mut Vec<f64>) {
     );
 }
 
+/// The sides of all kinks of a formula that move with coordinates, 0 or 1, appended to a list.
+pub(crate) fn kinks(formula: &Formula, at: &Numbers<'_>, to: &mut Vec<f64>) {
+    let graph = &formula.graph;
+    let results = evaluate(graph, &formula.rows, at);
+    let of = |node: Node| results.number(node).unwrap_or(f64::NAN);
+    let moving =
+        graph.reachable(&formula.rows).into_iter().filter(|node| graph.depends(*node).on_q);
+    let side = |node: Node| match graph.op(node) {
+        Op::Call(Function::Abs, a) => Some(of(a) >= 0.0),
+        Op::Call2(Function2::Max | Function2::Min, a, b) => Some(of(a) >= of(b)),
+        _ => None,
+    };
+    to.extend(moving.filter_map(side).map(|side| f64::from(u8::from(side))));
+}
+
 /// The arguments of one evaluation of a formula in plain numbers.
 pub(crate) struct Numbers<'a> {
     /// The columns of its coordinates.

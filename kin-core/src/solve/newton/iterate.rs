@@ -44,8 +44,8 @@ pub(super) trait Iterating {
     /// that are far from zero.
     fn rests(&mut self, correction: f64, tolerance: f64) -> bool;
 
-    /// True if an equation has jumped with the last step: then the correction may have grown by
-    /// that.
+    /// True if an equation has jumped or passed a kink with the last step: then the correction may
+    /// have grown by that.
     fn has_changed_branch(&mut self) -> bool;
 
     /// The iteration has converged with a correction in hand, which costs nothing any more.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::{Block, Equations, Instant};
 use crate::model::constraint::Route;
 use crate::model::formula::Table;
-use crate::model::formula::sides::{Numbers, choices};
+use crate::model::formula::sides::{Numbers, choices, kinks};
 use crate::model::formula::time::can_jump;
 
 /// A row that was met and is off by this many times what it may be has jumped.   \[-\]
@@ -45,6 +45,17 @@ impl Equations {
                 jumps.unwrap_or(true) && block.constraint.facts().dependence.curved
             };
             (0..self.blocks.len()).filter(|k| jumps(&self.blocks[*k])).collect()
+        })
+    }
+
+    /// The constraints with conditions or other kinks. On the dual route they are not known, and the
+    /// constraint counts as having none.
+    pub(crate) fn switching(&self) -> &[usize] {
+        self.switching.get_or_init(|| {
+            let switches = |block: &Block| {
+                block.constraint.formula(|table, _, _| table.may_switch()).unwrap_or(false)
+            };
+            (0..self.blocks.len()).filter(|k| switches(&self.blocks[*k])).collect()
         })
     }
 
@@ -115,7 +126,19 @@ impl Equations {
         }
     }
 
-    /// The same of one constraint, appended to a list.
+    /// The same, and the sides of kinks (`abs`, `max`, `min`) as 0 and 1.
+    pub(crate) fn sides(&self, instant: &Instant, to: &mut Vec<f64>) {
+        self.choices(instant, to);
+        for block in self.switching().iter().map(|k| &self.blocks[*k]) {
+            let q = self.columns_of(block, instant);
+            let t = instant.t;
+            block.constraint.formula(|table, parameters, outside| {
+                kinks(table.formula(), &Numbers { q: &q, t, parameters, outside }, to);
+            });
+        }
+    }
+
+    /// The choices of one constraint, appended to a list.
     pub(crate) fn choices_of(&self, block: &Block, instant: &Instant, to: &mut Vec<f64>) {
         let q = self.columns_of(block, instant);
         let t = instant.t;

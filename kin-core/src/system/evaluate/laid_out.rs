@@ -22,6 +22,7 @@ impl Equations {
             linear: LinearRows::default(),
             asked: Asked::default(),
             jumping: OnceLock::new(),
+            switching: OnceLock::new(),
             explicit: OnceLock::new(),
         };
         let mut planned = Planned::new(layout.len());

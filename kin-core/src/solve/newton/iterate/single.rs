@@ -122,13 +122,13 @@ impl Iterating for Single<'_, '_> {
 
     #[cold]
     fn has_changed_branch(&mut self) -> bool {
-        if !self.newton.jumps || self.iterations == 0 {
+        if !self.newton.has_branches || self.iterations == 0 {
             return false;
         }
         let [mut before, mut now] = [Vec::new(), Vec::new()];
         for (is_before, list) in [(true, &mut before), (false, &mut now)] {
             self.newton.instant_at(self.t, is_before);
-            self.newton.system.equations().choices(&self.newton.instant, list);
+            self.newton.system.equations().sides(&self.newton.instant, list);
         }
         before != now
     }
@@ -136,7 +136,7 @@ impl Iterating for Single<'_, '_> {
     #[inline(always)]
     fn step(&mut self, correction: f64) -> bool {
         let newton = &mut *self.newton;
-        if newton.jumps {
+        if newton.has_branches {
             newton.before.copy_from_slice(&newton.q);
         }
         if self.steps == Steps::Damped && correction > stop::STALL && !newton.met() {

@@ -10,7 +10,7 @@ pub(super) struct Rows<'d, 'a> {
     pub position: &'d mut Position<'a>,
     pub t: f64,
     pub iterations: usize,
-    /// The position before the last step, where an equation can jump.
+    /// The position before the last step, where an equation can jump or has a kink.
     pub before: Vec<f64>,
 }
 
@@ -60,7 +60,7 @@ impl Iterating for Rows<'_, '_> {
         equations.set_time(self.t, instant);
         for (q, list) in [(&self.before[..], &mut before), (&q[..], &mut now)] {
             equations.set_position(q, instant);
-            equations.choices(instant, list);
+            equations.sides(instant, list);
         }
         before != now
     }
@@ -76,7 +76,8 @@ impl Iterating for Rows<'_, '_> {
     }
 
     fn step(&mut self, _: f64) -> bool {
-        if !self.position.model.equations.jumping().is_empty() {
+        let equations = self.position.model.equations;
+        if !equations.jumping().is_empty() || !equations.switching().is_empty() {
             self.before.clear();
             self.before.extend_from_slice(&self.position.q);
         }
