@@ -7,8 +7,10 @@
 //!
 //! `cargo run --release --example 03_custom_constraint`
 
+use kin::check;
+use kin::check::any_planar;
 use kin::prelude::*;
-use kin::{any_planar, check, state::PlanarState};
+use kin::state::PlanarState;
 use kin_view::{Figure, Panel, Scene};
 
 const OUT: &str = "out/03_custom_constraint";

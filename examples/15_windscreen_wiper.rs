@@ -9,7 +9,7 @@
 //!
 //! `cargo run --release --example 15_windscreen_wiper`
 
-use kin::Options;
+use kin::SolverOptions;
 use kin::prelude::*;
 use kin_view::{Figure, Outline, Panel, Scene};
 
@@ -37,7 +37,7 @@ fn main() -> kin::Result<()> {
     // 2. Motion, with the jerk.
     let system = m.build()?;
     let mut motion =
-        system.run_with(linspace(0.0, 1.0, 361), &Options { jerk: true, ..Options::default() })?;
+        system.solver().options(SolverOptions::new().jerk(true)).run(linspace(0.0, 1.0, 361))?;
     println!("{}\n", motion.summary());
 
     // 3. Questions. A measure is a name, a coordinate or a function of a motion; its extremes come

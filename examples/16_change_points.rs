@@ -8,7 +8,7 @@
 //! `cargo run --release --example 16_change_points`
 
 use kin::prelude::*;
-use kin::{Error, Follow, Options};
+use kin::{Error, Follow, SolverOptions};
 use kin_view::{Figure, Panel, Scene};
 
 const OUT: &str = "out/16_change_points";
@@ -41,8 +41,8 @@ fn main() -> kin::Result<()> {
     println!("{}", system.prove(&smooth)?); // not over the flat positions, beyond which there are two motions
 
     // 2. The same, turned into the other branch at the first flat position and back at the third.
-    let options = Options { follow: Follow::Turning(vec![0, 2]), ..Options::default() };
-    let mut motion = system.run_with(&times, &options)?;
+    let options = SolverOptions::new().follow(Follow::OtherBranchAt(vec![0, 2]));
+    let mut motion = system.solver().options(options.clone()).run(&times)?;
     for found in motion.singular_positions() {
         let speeds: Vec<f64> = found.branches.iter().map(|branch| branch.qd[8] / TAU).collect();
         println!(

@@ -12,7 +12,7 @@ use kin_view::{Figure, Outline, Panel, Scene};
 const OUT: &str = "out/18_excavator";
 
 /// Pins: on the machine, and on each body in its own frame, which stands at its lower pin with x to
-/// the next one. [m]
+/// the next one.      [m]
 const MACHINE: [Vec2; 2] = [Vec2::new(0.0, 1.8), Vec2::new(0.55, 1.15)]; // of the boom, of its cylinder
 // of the stick, of the boom's cylinder, of the stick's
 const BOOM: [Vec2; 3] = [Vec2::new(5.4, 0.0), Vec2::new(2.35, 0.55), Vec2::new(2.6, 1.25)];

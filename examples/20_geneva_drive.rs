@@ -13,7 +13,7 @@ use kin_view::{Figure, Outline, Panel, Scene};
 const OUT: &str = "out/20_geneva_drive";
 
 /// Geneva drive: where the pin P of the driver is in a slot, s × e / |ū| = 0, s = P as the wheel
-/// sees it and e the slot's direction; else the wheel stands at its station. [–, rad]
+/// sees it and e the slot's direction; else the wheel stands at its station.      [–, rad]
 ///
 /// `pin`: ū, P in the driver, on its x-axis; at the driver's angle 0 it is deepest in a slot.
 /// `slots`: their number; the wheel's axle is to the right.

@@ -7,8 +7,8 @@
 //!
 //! `cargo run --release --example 23_press_tolerance`
 
+use kin::design::{Distribution, Sampling};
 use kin::prelude::*;
-use kin::{Distribution, Sampling};
 use kin_view::{Bars, Outline, Scene};
 
 const OUT: &str = "out/23_press_tolerance";

@@ -15,7 +15,7 @@ use kin_view::{Bars, Outline, Scene};
 const OUT: &str = "out/24_toe_tolerance";
 
 /// Points of the left side: front and rear axle of a wishbone, its ball; the tie rod at the rack
-/// and at the upright. [mm]
+/// and at the upright.      [mm]
 const LOWER: [Vec3; 3] =
     [Vec3::new(150.0, 350.0, 190.0), Vec3::new(-170.0, 350.0, 200.0), Vec3::new(5.0, 725.0, 175.0)];
 const UPPER: [Vec3; 3] = [

@@ -8,8 +8,9 @@
 //!
 //! `cargo run --release --example 25_arm_torque`
 
+use kin::Load;
+use kin::loads::Solid;
 use kin::prelude::*;
-use kin::{Load, Solid};
 use kin_view::{Figure, Panel, Scene};
 
 const OUT: &str = "out/25_arm_torque";

@@ -9,8 +9,10 @@
 //!
 //! `cargo run --release --example 26_engine`
 
+use kin::forces::Forces;
+use kin::loads;
+use kin::loads::Solid;
 use kin::prelude::*;
-use kin::{Forces, Solid, loads};
 use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/26_engine";

@@ -8,14 +8,15 @@
 //!
 //! `cargo run --release --example 27_digging`
 
+use kin::Load;
+use kin::loads::Solid;
 use kin::prelude::*;
-use kin::{Load, Solid};
 use kin_view::{Figure, Outline, Panel, Scene};
 
 const OUT: &str = "out/27_digging";
 
 /// Pins: on the machine, and on each body in its own frame, which stands at its lower pin with x to
-/// the next one. [m]
+/// the next one.      [m]
 const MACHINE: [Vec2; 2] = [Vec2::new(0.0, 1.8), Vec2::new(0.55, 1.15)]; // of the boom, of its cylinder
 // of the stick, of the boom's cylinder, of the stick's
 const BOOM: [Vec2; 3] = [Vec2::new(5.4, 0.0), Vec2::new(2.35, 0.55), Vec2::new(2.6, 1.25)];
@@ -123,7 +124,7 @@ pub fn digger() -> kin::Result<Digger> {
 
 /// The forces of the cylinders at each time by virtual power: cylinder k grows by a unit a second
 /// alone, boom, stick and bucket turn about their pins as lever arms say, and its force is the
-/// power that all others take. [kN]
+/// power that all others take.      [kN]
 pub fn by_hand(
     motion: &Motion,
     bodies: [PlanarBody; 5],

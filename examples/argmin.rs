@@ -1,11 +1,11 @@
 //! The lengths of a machine from what it does, by an optimiser of another crate:
 //! `cargo run --release --features argmin --example argmin`. The height of a coupler point has been
 //! measured over a turn; which four-bar goes so?
-use kin::Quantity;
 use kin::argmin::core::{Executor, State};
 use kin::argmin::solver::linesearch::MoreThuenteLineSearch;
 use kin::argmin::solver::quasinewton::LBFGS;
 use kin::prelude::*;
+use kin::results::Quantity;
 
 /// The four-bar of the drawing, and the height of its coupler point.   [m]
 fn four_bar() -> kin::Result<(System, impl Fn(&Motion) -> kin::Result<Quantity>)> {

@@ -4,15 +4,15 @@
 //!
 //! | for | see |
 //! |---|---|
-//! | describing a machine | [`Mechanism`], [`joints`], [`spatial`], [`Law`], [`pose`], [`SpatialPose`], [`Axis`] |
-//! | a constraint or law of one's own | [`macro@constraint`], [`macro@law`], [`check`] |
-//! | solving it | [`System`], [`Options`], [`Sweep`], [`Assembly`] |
-//! | what joints hold and drives must give | [`Forces`], [`Solid`], [`Load`] |
-//! | how it changes with parameters | [`Sensitivities`], [`System::gradient`] |
-//! | what has come out | [`Motion`], [`Quantity`], [`Extremes`], [`Measure`], [`Proof`] |
-//! | what is wrong | [`Error`], [`diagnosis`] |
-//! | files | [`data`], [`Registry`] |
-//! | constraints without the macro, the numbers behind derivatives, what emitted code stands on | [`extend`] |
+//! | the description of a machine | [`Mechanism`], [`joints`], [`Law`], [`pose`], [`SpatialPose`], [`loads`] |
+//! | a user-defined constraint or law | [`macro@constraint`], [`macro@law`], [`check`] |
+//! | its solution | [`System`], [`Solver`], [`SolverOptions`], [`solver`] |
+//! | forces of joints and drives | [`forces`] |
+//! | derivatives by parameters, tolerances | [`design`] |
+//! | the motion and questions about it | [`Motion`], [`results`] |
+//! | faults | [`Error`], [`diagnosis`] |
+//! | files | [`data`] |
+//! | constraints without the macro, the numbers behind derivatives, support for emitted code | [`extend`] |
 //!
 //! Everything outside of [`extend`] is for users to call.
 #![forbid(unsafe_code)]
@@ -24,26 +24,20 @@ pub use kin_core::*;
 #[cfg(feature = "text")]
 pub use kin_text as text;
 
-// Listed under `extend`; these paths are shorter, and those that emitted code and constraints by
-// hand have.
-#[doc(hidden)]
-pub use kin_core::extend::{
-    Attached, Attachment, Dependence, Dual, Entry, Facts, Lanes, LawFunction, Measured, Moving,
-    Parameters, Real, Target, Terms, Written, blame, by_dual, coordinates, dual_route, dual_terms,
-    jerk_rhs, measure, real, state, terms,
-};
-
 /// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.
 pub mod prelude {
-    pub use kin_core::extend::{Dual, Real};
+    pub use kin_core::extend::{Dual, Real, Route, Routed};
     pub use kin_core::joints::drivers::*;
     pub use kin_core::joints::planar::*;
     pub use kin_core::joints::spatial;
+    pub use kin_core::law::Ends;
+    pub use kin_core::mechanism::Marker;
+    pub use kin_core::results::Series;
     pub use kin_core::{
-        Axis, Constraint, Coord, Coordinate, Dimension, Ends, EulerParameters, Ground, Law, Link,
-        Marker, Mat2, Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Rate, Route, Routed,
-        Series, Spatial, SpatialBody, SpatialLink, SpatialPose, System, Time, Vec2, Vec3,
-        constraint, deg, force, law, linspace, pose, potential, vec2, vec3,
+        Axis, Constraint, Coord, Coordinate, Dimension, EulerParameters, Ground, Law, Link, Mat2,
+        Mat3, Mechanism, Motion, Planar, PlanarBody, Pose, Rate, Spatial, SpatialBody, SpatialLink,
+        SpatialPose, System, Time, Vec2, Vec3, constraint, deg, force, law, linspace, pose,
+        potential, vec2, vec3,
     };
     pub use std::f64::consts::{PI, TAU};
 }
@@ -75,5 +69,6 @@ mod guide {
         Tolerances "../docs/guide/tolerances.md";
         Pictures "../docs/guide/pictures.md";
         Text "../docs/guide/text.md";
+        Renamed "../docs/guide/renamed.md";
     }
 }

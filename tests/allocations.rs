@@ -4,7 +4,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use kin::prelude::*;
-use kin::{Engine, Mechanism, Options, Stop, linspace};
+use kin::solver::Stop;
+use kin::{Engine, Mechanism, SolverOptions, linspace};
 
 struct Counting;
 
@@ -28,10 +29,10 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-fn allocations(system: &kin::System, steps: usize, options: &Options) -> usize {
+fn allocations(system: &kin::System, steps: usize, options: &SolverOptions) -> usize {
     let times = linspace(0.0, 1e-3 * (steps - 1) as f64, steps);
     let before = ALLOCATIONS.get();
-    let motion = system.run_with(&times, options).unwrap();
+    let motion = system.solver().options(options.clone()).run(&times).unwrap();
     assert_eq!(motion.len(), steps);
     ALLOCATIONS.get() - before
 }
@@ -49,8 +50,8 @@ fn number_of_steps_does_not_change_the_number_of_allocations() {
     m.add("C", revolute(ground, rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(TAU))).unwrap();
     let system = m.build().unwrap();
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
-    let protocol = Options { stop: Stop::ResidualOnly(1e-10), predict: false, ..plain.clone() };
+    let plain = SolverOptions::new().engine(Engine::StepByStep);
+    let protocol = plain.clone().stop(Stop::ResidualOnly(1e-10)).predict(false);
     for options in [plain, protocol] {
         allocations(&system, 2, &options);
         assert_eq!(allocations(&system, 20, &options), allocations(&system, 2000, &options));
@@ -61,7 +62,7 @@ fn number_of_steps_does_not_change_the_number_of_allocations() {
 /// By a program that is there already.
 fn steps_of_a_program_allocate_nothing(system: &kin::System) {
     system.compile().unwrap();
-    let compiled = Options { engine: Engine::Compiled, ..Options::default() };
+    let compiled = SolverOptions::new().engine(Engine::Compiled);
     allocations(system, 100, &compiled);
     let counts = [100, 4000].map(|steps| allocations(system, steps, &compiled));
     assert_eq!(counts[0], counts[1], "{}", system.name());
@@ -73,7 +74,8 @@ fn nor_do_those_of_programs_of_manipulators_platforms_and_chains() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
     for name in ["02_two_link_manipulator", "13_stewart_platform"] {
         let mechanism =
-            Mechanism::read_json(format!("{folder}/{name}.json"), &kin::Registry::new()).unwrap();
+            Mechanism::read_json(format!("{folder}/{name}.json"), &kin::data::Registry::new())
+                .unwrap();
         steps_of_a_program_allocate_nothing(&mechanism.build().unwrap());
     }
     let mut m = Mechanism::new("chain");

@@ -3,8 +3,10 @@
 #[path = "data/engines.rs"]
 mod engines;
 
+use kin::check::{any_planar, any_spatial};
+use kin::extend::{Attached, Parameters, by_dual};
 use kin::prelude::*;
-use kin::{Attached, Parameters, any_planar, any_spatial, by_dual, vec2, vec3};
+use kin::{vec2, vec3};
 
 use crate::engines::Engines;
 

@@ -1,8 +1,11 @@
 //! The jerk: of every example's mechanism against differences of its accelerations, of redundant
 //! and spatial mechanisms, of points, in files.
 
+use kin::SolverOptions;
+use kin::data::Registry;
+use kin::extend::{Entry, Facts};
 use kin::prelude::*;
-use kin::{Entry, Facts, Options, Registry, Solution};
+use kin::results::Solution;
 
 use crate::engines::Engines;
 
@@ -11,8 +14,8 @@ mod engines;
 #[path = "data/own.rs"]
 mod own;
 
-fn with_jerk() -> Options {
-    Options { jerk: true, ..Options::default() }
+fn with_jerk() -> SolverOptions {
+    SolverOptions::new().jerk(true)
 }
 
 /// The largest difference of the jerk at the times from five-point differences of q̈ around them,
@@ -118,24 +121,27 @@ impl Constraint for OnUnitCircle {
         };
         FACTS
     }
-    fn arguments(&self) -> Vec<kin::coordinates::Argument> {
-        vec![kin::coordinates::Argument { name: "b", target: kin::Target::Planar(self.0) }]
+    fn arguments(&self) -> Vec<kin::extend::coordinates::Argument> {
+        vec![kin::extend::coordinates::Argument {
+            name: "b",
+            target: kin::extend::Target::Planar(self.0),
+        }]
     }
-    fn residual(&self, at: &kin::state::At<'_>, c: &mut [f64]) {
+    fn residual(&self, at: &kin::extend::state::At<'_>, c: &mut [f64]) {
         let r = at.planar(0).r;
         c[0] = r.x * r.x + r.y * r.y - 1.0;
     }
-    fn jacobian(&self, at: &kin::state::At<'_>, c_q: &mut [f64]) {
+    fn jacobian(&self, at: &kin::extend::state::At<'_>, c_q: &mut [f64]) {
         let r = at.planar(0).r;
         c_q.copy_from_slice(&[2.0 * r.x, 2.0 * r.y]);
     }
-    fn velocity_rhs(&self, _: &kin::state::At<'_>, rhs: &mut [f64]) {
+    fn velocity_rhs(&self, _: &kin::extend::state::At<'_>, rhs: &mut [f64]) {
         rhs[0] = 0.0;
     }
     fn acceleration_rhs(
         &self,
-        _: &kin::state::At<'_>,
-        qd: &kin::state::Rates<'_>,
+        _: &kin::extend::state::At<'_>,
+        qd: &kin::extend::state::Rates<'_>,
         _: f64,
         q_d: &mut [f64],
     ) {
@@ -156,7 +162,7 @@ fn a_constraint_that_does_not_know_it_is_named() {
     let error = system.run_both_with([0.0, 0.1], &with_jerk()).unwrap_err().to_string();
     assert_eq!(
         error,
-        "`ring` (on_unit_circle): its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `Options::jerk`"
+        "`ring` (on_unit_circle): its part of the jerk is not known; implement `Constraint::jerk_rhs`, or run without `SolverOptions::jerk`"
     );
 }
 
@@ -327,7 +333,7 @@ fn sweeps_have_it_too() {
 }
 
 /// A function of the user's, of which only the dual numbers know derivatives.
-fn bump<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
+fn bump<D: kin::extend::Dual>(x: kin::extend::Real<D>) -> kin::extend::Real<D> {
     (-(x * x)).exp() * x.sin()
 }
 
@@ -402,9 +408,10 @@ fn the_jerk_of_a_steep_step_is_a_number_wherever_it_is_smooth() {
     for is_step in [true, false] {
         let from = begin(is_step);
         let times = linspace(0.0, -2.0 * from, 4001);
-        let by =
-            |engine| built(is_step).run_with(&times, &Options { engine, ..with_jerk() }).unwrap();
-        let motions = [kin::Engine::Plain, kin::Engine::Compiled].map(by);
+        let by = |engine| {
+            built(is_step).solver().options(with_jerk().engine(engine)).run(&times).unwrap()
+        };
+        let motions = [kin::Engine::StepByStep, kin::Engine::Compiled].map(by);
         for (motion, k) in
             motions.iter().flat_map(|motion| (0..motion.len()).map(move |k| (motion, k)))
         {

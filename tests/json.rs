@@ -1,9 +1,10 @@
 //! Mechanisms and motions as JSON: what is written reads back.
 
+use kin::data::Registry;
 use kin::data::{LawData, MechanismData, MotionData};
 use kin::law::Ends;
 use kin::prelude::*;
-use kin::{Error, Registry, vec2};
+use kin::{Error, vec2};
 use serde::{Deserialize, Serialize};
 
 use crate::engines::Engines;
@@ -125,12 +126,12 @@ fn model() -> kin::Result<Mechanism> {
 #[test]
 fn a_motion_comes_back_without_loss() -> kin::Result<()> {
     let system = model()?.build()?;
-    comes_back(&system, &kin::Options::default())?;
-    comes_back(&system, &kin::Options { engine: kin::Engine::Compiled, ..kin::Options::default() })
+    comes_back(&system, &kin::SolverOptions::default())?;
+    comes_back(&system, &kin::SolverOptions::new().engine(kin::Engine::Compiled))
 }
 
-fn comes_back(system: &kin::System, options: &kin::Options) -> kin::Result<()> {
-    let mut motion = system.run_with(linspace(0.0, 1.0, 37), options)?;
+fn comes_back(system: &kin::System, options: &kin::SolverOptions) -> kin::Result<()> {
+    let mut motion = system.solver().options(options.clone()).run(linspace(0.0, 1.0, 37))?;
     motion.add_output("tiny", "m/s", (0..37).map(|k| 1e-310 * f64::from(k) - 0.1).collect())?;
     let text = serde_json::to_string(&motion.data()).unwrap();
     let back = kin::Motion::from_data(&serde_json::from_str::<MotionData>(&text).unwrap())?;
@@ -240,7 +241,7 @@ fn mistakes_in_data_are_told_by_name() {
 fn numbers_that_a_law_does_not_have_are_told_by_name() {
     let law = |text: &str| {
         let data: kin::data::LawData = serde_json::from_str(text).expect("reads");
-        kin::Registry::new().law(&data).map(|law| law.at(1.0))
+        kin::data::Registry::new().law(&data).map(|law| law.at(1.0))
     };
     assert_eq!(law(r#"{"kind": "ramp", "numbers": {"rate": 2}}"#), Ok(2.0));
     for (text, told) in [

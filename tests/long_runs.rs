@@ -3,8 +3,11 @@
 #[path = "data/engines.rs"]
 mod engines;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use kin::prelude::*;
-use kin::{Error, Event, Options};
+use kin::results::Event;
+use kin::{Error, SolverOptions};
 
 use crate::engines::Engines;
 
@@ -41,19 +44,19 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
     let text = error.to_string();
     assert!(
         text.contains(
-            "10000000 times of 9 coordinates need 2.40 GB; `Options::memory` allows 1.07 GB."
+            "10000000 times of 9 coordinates need 2.40 GB; `SolverOptions::memory` allows 1.07 GB."
         ),
         "{text}"
     );
-    assert!(text.contains("System::run_in_parts") && text.contains("allow more"), "{text}");
-    let few = Options { memory: 8 * 11 * (3 + 4 * 9), jerk: true, ..Options::default() };
+    assert!(text.contains("Solver::run_in_parts") && text.contains("allow more"), "{text}");
+    let few = SolverOptions::new().memory(8 * 11 * (3 + 4 * 9)).jerk(true);
     assert!(system.run_both_with(linspace(0.0, 0.1, 11), &few).is_ok());
     assert!(matches!(
         system.run_both_with(linspace(0.0, 0.1, 12), &few),
         Err(Error::NeedsMemory { .. })
     ));
     assert!(matches!(
-        system.run_in_parts(times, 12, &few, |_| Ok(())),
+        system.solver().options(few.clone()).run_in_parts(times, 12, |_| Ok(())),
         Err(Error::NeedsMemory { .. })
     ));
 }
@@ -75,7 +78,7 @@ fn happened(events: &[Event]) -> Vec<String> {
 #[test]
 fn a_run_in_parts_is_the_run_in_one() {
     let system = four_bar(true).unwrap();
-    let options = Options { jerk: true, ..Options::default() };
+    let options = SolverOptions::new().jerk(true);
     let times = linspace(0.0, 4.2, 200);
     let whole = system.run_both_with(&times, &options).unwrap();
     assert!(whole.events().len() >= 6 && whole.breaks().len() == 3, "{:?}", whole.events());
@@ -92,7 +95,11 @@ fn a_run_in_parts_is_the_run_in_one() {
             parts += 1;
             Ok(())
         };
-        system.run_in_parts(times.iter().copied(), size, &options, keep).unwrap();
+        system
+            .solver()
+            .options(options.clone())
+            .run_in_parts(times.iter().copied(), size, keep)
+            .unwrap();
         assert_eq!(parts, 200_usize.div_ceil(size.max(1)));
         assert_eq!(all, numbers(&whole), "parts of {size}: the same to the last bit");
         assert_eq!(breaks, whole.breaks());
@@ -117,7 +124,7 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
     let times = linspace(0.0, 2.0, 101);
     let whole = system.run_both(&times).expect_err("a toggle");
     let mut kept = 0;
-    let error = system.run_in_parts(times, 10, &Options::default(), |part| {
+    let error = system.solver().run_in_parts(times, 10, |part| {
         kept += part.len();
         Ok(())
     });
@@ -127,11 +134,10 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
     assert_eq!(kept + error.motion().map_or(0, Motion::len), whole.motion().unwrap().len());
     // The closure ends it, too; times are looked at as they come.
     let mut shown = 0;
-    let ended =
-        system.run_in_parts((0..).map(f64::from).map(|k| 0.01 * k), 5, &Options::default(), |_| {
-            shown += 1;
-            if shown == 3 { Err(Error::EmptyName { what: "test" }) } else { Ok(()) }
-        });
+    let ended = system.solver().run_in_parts((0..).map(f64::from).map(|k| 0.01 * k), 5, |_| {
+        shown += 1;
+        if shown == 3 { Err(Error::EmptyName { what: "test" }) } else { Ok(()) }
+    });
     assert!(matches!(ended, Err(Error::EmptyName { .. })) && shown == 3);
     for times in [
         vec![],
@@ -142,7 +148,8 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
     ] {
         let in_one = system.run_both(&times).expect_err("no times");
         let in_parts = system
-            .run_in_parts(times.iter().copied(), 2, &Options::default(), |_| Ok(()))
+            .solver()
+            .run_in_parts(times.iter().copied(), 2, |_| Ok(()))
             .expect_err("no times");
         assert!(
             matches!(
@@ -169,7 +176,7 @@ fn redundant_mechanisms_run_in_parts_too() {
         all.extend(numbers(part));
         Ok(())
     };
-    system.run_in_parts(linspace(0.0, 1.0, 50), 7, &Options::default(), keep).unwrap();
+    system.solver().run_in_parts(linspace(0.0, 1.0, 50), 7, keep).unwrap();
     assert_eq!(all, numbers(&whole));
 }
 
@@ -180,13 +187,12 @@ fn a_run_is_watched_and_stopped() {
     let times = linspace(0.0, 3.0, 301);
     let mut seen = Vec::new();
     let whole = system.run_both(&times).unwrap();
-    let watched = system.run_watched(&times, &Options::default(), |done| {
-        seen.push(done);
-        true
-    });
+    let watched = system.solver().progress(|done, all| seen.push((done, all))).run(&times);
     assert_eq!(watched.unwrap().qdd(300), whole.qdd(300));
-    assert_eq!(seen, (0..301).collect::<Vec<_>>());
-    let stopped = system.run_watched(&times, &Options::default(), |done| done < 100).unwrap_err();
+    assert_eq!(seen, (0..301).map(|done| (done, 301)).collect::<Vec<_>>());
+    let stop = AtomicBool::new(false);
+    let watch = |done, _| stop.store(done >= 100, Ordering::Relaxed);
+    let stopped = system.solver().progress(watch).stop_when(&stop).run(&times).unwrap_err();
     assert!(matches!(stopped, Error::Stopped { done: 100, all: 301, .. }), "{stopped}");
     let text = stopped.to_string();
     assert!(
@@ -196,6 +202,6 @@ fn a_run_is_watched_and_stopped() {
         "{text}"
     );
     assert_eq!(stopped.motion().map(kin::Motion::len), Some(100));
-    let never = system.run_watched(&times, &Options::default(), |_| false).unwrap_err();
+    let never = system.solver().stop_when(&AtomicBool::new(true)).run(&times).unwrap_err();
     assert_eq!(never.to_string(), "the run was stopped after 0 of 301 times");
 }

@@ -2,8 +2,9 @@
 //! central differences wherever the function is smooth nearby, and the documented one-sided value
 //! at kinks.
 
+use kin::check::any_coord;
+use kin::extend::{dual_terms, terms};
 use kin::prelude::*;
-use kin::{any_coord, dual_terms, terms};
 
 /// A point and the slope that is documented there; `None` where no derivative exists (both routes
 /// must say so) or nothing special is promised.
@@ -51,14 +52,18 @@ macro_rules! operations {
 }
 
 /// Both routes and central differences at states spread over ±2.
-fn compare<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E) {
+fn compare<E: kin::extend::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E) {
     let report = kin::check::compare::<E, 1, 1>(operation)
         .unwrap_or_else(|mismatch| panic!("{name}: {mismatch}"));
     assert!(report.states >= 6, "{name} was compared at {} states only", report.states);
 }
 
 /// Value, slope and curvature on both routes at chosen points: equal, or not finite on both.
-fn nasty<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E, points: Nasty) {
+fn nasty<E: kin::extend::dual_route::Equation<1, 1> + Clone>(
+    name: &str,
+    operation: &E,
+    points: Nasty,
+) {
     for &(at, slope) in points {
         let own = terms(operation, &[at], &[1.0], 0.0);
         let dual = dual_terms::<E, 1, 1>(operation, &[at], &[1.0], 0.0);
@@ -66,7 +71,7 @@ fn nasty<E: kin::dual_route::Equation<1, 1> + Clone>(name: &str, operation: &E, 
         if !own.c[0].is_finite() && !dual.c[0].is_finite() {
             continue;
         }
-        let slopes = |all: &kin::Terms| [all.c[0], all.c_q[(0, 0)], all.q_d[0]];
+        let slopes = |all: &kin::extend::Terms| [all.c[0], all.c_q[(0, 0)], all.q_d[0]];
         for (what, (a, b)) in
             ["C", "C_q", "Q_d"].iter().zip(slopes(&own).into_iter().zip(slopes(&dual)))
         {

@@ -67,11 +67,10 @@ fn every_package_has_its_licences_and_a_readme() {
 
 #[test]
 fn options_are_written_with_what_differs_from_the_default() {
-    let options = kin::Options { jerk: true, ..kin::Options::default() };
+    let options = kin::SolverOptions::new().jerk(true);
     assert!(options.jerk);
-    let _ = kin::AssemblyOptions { ..kin::AssemblyOptions::default() };
-    let _ = kin::SearchOptions { ..kin::SearchOptions::default() };
-    let _ = kin::diagnosis::DiagnosisOptions { ..kin::diagnosis::DiagnosisOptions::default() };
+    let _ = kin::solver::AssemblyOptions::new();
+    let _ = kin::solver::SearchOptions::new();
 }
 
 #[test]

@@ -9,7 +9,8 @@ use data::model::{BOTH, By, add, build, driver};
 use data::{error, number, numbers, read, rows};
 use engines::Engines;
 use kin::prelude::*;
-use kin::{Mechanism, Motion, Series, linspace};
+use kin::results::Series;
+use kin::{Mechanism, Motion, linspace};
 use serde_json::Value;
 
 /// The lecture's loop closure: l2 e(θ2) + l3 e(θ3) = (x_B, h), θ2 given.      \[m\]
@@ -224,7 +225,7 @@ fn absolute(motion: &Motion, file: &Value) -> Errors {
 }
 
 /// One coordinate against an output of the file.
-fn outputs(errors: &mut Errors, found: &kin::Quantity, exact: &Value) {
+fn outputs(errors: &mut Errors, found: &kin::results::Quantity, exact: &Value) {
     let series: [(&Series, &str); 3] =
         [(&found.value, "value"), (&found.rate, "d1"), (&found.second_rate, "d2")];
     for (order, (series, field)) in series.into_iter().enumerate() {

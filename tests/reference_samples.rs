@@ -5,9 +5,10 @@ mod data;
 
 use data::model::{BOTH, build};
 use data::{array, error, number, numbers, read, rows};
-use kin::dual_route::Equation;
+use kin::check::{any_planar, any_spatial};
+use kin::extend::dual_route::Equation;
+use kin::extend::{Terms, by_dual, dual_terms, terms};
 use kin::prelude::*;
-use kin::{Terms, any_planar, any_spatial, by_dual, dual_terms, terms};
 use nalgebra::DVector;
 use serde_json::Value;
 

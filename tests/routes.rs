@@ -1,7 +1,9 @@
 //! Every constraint says why it takes its route; what could not be read before is read now.
 
+use kin::check::{any_coord, any_planar};
+use kin::extend::{RouteReason, by_dual};
 use kin::prelude::*;
-use kin::{Error, RouteReason, any_coord, any_planar, by_dual, check};
+use kin::{Error, check};
 
 #[constraint]
 fn read(x: Coord, k: f64) -> f64 {

@@ -5,9 +5,10 @@
 #[path = "data/engines.rs"]
 mod engines;
 
+use kin::Error;
+use kin::check::any_coord;
 use kin::extend::{dual_terms, terms};
 use kin::prelude::*;
-use kin::{Error, any_coord};
 use serde_json::Value;
 
 use crate::engines::Engines;
@@ -34,7 +35,7 @@ fn rooted(x: f64, scale: f64) -> f64 {
 type Terms = [f64; 5];
 
 /// C, both slopes, Q_d and the jerk's right side on the symbolic route and on the dual one.
-fn by_both_routes<E: kin::dual_route::Equation<2, 1> + Clone>(
+fn by_both_routes<E: kin::extend::dual_route::Equation<2, 1> + Clone>(
     equation: &E,
     q: &[f64],
 ) -> [Terms; 2] {
@@ -245,7 +246,7 @@ fn a_distance_of_zero_is_blamed_on_both_routes() {
             m.add("rod", distance_by_hand(x, 0.0)).unwrap()
         };
         // From this guess alone: the search for an assembly would begin elsewhere.
-        let options = kin::Options { rescue: false, ..kin::Options::default() };
+        let options = kin::SolverOptions::new().rescue(false);
         let error = m.build().unwrap().run_both_with([0.0], &options).expect_err("no slope");
         let text = error.to_string();
         assert!(matches!(error, Error::NotFinite { quantity: "C_q", .. }), "{text}");
@@ -268,7 +269,7 @@ fn a_run_goes_on_where_the_side_is_not_taken() {
     m.add("cushion", cushion(x, y)).unwrap();
     m.add("motor", drive(x, Law::linear(0.5, 1.0))).unwrap();
     let system = m.build().unwrap();
-    let options = kin::Options { jerk: true, ..kin::Options::default() };
+    let options = kin::SolverOptions::new().jerk(true);
     let motion = system.run_both_with([0.75, 1.0, 2.0], &options).expect("smooth from 1.25 on");
     assert!((0..3).all(|k| motion.q(k)[1] == 0.0
         && motion.qd(k)[1] == 0.0
@@ -290,7 +291,7 @@ struct Nothing {
     wrong: f64,
 }
 
-impl kin::LawFunction for Nothing {
+impl kin::extend::LawFunction for Nothing {
     fn jet(&self, x: f64) -> [f64; 4] {
         let (s, c) = x.sin_cos();
         [s * s + c * c - 1.0, 2.0 * s * c - 2.0 * c * s + self.wrong, 0.0, 0.0]

@@ -4,9 +4,11 @@
 mod engines;
 
 use kin::data::MotionData;
+use kin::data::Registry;
 use kin::joints::drivers::drive_distance;
 use kin::prelude::*;
-use kin::{Error, Options, Registry, Units};
+use kin::results::Units;
+use kin::{Error, SolverOptions};
 use kin_view::{Figure, Panel, Scene};
 
 use engines::Engines;
@@ -43,8 +45,8 @@ fn no_metre(text: &str) {
 fn headers_series_and_measures_have_the_words_of_the_mechanism() -> kin::Result<()> {
     let (m, rod) = slider(5.0)?;
     let system = m.build()?;
-    let mut motion = system
-        .run_both_with(linspace(0.0, 1.0, 11), &Options { jerk: true, ..Options::default() })?;
+    let mut motion =
+        system.run_both_with(linspace(0.0, 1.0, 11), &SolverOptions::new().jerk(true))?;
     motion.add_point("P", rod, rod.end())?;
     let headers = motion.headers();
     headers.iter().for_each(|header| no_metre(header));

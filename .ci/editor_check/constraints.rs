@@ -1,5 +1,5 @@
-//! Fifty constraints, of every kind of argument and with most of what a body can hold: what an editor is
-//! shown.
+//! Fifty constraints, of every kind of argument and with most of what a body can hold: what an
+//! editor is shown.
 
 use kin::prelude::*;
 

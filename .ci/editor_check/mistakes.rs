@@ -1,4 +1,5 @@
-//! Constraints with mistakes in them, and unfinished ones: an editor works in their bodies all the same.
+//! Constraints with mistakes in them, and unfinished ones: an editor works in their bodies all the
+//! same.
 
 use kin::prelude::*;
 

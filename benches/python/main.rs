@@ -6,7 +6,8 @@
 use std::hint::black_box;
 use std::io::BufRead;
 
-use kin::{Engine, Lanes, Options};
+use kin::extend::Lanes;
+use kin::{Engine, SolverOptions};
 use rustix::time::{ClockId, clock_gettime};
 use serde::Deserialize;
 
@@ -50,7 +51,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// The last acceleration of the last coordinate.
 fn run(system: &kin::System, job: &Job) -> kin::Result<f64> {
-    let motion = system.run_with(&job.times, &job.options())?;
+    let motion = system.solver().options(job.options()).run(&job.times)?;
     Ok(motion.qdd(motion.len() - 1).last().copied().unwrap_or_default())
 }
 
@@ -66,11 +67,8 @@ fn sweep(system: &kin::System, job: &Job) -> kin::Result<f64> {
 }
 
 impl Job {
-    fn options(&self) -> Options {
-        Options {
-            engine: if self.plain { Engine::Plain } else { Engine::Auto },
-            ..Options::default()
-        }
+    fn options(&self) -> SolverOptions {
+        SolverOptions::new().engine(if self.plain { Engine::StepByStep } else { Engine::Auto })
     }
 }
 

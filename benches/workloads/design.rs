@@ -6,28 +6,43 @@
 use std::hint::black_box;
 
 use kin::prelude::*;
-use kin::{Engine, Options};
+use kin::{Engine, SolverOptions};
 
 /// Runs by plain steps, then what the route asks for; `None` of a route that is another one.
 pub fn once(system: &System, route: &str, times: &[f64], repeats: usize) -> Option<()> {
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
-    let run = || system.run_with(times, &plain).unwrap_or_else(|error| panic!("{error}"));
+    let plain = SolverOptions::new().engine(Engine::StepByStep);
+    let run = || {
+        system.solver().options(plain.clone()).run(times).unwrap_or_else(|error| panic!("{error}"))
+    };
     // Two times are enough to know which parameters have derivatives.
-    let short = system.run_with(&times[..2], &plain).unwrap_or_else(|error| panic!("{error}"));
+    let short = system
+        .solver()
+        .options(plain.clone())
+        .run(&times[..2])
+        .unwrap_or_else(|error| panic!("{error}"));
     let known = |name: &String| system.sensitivities(&short, [name]).is_ok();
     let names: Vec<String> =
         system.parameters().into_iter().map(|(name, _)| name).filter(known).collect();
     let what = system.coordinate_names()[0].clone();
-    let compiled = Options { engine: Engine::Compiled, ..Options::default() };
-    let run_compiled =
-        || system.run_with(times, &compiled).unwrap_or_else(|error| panic!("{error}"));
+    let compiled = SolverOptions::new().engine(Engine::Compiled);
+    let run_compiled = || {
+        system
+            .solver()
+            .options(compiled.clone())
+            .run(times)
+            .unwrap_or_else(|error| panic!("{error}"))
+    };
     let forces = |motion: Motion, engine| {
-        let found = system.forces_by(&motion, engine).unwrap_or_else(|error| panic!("{error}"));
+        let found = system
+            .solver()
+            .options(SolverOptions::new().engine(engine))
+            .forces(&motion)
+            .unwrap_or_else(|error| panic!("{error}"));
         drop(black_box(found));
     };
     match route.split_once('-') {
         None if route == "forces" => (0..repeats).for_each(|_| forces(run(), Engine::Auto)),
-        Some(("forces", "walk")) => (0..repeats).for_each(|_| forces(run(), Engine::Plain)),
+        Some(("forces", "walk")) => (0..repeats).for_each(|_| forces(run(), Engine::StepByStep)),
         Some(("forces", "compiled")) => {
             (0..repeats).for_each(|_| forces(run_compiled(), Engine::Auto))
         }

@@ -4,9 +4,11 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use kin::dual_route::Equation;
+use kin::extend::by_dual;
+use kin::extend::dual_route::Equation;
 use kin::prelude::*;
-use kin::{Engine, Follow, Options, Stop, by_dual};
+use kin::solver::Stop;
+use kin::{Engine, Follow, SolverOptions};
 
 use crate::design;
 use crate::measure::{Contestant, Figure, cpu, median, race};
@@ -55,9 +57,9 @@ impl Table {
 /// How a sweep is solved.
 pub enum Solver {
     Hand(Box<dyn Fn() -> Table>),
-    Kin(Box<System>, Options),
+    Kin(Box<System>, SolverOptions),
     /// Each position alone by `solve_at`, from the last one.
-    Singly(Box<System>, Options),
+    Singly(Box<System>, SolverOptions),
 }
 
 pub struct Route {
@@ -80,67 +82,57 @@ pub struct Workload {
 }
 
 /// The workloads' protocol: from the last solution, until the residual is below 1e-10.
-pub fn as_defined() -> Options {
-    Options {
-        stop: Stop::ResidualOnly(1e-10),
-        predict: false,
-        rescue: false,
-        follow: Follow::Unchecked,
-        ..Options::default()
-    }
+pub fn as_defined() -> SolverOptions {
+    SolverOptions::new()
+        .stop(Stop::ResidualOnly(1e-10))
+        .predict(false)
+        .rescue(false)
+        .follow(Follow::Unchecked)
 }
 
 /// By hand, and Kin's routes: as defined, with prediction as well, as defined with each step
-/// checked to stay on its branch, as it comes (`Options::default()`, compiled before), the same by
-/// plain steps, those unchecked, with the jerk by a program and by plain steps, single positions
-/// one after the other by the program and by plain steps, and on dual numbers as defined.
+/// checked to stay on its branch, as it comes (`SolverOptions::default()`, compiled before), the
+/// same by plain steps, those unchecked, with the jerk by a program and by plain steps, single
+/// positions one after the other by the program and by plain steps, and on dual numbers as defined.
 pub fn routes(hand: impl Fn() -> Table + 'static, model: impl Fn(bool) -> System) -> Vec<Route> {
     let kin =
         |peer, dual, options| Route { peer, solver: Solver::Kin(Box::new(model(dual)), options) };
     vec![
         by_hand(hand),
         kin("kin", false, as_defined()),
-        kin("kin-predictor", false, Options { predict: true, ..as_defined() }),
-        kin("kin-checked", false, Options { follow: Follow::Smooth, ..as_defined() }),
-        compiled(kin("kin-default", false, Options::default())),
-        kin("kin-plain", false, Options { engine: Engine::Plain, ..Options::default() }),
+        kin("kin-predictor", false, as_defined().predict(true)),
+        kin("kin-checked", false, as_defined().follow(Follow::Smooth)),
+        compiled(kin("kin-default", false, SolverOptions::default())),
+        kin("kin-plain", false, SolverOptions::new().engine(Engine::StepByStep)),
         kin(
             "kin-unchecked",
             false,
-            Options { follow: Follow::Unchecked, engine: Engine::Plain, ..Options::default() },
+            SolverOptions::new().follow(Follow::Unchecked).engine(Engine::StepByStep),
         ),
-        kin(
-            "kin-jerk",
-            false,
-            Options { jerk: true, engine: Engine::Compiled, ..Options::default() },
-        ),
-        kin(
-            "kin-jerk-plain",
-            false,
-            Options { jerk: true, engine: Engine::Plain, ..Options::default() },
-        ),
-        singly("kin-singly", model(false), Options::default()),
-        singly(
-            "kin-singly-plain",
-            model(false),
-            Options { engine: Engine::Plain, ..Options::default() },
-        ),
+        kin("kin-jerk", false, SolverOptions::new().jerk(true).engine(Engine::Compiled)),
+        kin("kin-jerk-plain", false, SolverOptions::new().jerk(true).engine(Engine::StepByStep)),
+        singly("kin-singly", model(false), SolverOptions::default()),
+        singly("kin-singly-plain", model(false), SolverOptions::new().engine(Engine::StepByStep)),
         kin("kin-dual", true, as_defined()),
     ]
 }
 
 /// Single positions, from a system that is compiled as far as they can make use of that.
-fn singly(peer: &'static str, system: System, options: Options) -> Route {
+fn singly(peer: &'static str, system: System, options: SolverOptions) -> Route {
     system.compile().unwrap_or_else(|error| panic!("{error}"));
     Route { peer, solver: Solver::Singly(Box::new(system), options) }
 }
 
 /// Each position alone, from the last one, the first from where the system starts.
-fn positions(system: &System, options: &Options, times: &[f64]) -> Table {
+fn positions(system: &System, options: &SolverOptions, times: &[f64]) -> Table {
     let mut q = system.initial().to_vec();
     let mut table = Table::new(system.n_coordinates(), times.len());
     for t in times {
-        let found = system.solve_at_with(*t, &q, options).unwrap_or_else(|error| panic!("{error}"));
+        let found = system
+            .solver()
+            .options(options.clone())
+            .solve_at(*t, &q)
+            .unwrap_or_else(|error| panic!("{error}"));
         table.push(&found.q, &found.qd, &found.qdd);
         table.iterations += found.report.iterations;
         q = found.q;
@@ -237,7 +229,7 @@ impl Workload {
         match &route.solver {
             Solver::Hand(sweep) => drop(black_box(sweep())),
             Solver::Kin(system, options) => drop(
-                black_box(system.run_with(times, options))
+                black_box(system.solver().options(options.clone()).run(times))
                     .unwrap_or_else(|error| panic!("{error}")),
             ),
             Solver::Singly(system, options) => drop(black_box(positions(system, options, times))),
@@ -248,7 +240,11 @@ impl Workload {
         let table = match &route.solver {
             Solver::Hand(sweep) => sweep(),
             Solver::Kin(system, options) => Table::of(
-                &system.run_with(times, options).unwrap_or_else(|error| panic!("{error}")),
+                &system
+                    .solver()
+                    .options(options.clone())
+                    .run(times)
+                    .unwrap_or_else(|error| panic!("{error}")),
             ),
             Solver::Singly(system, options) => positions(system, options, times),
         };

@@ -1,6 +1,6 @@
 //! W1: the two-link manipulator of the lecture, nine coordinates.
 
-use kin::dual_route::Equation;
+use kin::extend::dual_route::Equation;
 use kin::prelude::*;
 
 use crate::hand::two_link::{TWO_LINK, run};

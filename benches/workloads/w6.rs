@@ -199,10 +199,10 @@ fn spatial<C: Constraint + 'static, const M: usize, const E: usize>(constraint: 
 }
 
 fn by_library(joint: &Joint, p: &[f64]) -> Route {
-    let i = kin::any_planar();
-    let j = kin::any_planar();
-    let si = kin::any_spatial();
-    let sj = kin::any_spatial();
+    let i = kin::check::any_planar();
+    let j = kin::check::any_planar();
+    let si = kin::check::any_spatial();
+    let sj = kin::check::any_spatial();
     match joint.name {
         "planar_revolute" => planar(planar_revolute(i, j, vec2_at(p, 0), vec2_at(p, 2))),
         "planar_prismatic" => {

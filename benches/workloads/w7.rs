@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use kin::SolverOptions;
+use kin::extend::Lanes;
 use kin::prelude::*;
-use kin::{Lanes, Options};
 
 use crate::hand::four_bar::{FourBar, run as run_by_hand};
 use crate::measure::{Figure, SplitMix64, cpu_of_all_threads, median};
@@ -25,7 +26,7 @@ type Sums = (f64, usize);
 /// One way through mechanisms on so many threads.
 type Route = (&'static str, fn(&[FourBar], usize) -> Sums);
 
-/// By hand; as defined; by `Options::default()`, by plain steps and by a program of all cases
+/// By hand; as defined; by `SolverOptions::default()`, by plain steps and by a program of all cases
 /// (`-4`: of a machine without AVX-512).
 const ROUTES: [Route; 5] = [
     ("hand", by_hand),
@@ -159,19 +160,19 @@ fn by_kin(models: &[FourBar], threads: usize) -> Sums {
 }
 
 fn by_plain_steps(models: &[FourBar], threads: usize) -> Sums {
-    by_sweep(models, threads, Lanes::Off, Options::default())
+    by_sweep(models, threads, Lanes::Off, SolverOptions::default())
 }
 
 fn by_default_in_four(models: &[FourBar], threads: usize) -> Sums {
-    by_sweep(models, threads, Lanes::Only(4), Options::default())
+    by_sweep(models, threads, Lanes::Only(4), SolverOptions::default())
 }
 
 fn by_default(models: &[FourBar], threads: usize) -> Sums {
-    by_sweep(models, threads, Lanes::Best, Options::default())
+    by_sweep(models, threads, Lanes::Best, SolverOptions::default())
 }
 
 /// One system for all mechanisms.
-fn by_sweep(models: &[FourBar], threads: usize, lanes: Lanes, options: Options) -> Sums {
+fn by_sweep(models: &[FourBar], threads: usize, lanes: Lanes, options: SolverOptions) -> Sums {
     let times: Vec<f64> = (0..STEPS).map(|k| k as f64 * DT).collect();
     let Some(first) = models.first() else { return (0.0, 0) };
     let cases: Vec<Vec<f64>> = models.iter().map(case).collect();

@@ -127,8 +127,8 @@ fn works() -> Vec<Work> {
 /// Tables of constants.
 fn tables() -> [Work; 2] {
     let of = |name, by_macro, by_hand| Work { name, arguments: vec![COORD; 2], by_macro, by_hand };
-    let x = kin::any_coord;
-    let y = kin::any_coord;
+    let x = kin::check::any_coord;
+    let y = kin::check::any_coord;
     [
         of("table20", Box::new(table20(x(), y())), Box::new(Table::<20>::new())),
         of("table200", Box::new(table200(x(), y())), Box::new(Table::<200>::new())),
@@ -145,7 +145,7 @@ fn others() -> [Work; 5] {
     let links: [[f64; 3]; 6] = std::array::from_fn(|_| std::array::from_fn(|_| draw()));
     let [pins, bases]: [[[f64; 3]; 6]; 2] =
         std::array::from_fn(|_| std::array::from_fn(|_| std::array::from_fn(|_| draw())));
-    let coord = kin::any_coord;
+    let coord = kin::check::any_coord;
     let vectors = |all: [[f64; 3]; 6]| all.map(|[x, y, z]| vec3(x, y, z));
     [
         Work {
@@ -179,7 +179,7 @@ fn others() -> [Work; 5] {
             name: "platform",
             arguments: [vec![SPATIAL], coords(6)].concat(),
             by_macro: Box::new(platform(
-                kin::any_spatial(),
+                kin::check::any_spatial(),
                 [(); 6].map(|()| coord()),
                 vectors(pins),
                 vectors(bases),

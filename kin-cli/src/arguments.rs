@@ -74,26 +74,27 @@ pub struct Motion {
     /// `FROM:TO:COUNT`, such as 0:1:361, or a list, such as 0,0.5,1   [s]
     #[arg(long, allow_hyphen_values = true)]
     pub times: Times,
-    /// Plain steps, or the whole mechanism as one program; `auto` takes the one that pays
+    /// One time after the other, or many times at once by the compiled mechanism; `auto` takes the
+    /// faster one
     #[arg(long, value_enum, default_value = "auto")]
     pub engine: Engine,
-    /// At the change points of these numbers, counted from 0, turns into the other branch
+    /// Takes the other branch at the change points of these numbers, counted from 0
     #[arg(long, value_delimiter = ',', value_name = "NUMBERS", value_parser = change_point)]
-    pub turning: Vec<usize>,
+    pub other_branch_at: Vec<usize>,
     /// How much work the run may spend on smaller steps of time than those asked for, as a multiple
     /// of the usual
     #[arg(long, value_name = "MULTIPLE", default_value_t = 1.0)]
     pub effort: f64,
     #[command(flatten)]
-    pub closure: Closure,
+    pub misfit: AllowedMisfit,
 }
 
 /// How far redundant equations may contradict one another.
 #[derive(Clone, Copy, Debug, Args)]
-pub struct Closure {
+pub struct AllowedMisfit {
     /// How far redundant equations may contradict one another, as a share of the mechanism's size,
     /// from 0 to 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
-    #[arg(long = "closure", value_name = "SHARE", default_value_t = 0.0)]
+    #[arg(long = "allowed-misfit", value_name = "SHARE", default_value_t = 0.0)]
     pub share: f64,
 }
 
@@ -106,7 +107,7 @@ fn change_point(text: &str) -> Result<usize, String> {
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Engine {
     Auto,
-    Plain,
+    StepByStep,
     Compiled,
 }
 
@@ -160,7 +161,7 @@ pub struct Check {
     #[arg(long)]
     pub names: bool,
     #[command(flatten)]
-    pub closure: Closure,
+    pub misfit: AllowedMisfit,
 }
 
 #[derive(Clone, Debug, Args)]

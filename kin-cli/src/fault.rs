@@ -137,7 +137,7 @@ mod tests {
         const OTHERS: [&str; 1] = ["Law::constant"];
         let core = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../kin-core/src");
         let mut open = vec![core];
-        let mut looked_at = 0;
+        let mut searched = 0;
         while let Some(path) = open.pop() {
             if path.is_dir() {
                 open.extend(
@@ -159,7 +159,7 @@ mod tests {
             for line in source.lines().map(str::trim_start).filter(|line| !line.starts_with("//")) {
                 for text in line.split('"').skip(1).step_by(2).filter(|text| text.contains('`')) {
                     let words: Vec<&str> = text.split_whitespace().collect();
-                    looked_at += 1;
+                    searched += 1;
                     let told = words.join(" ");
                     for name in
                         told.split('`').skip(1).step_by(2).filter(|name| name.contains("::"))
@@ -171,7 +171,7 @@ mod tests {
                 }
             }
         }
-        assert!(looked_at > 250, "{looked_at} sentences");
+        assert!(searched > 250, "{searched} sentences");
     }
 
     /// Classes that only programs meet have codes too; `tests/command/classes.rs` has all others.

@@ -27,7 +27,7 @@ fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => return ExitCode::from(not_understood(&error)),
     };
-    kin::Surface::Command.choose();
+    kin::error::Surface::Command.choose();
     let say = Say::new(arguments.error_format);
     ExitCode::from(say.ended(done(&arguments.command, &say)))
 }

@@ -2,9 +2,10 @@
 
 use std::io::Read;
 
+use kin::Mechanism;
 use kin::data::MechanismData;
-use kin::mechanism::Mechanism;
-use kin::{Error, Follow, Motion, Options, SingularKind, SingularPosition, System};
+use kin::results::{SingularKind, SingularPosition};
+use kin::{Error, Follow, Motion, SolverOptions, System};
 
 use crate::arguments::{self, Engine, Model};
 use crate::fault::Fault;
@@ -86,21 +87,20 @@ pub fn set(system: &mut System, Setting { name, value }: &Setting) -> kin::Resul
 }
 
 /// The options that are asked for.
-pub fn options(asked: &arguments::Motion, jerk: bool) -> Options {
-    Options {
-        jerk,
-        engine: match asked.engine {
+pub fn options(asked: &arguments::Motion, jerk: bool) -> SolverOptions {
+    SolverOptions::new()
+        .allowed_misfit(asked.misfit.share)
+        .jerk(jerk)
+        .engine(match asked.engine {
             Engine::Auto => kin::Engine::Auto,
-            Engine::Plain => kin::Engine::Plain,
+            Engine::StepByStep => kin::Engine::StepByStep,
             Engine::Compiled => kin::Engine::Compiled,
-        },
-        follow: match &asked.turning[..] {
+        })
+        .follow(match &asked.other_branch_at[..] {
             [] => Follow::default(),
-            numbers => Follow::Turning(numbers.to_vec()),
-        },
-        effort: asked.effort,
-        ..Options::closure(asked.closure.share)
-    }
+            numbers => Follow::OtherBranchAt(numbers.to_vec()),
+        })
+        .effort(asked.effort)
 }
 
 /// Errors: a change point to turn at that a whole motion does not pass.
@@ -113,7 +113,7 @@ fn turned(motion: &Motion, turning: &[usize]) -> Result<(), Fault> {
         1 => "the motion passes one change point, number 0".to_string(),
         _ => format!("the motion passes {passed} change points, numbers 0 to {}", passed - 1),
     };
-    Err(Fault::Usage(format!("`--turning {number}`: {there}")))
+    Err(Fault::Usage(format!("`--other-branch-at {number}`: {there}")))
 }
 
 /// The motion; where the run ends early the part before, with the fault.
@@ -124,8 +124,8 @@ pub fn motion(
     asked: &arguments::Motion,
     jerk: bool,
 ) -> Result<(Motion, Option<Fault>), Fault> {
-    match system.run_with(&asked.times.0, &options(asked, jerk)) {
-        Ok(motion) => turned(&motion, &asked.turning).map(|()| (motion, None)),
+    match system.solver().options(options(asked, jerk)).run(&asked.times.0) {
+        Ok(motion) => turned(&motion, &asked.other_branch_at).map(|()| (motion, None)),
         Err(error) => match error.motion().filter(|motion| !motion.is_empty()).cloned() {
             Some(before) => Ok((before, Some(Fault::Early(Box::new(error))))),
             None => Err(error.into()),

@@ -7,7 +7,8 @@
 
 #[doc(inline)]
 pub use crate::model::constraint::{
-    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Written,
+    Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Route,
+    RouteReason, Routed, Written,
 };
 #[doc(inline)]
 pub use crate::model::coordinates::Target;
@@ -17,6 +18,8 @@ pub use crate::model::dual_route::by_dual;
 pub use crate::model::law::LawFunction;
 #[doc(inline)]
 pub use crate::model::terms::{Moving, Terms, dual_terms, jerk_rhs, measure, terms};
+#[doc(inline)]
+pub use crate::numbers::enclosure::Series;
 #[doc(inline)]
 pub use crate::numbers::lanes::Lanes;
 #[doc(inline)]

@@ -14,76 +14,107 @@ extern crate self as kin;
 
 mod ask;
 pub mod data;
-mod design;
+pub mod design;
 #[doc(hidden)]
 pub mod emitted;
 pub mod extend;
-mod forces;
+pub mod forces;
 pub mod joints;
 mod linear;
 mod model;
 mod numbers;
 mod program;
 mod solve;
-pub mod system;
+mod system;
 #[cfg(test)]
 mod testing;
 
-pub use ask::{check, diagnosis, measure, proof};
 #[doc(hidden)]
-pub use model::{blame, coordinates, dual_route, state, terms};
-pub use model::{constraint, dimension, error, law, mechanism};
-pub use numbers::algebra;
+pub use model::{blame, constraint, coordinates, dual_route, state, terms};
 #[doc(hidden)]
 pub use numbers::real;
-pub use solve::{motion, newton, sweep};
 
-#[cfg(feature = "argmin")]
-pub use argmin;
-pub use constraint::{Constraint, Route, RouteReason, Routed};
+pub use ask::solver::Solver;
+pub use ask::{check, diagnosis};
+pub use constraint::Constraint;
 pub use coordinates::{
-    Coord, Coordinate, Ground, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Link,
-    Planar, PlanarBody, Rate, Spatial, SpatialBody, SpatialLink, Time, any_coord, any_planar,
-    any_spatial,
+    Coord, Coordinate, Ground, Link, Planar, PlanarBody, Rate, Spatial, SpatialBody, SpatialLink,
+    Time,
 };
-pub use data::Registry;
-pub use design::{
-    Contribution, ExtremeSensitivity, Feature, LookedAt, MeasureSensitivity, Objective, Off,
-    Proved, Samples, Sampling, SecondOrder, Sensitivities, Sensitivity, Tolerance,
-};
-pub use dimension::{
-    Dimension, DimensionError, Distribution, IntoGravity, IntoNumber, IntoParameter, IntoVector,
-};
-pub use error::{Error, OtherMotion, Result};
-pub use forces::library as loads;
-pub use forces::{Acted, Balance, Drive, Energy, Forces, Peak, Reaction, Sharing};
-pub use joints::spatial;
+pub use dimension::Dimension;
+pub use error::{Error, Result};
 pub use kin_macros::{constraint, force, helper, law, potential};
-pub use law::{Beyond, Break, Ends, Law, LawRange};
-pub use measure::{Crossing, Extreme, Extremes, Measure};
-pub use mechanism::{
-    ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Mechanism, Pose,
-    Preferred, SpatialPose, deg, linspace, pose,
-};
-pub use model::error::surface::Surface;
-pub use model::growth::{Growth, Unbounded};
-pub use model::jammed::Jammed;
-pub use model::loads::{
-    Along, ByLaws, Friction, IntoAlong, IntoLoad, Load, Massive, Potential, Solid, Turning,
-};
-pub use model::no_derivative::NoDerivative;
-pub use model::not_unique::NotUnique;
-pub use model::units::Units;
-pub use motion::{
-    Displaced, EngineCounts, Event, EventKind, Line, Motion, PointMotion, Quantity, QuantityValues,
-    RotationMotion, Series,
-};
+pub use law::Law;
+pub use model::law;
+pub use model::loads::Load;
+pub use model::mechanism::{Mechanism, Pose, SpatialPose, deg, linspace, pose};
 pub use nalgebra;
-pub use newton::{CrossedBreak, Engine, Follow, Options, Report, Stop};
+pub use newton::{Engine, Follow, SolverOptions};
 pub use numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
-pub use proof::{Doubt, DoubtReason, Proof, StepProof, Tube};
-pub use solve::assembly::{Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions};
-pub use solve::compile::Compiled;
-pub use solve::follow::{Branch, SingularKind, SingularPosition};
-pub use sweep::Sweep;
-pub use system::{Solution, System};
+pub use solve::motion::Motion;
+use solve::newton;
+pub use system::System;
+
+/// Errors, and what they carry.
+pub mod error {
+    pub use crate::model::dimension::DimensionError;
+    pub use crate::model::error::surface::Surface;
+    pub use crate::model::error::{Error, OtherMotion, Result};
+    pub use crate::model::growth::Unbounded;
+    pub use crate::model::jammed::Jammed;
+    pub use crate::model::no_derivative::NoDerivative;
+    pub use crate::model::not_unique::NotUnique;
+}
+
+/// Numbers with a name, a unit, a range and a tolerance, and what may stand in their place.
+pub mod dimension {
+    pub use crate::model::dimension::{
+        Dimension, IntoGravity, IntoNumber, IntoParameter, IntoVector,
+    };
+}
+
+/// Handles and arguments of a [`Mechanism`](crate::Mechanism).
+pub mod mechanism {
+    pub use crate::model::body::Body;
+    pub use crate::model::coordinates::{
+        IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody,
+    };
+    pub use crate::model::mechanism::{
+        ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Preferred,
+        UnitWords,
+    };
+}
+
+/// Options and questions of a [`Solver`](crate::Solver): stop rules, searches, assemblies, sweeps.
+pub mod solver {
+    pub use crate::ask::solver::At;
+    pub use crate::solve::assembly::{
+        Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions,
+    };
+    pub use crate::solve::compile::Compiled;
+    pub use crate::solve::newton::Stop;
+    pub use crate::solve::sweep::Sweep;
+}
+
+/// Parts of a [`Motion`](crate::Motion), and answers about one: quantities, events, extremes,
+/// proofs.
+pub mod results {
+    pub use crate::ask::measure::{Crossing, Extreme, Extremes, Measure};
+    pub use crate::ask::proof::{Proof, StepProof, Tube, Unproved, UnprovedReason};
+    pub use crate::model::units::Units;
+    pub use crate::solve::follow::{Branch, SingularKind, SingularPosition};
+    pub use crate::solve::motion::{
+        Displacement, EngineCounts, Event, EventKind, Line, PointMotion, Quantity, QuantityValues,
+        RotationMotion, Series,
+    };
+    pub use crate::solve::newton::{CrossedBreak, Report};
+    pub use crate::system::Solution;
+}
+
+/// Loads: types, and the library of springs, dampers, struts and the like.
+pub mod loads {
+    pub use crate::forces::library::*;
+    pub use crate::model::loads::{
+        Along, ByLaws, Friction, HasMass, HasTorque, IntoAlong, IntoLoad, Potential, Solid,
+    };
+}

@@ -238,9 +238,9 @@ impl System {
     }
 
     /// The same, where redundant equations may contradict one another by a share of their norms.
-    pub(crate) fn model_within(&self, closure: f64) -> Model<'_> {
+    pub(crate) fn model_within(&self, misfit: f64) -> Model<'_> {
         let System { name, layout, equations, preferred, links, .. } = self;
-        Model { name, layout, equations, preferred, links, closure, work: None }
+        Model { name, layout, equations, preferred, links, misfit, work: None }
     }
 
     pub(crate) fn layout(&self) -> &Arc<Layout> {

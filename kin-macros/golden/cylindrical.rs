@@ -1,7 +1,7 @@
 /// The constraint that [`fn@cylindrical`] makes.
 ///
 /// A cylindrical joint: the axes are parallel and the line between two of their points is along
-/// them. [–, –, m, m]
+/// them.      [–, –, m, m]
 #[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 pub struct cylindrical {
@@ -15,12 +15,12 @@ pub struct cylindrical {
     __bindings: ::kin::emitted::Bindings,
 }
 /// A cylindrical joint: the axes are parallel and the line between two of their points is along
-/// them. [–, –, m, m]
+/// them.      [–, –, m, m]
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 pub fn cylindrical(
-    i: impl ::kin::IntoSpatialBody,
-    j: impl ::kin::IntoSpatialBody,
+    i: impl ::kin::emitted::IntoSpatialBody,
+    j: impl ::kin::emitted::IntoSpatialBody,
     u_i: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
     u_j: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
     f_i: impl ::kin::emitted::Components<3, Scalar: ::kin::emitted::IntoNumber>,
@@ -30,8 +30,8 @@ pub fn cylindrical(
     let mut noted = ::kin::emitted::Bindings::NONE;
     let bindings = &mut noted;
     cylindrical {
-        i: ::kin::IntoSpatialBody::into_spatial_body(i),
-        j: ::kin::IntoSpatialBody::into_spatial_body(j),
+        i: ::kin::emitted::IntoSpatialBody::into_spatial_body(i),
+        j: ::kin::emitted::IntoSpatialBody::into_spatial_body(j),
         u_i: ::kin::emitted::vector(u_i, "u_i", bindings),
         u_j: ::kin::emitted::vector(u_j, "u_j", bindings),
         f_i: ::kin::emitted::vector(f_i, "f_i", bindings),
@@ -78,7 +78,7 @@ const _: () = {
     impl ::kin::Constraint for cylindrical {
         fn facts(&self) -> ::kin::emitted::Facts<'_> {
             const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
-                description: "A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]",
+                description: "A cylindrical joint: the axes are parallel and the line between two of their points is along\nthem. [–, –, m, m]",
                 is_driver: false,
                 rows: &["1", "2", "3", "4"],
                 pattern: &[
@@ -127,7 +127,7 @@ const _: () = {
                     ::kin::emitted::Entry::new(3, 12),
                     ::kin::emitted::Entry::new(3, 13),
                 ],
-                reason: ::kin::RouteReason::Read,
+                reason: ::kin::extend::RouteReason::Read,
                 dependence: ::kin::emitted::Dependence {
                     c_on_t: false,
                     c_q_on_t: false,
@@ -844,7 +844,7 @@ const _: () = {
             to.put("h_j", &self.h_j);
             to.put_text(
                 ::core::module_path!(),
-                "/// A cylindrical joint: the axes are parallel and the line between two of their points is along them.      [–, –, m, m]\npub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) ->(f64, f64, f64, f64) { let (f , g , h) = (i . direction (f_i) , i . direction (g_i) , j . direction (h_j)) ; let d = i . point (u_i) - j . point (u_j) ; (f . dot (h) , g . dot (h) , f . dot (d) , g . dot (d)) }",
+                "/// A cylindrical joint: the axes are parallel and the line between two of their points is along\n/// them. [–, –, m, m]\npub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) ->(f64, f64, f64, f64) { let f = i . direction (f_i) ; let g = i . direction (g_i) ; let h = j . direction (h_j) ; let d = i . point (u_i) - j . point (u_j) ; (f . dot (h) , g . dot (h) , f . dot (d) , g . dot (d)) }",
             );
         }
     }

@@ -1,7 +1,7 @@
 /// The constraint that [`fn@on_cam`] makes.
 ///
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured
-/// from the cam's x-axis. [m]
+/// from the cam's x-axis.      [m]
 #[allow(non_camel_case_types, non_snake_case)]
 #[derive(Clone)]
 struct on_cam {
@@ -12,20 +12,20 @@ struct on_cam {
     __bindings: ::kin::emitted::Bindings,
 }
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured
-/// from the cam's x-axis. [m]
+/// from the cam's x-axis.      [m]
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 fn on_cam(
-    cam: impl ::kin::IntoPlanarBody,
-    follower: impl ::kin::IntoPlanarBody,
+    cam: impl ::kin::emitted::IntoPlanarBody,
+    follower: impl ::kin::emitted::IntoPlanarBody,
     tip: impl ::kin::emitted::Components<2, Scalar: ::kin::emitted::IntoNumber>,
     profile: Law,
 ) -> on_cam {
     let mut noted = ::kin::emitted::Bindings::NONE;
     let bindings = &mut noted;
     on_cam {
-        cam: ::kin::IntoPlanarBody::into_planar_body(cam),
-        follower: ::kin::IntoPlanarBody::into_planar_body(follower),
+        cam: ::kin::emitted::IntoPlanarBody::into_planar_body(cam),
+        follower: ::kin::emitted::IntoPlanarBody::into_planar_body(follower),
         tip: ::kin::emitted::vector(tip, "tip", bindings),
         profile: ::kin::emitted::parameter(profile, "profile", bindings),
         __bindings: noted,
@@ -100,7 +100,7 @@ const _: () = {
     impl ::kin::Constraint for on_cam {
         fn facts(&self) -> ::kin::emitted::Facts<'_> {
             const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
-                description: "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]",
+                description: "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured\nfrom the cam's x-axis. [m]",
                 is_driver: false,
                 rows: &["1"],
                 pattern: &[
@@ -111,7 +111,7 @@ const _: () = {
                     ::kin::emitted::Entry::new(0, 4),
                     ::kin::emitted::Entry::new(0, 5),
                 ],
-                reason: ::kin::RouteReason::ReadBut {
+                reason: ::kin::extend::RouteReason::ReadBut {
                     outside: &[
                         (
                             "wear",
@@ -393,7 +393,7 @@ const _: () = {
             to.put("profile", &self.profile);
             to.put_text(
                 ::core::module_path!(),
-                "/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured from the cam's x-axis.      [m]\nfn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 { let p = cam . local (follower . point (tip)) ; let phi = p . y . atan2 (p . x) ; p . norm () - profile . at (phi) + wear (phi , MOST_WEAR) }",
+                "/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured\n/// from the cam's x-axis. [m]\nfn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 { let p = cam . local (follower . point (tip)) ; let phi = p . y . atan2 (p . x) ; p . norm () - profile . at (phi) + wear (phi , MOST_WEAR) }",
             );
             (&::kin::emitted::Outgoing(&MOST_WEAR)).constant("MOST_WEAR", to);
             to.lacks("`wear` (`#[helper]` before it and `#[constraint(with = wear)]`)");

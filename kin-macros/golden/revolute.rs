@@ -14,16 +14,16 @@ pub struct revolute {
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 pub fn revolute(
-    i: impl ::kin::IntoPlanarBody,
-    j: impl ::kin::IntoPlanarBody,
+    i: impl ::kin::emitted::IntoPlanarBody,
+    j: impl ::kin::emitted::IntoPlanarBody,
     u_i: impl ::kin::emitted::Components<2, Scalar: ::kin::emitted::IntoNumber>,
     u_j: impl ::kin::emitted::Components<2, Scalar: ::kin::emitted::IntoNumber>,
 ) -> revolute {
     let mut noted = ::kin::emitted::Bindings::NONE;
     let bindings = &mut noted;
     revolute {
-        i: ::kin::IntoPlanarBody::into_planar_body(i),
-        j: ::kin::IntoPlanarBody::into_planar_body(j),
+        i: ::kin::emitted::IntoPlanarBody::into_planar_body(i),
+        j: ::kin::emitted::IntoPlanarBody::into_planar_body(j),
         u_i: ::kin::emitted::vector(u_i, "u_i", bindings),
         u_j: ::kin::emitted::vector(u_j, "u_j", bindings),
         __bindings: noted,
@@ -71,7 +71,7 @@ const _: () = {
                     ::kin::emitted::Entry::new(1, 4),
                     ::kin::emitted::Entry::new(1, 5),
                 ],
-                reason: ::kin::RouteReason::Read,
+                reason: ::kin::extend::RouteReason::Read,
                 constants: &[
                     ::core::option::Option::Some(1.0),
                     ::core::option::Option::None,

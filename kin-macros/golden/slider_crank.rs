@@ -16,8 +16,8 @@ struct slider_crank {
 #[allow(clippy::too_many_arguments)]
 #[must_use]
 fn slider_crank(
-    theta3: impl ::kin::IntoCoordinate,
-    x: impl ::kin::IntoCoordinate,
+    theta3: impl ::kin::emitted::IntoCoordinate,
+    x: impl ::kin::emitted::IntoCoordinate,
     l2: impl ::kin::emitted::IntoParameter<f64>,
     l3: impl ::kin::emitted::IntoParameter<f64>,
     h: impl ::kin::emitted::IntoParameter<f64>,
@@ -26,8 +26,8 @@ fn slider_crank(
     let mut noted = ::kin::emitted::Bindings::NONE;
     let bindings = &mut noted;
     slider_crank {
-        theta3: ::kin::IntoCoordinate::into_coordinate(theta3),
-        x: ::kin::IntoCoordinate::into_coordinate(x),
+        theta3: ::kin::emitted::IntoCoordinate::into_coordinate(theta3),
+        x: ::kin::emitted::IntoCoordinate::into_coordinate(x),
         l2: ::kin::emitted::parameter(l2, "l2", bindings),
         l3: ::kin::emitted::parameter(l3, "l3", bindings),
         h: ::kin::emitted::parameter(h, "h", bindings),
@@ -81,7 +81,7 @@ const _: () = {
                     ::kin::emitted::Entry::new(0, 1),
                     ::kin::emitted::Entry::new(1, 0),
                 ],
-                reason: ::kin::RouteReason::Read,
+                reason: ::kin::extend::RouteReason::Read,
                 constants: &[
                     ::core::option::Option::None,
                     ::core::option::Option::Some(-1.0),

@@ -17,7 +17,7 @@ fn slider_crank(theta3: Coord, x: Coord, t: Time, l2: f64, l3: f64, h: f64, omeg
 }
 
 /// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured
-/// from the cam's x-axis. [m]
+/// from the cam's x-axis.      [m]
 #[constraint]
 fn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let p = cam.local(follower.point(tip));
@@ -26,7 +26,7 @@ fn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
 }
 
 /// A cylindrical joint: the axes are parallel and the line between two of their points is along
-/// them. [–, –, m, m]
+/// them.      [–, –, m, m]
 #[constraint]
 pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) -> (f64, f64, f64, f64) {
     let f = i.direction(f_i);

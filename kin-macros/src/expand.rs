@@ -58,7 +58,7 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// `#[potential]`: a constraint whose row is an energy.
 pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let name = syn::parse2::<syn::ItemFn>(item.clone()).ok().map(|function| function.sig.ident);
-    let marked = name.map(|name| quote!(impl ::kin::Potential for #name {}));
+    let marked = name.map(|name| quote!(impl ::kin::loads::Potential for #name {}));
     let emitted = compiled(attribute, item, Role::Energy);
     quote!(#emitted #marked)
 }

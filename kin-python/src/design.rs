@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use kin::SingularPosition;
-use kin::{Distribution, Extreme, Feature, Off, Sampling, Sensitivities, Sensitivity, Tolerance};
+use kin::design::{Distribution, Feature, Off, Sampling, Sensitivities, Sensitivity, Tolerance};
+use kin::results::Extreme;
+use kin::results::SingularPosition;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -201,16 +202,13 @@ fn fields<'py>(py: Python<'py>, found: &Tolerance) -> PyResult<Bound<'py, PyDict
     all.set_item("misled", found.misled())?;
     all.set_item("attained", found.attained())?;
     all.set_item("corners", (found.corners[0], found.corners[1]))?;
-    let looked = &found.looked_at;
+    let looked = &found.searched;
     let place = |all: &[Off]| -> BTreeMap<String, f64> {
         all.iter().map(|off| (off.name.clone(), off.by)).collect()
     };
     let counts = (looked.corners, looked.all_corners, looked.inside);
     let unassembled = looked.unassembled.as_deref().map(place);
-    all.set_item(
-        "looked_at",
-        (counts, place(&looked.lowest), place(&looked.highest), unassembled),
-    )?;
+    all.set_item("searched", (counts, place(&looked.lowest), place(&looked.highest), unassembled))?;
     let second = found.second_order.as_ref();
     all.set_item(
         "second_order",

@@ -1,7 +1,7 @@
 //! Equations from text, and constraints that are not in a mechanism yet.
 
-use kin::constraint::Constraint;
-use kin::dual_route::ArgumentKind;
+use kin::Constraint;
+use kin::extend::dual_route::ArgumentKind;
 use pyo3::prelude::*;
 
 use crate::numbers;
@@ -74,7 +74,7 @@ pub fn terms<'py>(
     qd: &[u8],
     t: f64,
 ) -> PyResult<Terms<'py>> {
-    let terms = kin::terms(constraint, &numbers::read(q)?, &numbers::read(qd)?, t);
+    let terms = kin::extend::terms(constraint, &numbers::read(q)?, &numbers::read(qd)?, t);
     let rows = terms.c_q.row_iter().map(|row| row.iter().copied().collect()).collect();
     let list = |v: &[f64]| v.to_vec();
     Ok((list(terms.c.as_slice()), rows, list(terms.c_t.as_slice()), list(terms.q_d.as_slice())))

@@ -1,6 +1,7 @@
 //! Kin's errors as Python's exceptions: the same words, the fields by name, the motion before.
 
-use kin::{DimensionError, Error, Jammed};
+use kin::Error;
+use kin::error::{DimensionError, Jammed};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Value, json};

@@ -1,9 +1,11 @@
 //! Forces of a motion.
 
-use kin::{
-    Acted, EulerParameters, Ground, Massive, Mat3, PlanarBody, Series, Sharing, Solid, SpatialBody,
-    Turning,
-};
+use kin::SolverOptions;
+use kin::forces::{BodyWrench, LoadSharing};
+use kin::loads::HasTorque;
+use kin::loads::{HasMass, Solid};
+use kin::results::Series;
+use kin::{EulerParameters, Ground, Mat3, PlanarBody, SpatialBody};
 use kin::{Vec2, Vec3};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -42,7 +44,7 @@ impl Forces {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        ask: impl FnOnce(&kin::Forces<'_>) -> kin::Result<T> + Send,
+        ask: impl FnOnce(&kin::forces::Forces<'_>) -> kin::Result<T> + Send,
     ) -> PyResult<T> {
         or_raise(py, py.detach(|| ask(self.0.borrow_dependent())))
     }
@@ -62,14 +64,15 @@ impl Forces {
     ) -> PyResult<Forces> {
         let engine = engine_named(engine)?;
         let sharing = match left_out {
-            Some(names) => Some(Sharing::LeftOut(names)),
-            None => least_norm.then_some(Sharing::LeastNorm),
+            Some(names) => LoadSharing::Without(names),
+            None if least_norm => LoadSharing::LeastNorm,
+            None => LoadSharing::default(),
         };
+        let options = SolverOptions::new().engine(engine).sharing(sharing);
         let run = (system.now(), motion.0.clone());
         let found = py.detach(|| {
-            HeldForces::try_new(run, |(system, motion)| match &sharing {
-                None => system.forces_by(motion, engine),
-                Some(sharing) => system.forces_with(motion, sharing),
+            HeldForces::try_new(run, |(system, motion)| {
+                system.solver().options(options).forces(motion)
             })
         });
         or_raise(py, found).map(Forces)
@@ -80,8 +83,8 @@ impl Forces {
         self.with(py, |forces| Ok((forces.engine().compiled, forces.engine().handed_back)))
     }
 
-    fn why_plain(&self, py: Python<'_>) -> PyResult<Option<String>> {
-        self.with(py, |forces| Ok(forces.why_plain().map(str::to_owned)))
+    fn why_not_compiled(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        self.with(py, |forces| Ok(forces.why_not_compiled().map(str::to_owned)))
     }
 
     /// Raises an error by name unless these are there.
@@ -227,9 +230,9 @@ impl Forces {
 }
 
 fn reaction<'f>(
-    forces: &'f kin::Forces<'f>,
+    forces: &'f kin::forces::Forces<'f>,
     (kind, names): &Sources,
-) -> kin::Result<kin::Reaction<'f>> {
+) -> kin::Result<kin::forces::Reaction<'f>> {
     match (kind.as_str(), &names[..]) {
         ("load", [name]) => forces.load(name),
         ("friction", [name]) => forces.friction(name),
@@ -239,17 +242,17 @@ fn reaction<'f>(
     }
 }
 
-fn on<'f, B: Massive>(
-    forces: &'f kin::Forces<'f>,
+fn on<'f, B: HasMass>(
+    forces: &'f kin::forces::Forces<'f>,
     sources: &Sources,
     body: B,
     ways: Vec<(String, Option<B::Vector>)>,
-) -> kin::Result<Acted<'f, B::Vector>>
+) -> kin::Result<BodyWrench<'f, B::Vector>>
 where
-    B::Vector: Turning,
+    B::Vector: HasTorque,
 {
     let acted = reaction(forces, sources)?.on(body)?;
-    let moved = |acted: Acted<'f, B::Vector>, (way, point): (String, Option<B::Vector>)| match (
+    let moved = |acted: BodyWrench<'f, B::Vector>, (way, point): (String, Option<B::Vector>)| match (
         way.as_str(),
         point,
     ) {
@@ -260,7 +263,7 @@ where
     Ok(ways.into_iter().fold(acted, moved))
 }
 
-fn ask<V: Turning>(acted: &Acted<'_, V>, asked: &str) -> kin::Result<Vec<Series>> {
+fn ask<V: HasTorque>(acted: &BodyWrench<'_, V>, asked: &str) -> kin::Result<Vec<Series>> {
     match asked {
         "components" => Ok(acted.components()),
         "magnitude" => acted.magnitude().map(|one| vec![one]),

@@ -3,7 +3,8 @@
 
 use std::sync::Arc;
 
-use kin::{Forces, Sensitivities};
+use kin::design::Sensitivities;
+use kin::forces::Forces;
 use self_cell::self_cell;
 
 /// A system, and a motion of it.

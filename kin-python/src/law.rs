@@ -31,7 +31,7 @@ impl Law {
     /// them.
     fn range(&self) -> Option<(f64, f64, &'static str)> {
         let range = self.0.range()?;
-        let beyond = if range.beyond == kin::Beyond::Line { "line" } else { "held" };
+        let beyond = if range.beyond == kin::law::Beyond::Line { "line" } else { "held" };
         Some((range.from, range.to, beyond))
     }
 

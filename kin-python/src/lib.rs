@@ -27,7 +27,7 @@ mod _native {
     /// Messages name what Python calls them.
     #[pymodule_init]
     fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
-        kin::Surface::Python.choose();
+        kin::error::Surface::Python.choose();
         Ok(())
     }
 

@@ -2,7 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use kin::{Error, Measure, Quantity, QuantityValues};
+use kin::Error;
+use kin::results::{Measure, Quantity, QuantityValues};
 use pyo3::prelude::*;
 
 use crate::fault::or_raise;

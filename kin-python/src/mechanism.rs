@@ -2,8 +2,9 @@
 //! sees that they are its own.
 
 use kin::data::{ConstraintData, LoadData, MechanismData};
+use kin::loads::Friction;
 use kin::text::On;
-use kin::{Dimension, Friction, Ground, Pose, SpatialPose};
+use kin::{Dimension, Ground, Pose, SpatialPose};
 use pyo3::prelude::*;
 
 use crate::design::distribution_of;
@@ -355,7 +356,7 @@ impl Mechanism {
     fn diagnose(&self, py: Python<'_>, t: f64, q: Option<Vec<f64>>) -> PyResult<Verdict> {
         let mechanism = &self.0;
         let found = py.detach(|| match q {
-            Some(q) => mechanism.diagnose_at(t, &q),
+            Some(q) => mechanism.diagnose((t, &q)),
             None => mechanism.diagnose(t),
         });
         crate::system::diagnosis(&or_raise(py, found)?)

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use kin::data::MotionData;
-use kin::{Ground, PlanarBody, Quantity, Series, SpatialBody};
+use kin::results::{Quantity, Series};
+use kin::{Ground, PlanarBody, SpatialBody};
 use kin_view::{Figure, Panel};
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -171,11 +172,11 @@ impl Motion {
     /// redundant equations.
     fn facts(&self) -> (Option<String>, Option<String>, f64) {
         let own = |text: Option<&str>| text.map(str::to_owned);
-        (own(self.0.why_plain()), own(self.0.worst()), self.0.misfit())
+        (own(self.0.why_not_compiled()), own(self.0.worst()), self.0.misfit())
     }
 
     /// How far each body is at the first time from its guess: name, way, turn, hint.
-    fn displaced(&self) -> Vec<Displaced> {
+    fn displaced(&self) -> Vec<Displacement> {
         self.0
             .displaced()
             .into_iter()
@@ -186,7 +187,7 @@ impl Motion {
     /// Breaks of laws that were crossed: times before and after, constraint, law; where in the law
     /// it is, which derivative jumps.
     fn breaks(&self) -> Vec<Crossed> {
-        let crossed = |one: &kin::CrossedBreak| {
+        let crossed = |one: &kin::results::CrossedBreak| {
             (one.between, one.constraint.clone(), one.law.clone(), one.found.x, one.found.order)
         };
         self.0.breaks().iter().map(crossed).collect()
@@ -323,7 +324,7 @@ impl Motion {
 }
 
 /// A body: its name, how far it was moved and turned, a hint.
-type Displaced = (String, Option<f64>, Option<f64>, Option<String>);
+type Displacement = (String, Option<f64>, Option<f64>, Option<String>);
 
 /// A break of a law: the times around it, its constraint, the law, the argument, the derivative
 /// that jumps.

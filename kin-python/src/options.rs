@@ -1,8 +1,9 @@
-//! Options of a run from Python's keywords.
+//! SolverOptions of a run from Python's keywords.
 
 use std::time::Duration;
 
-use kin::{AssemblyOptions, Engine, Follow, Options, Stop};
+use kin::solver::{AssemblyOptions, Stop};
+use kin::{Engine, Follow, SolverOptions};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -11,8 +12,8 @@ use crate::fault::{value, wrong_type};
 /// The options that keywords say; what they do not say is the default.
 ///
 /// Errors: a keyword that nothing has, a value of another type.
-pub fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<Options> {
-    let mut options = Options::default();
+pub fn options(given: Option<&Bound<'_, PyDict>>) -> PyResult<SolverOptions> {
+    let mut options = SolverOptions::default();
     for (name, value) in given.into_iter().flatten() {
         put(&mut options, &name.extract::<String>()?, &value)?;
     }
@@ -41,10 +42,10 @@ pub fn assembly_options(given: &Bound<'_, PyDict>) -> PyResult<AssemblyOptions> 
     Ok(options)
 }
 
-const KNOWN: &str = "max_iterations, tolerance, residual_only, predict, rescue, halvings, jerk, closure, follow, \
-                     turning, engine, memory, effort";
+const KNOWN: &str = "max_iterations, tolerance, residual_only, predict, rescue, halvings, jerk, allowed_misfit, follow, \
+                     other_branch_at, engine, memory, effort";
 
-fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<()> {
+fn put(options: &mut SolverOptions, name: &str, given: &Bound<'_, PyAny>) -> PyResult<()> {
     match name {
         "max_iterations" => options.max_iterations = given.extract()?,
         "tolerance" => options.stop = Stop::Converged { tolerance: given.extract()? },
@@ -53,10 +54,10 @@ fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<
         "rescue" => options.rescue = given.extract()?,
         "halvings" => options.halvings = given.extract()?,
         "jerk" => options.jerk = given.extract()?,
-        "closure" => options.closure = given.extract()?,
+        "allowed_misfit" => options.allowed_misfit = given.extract()?,
         "memory" => options.memory = given.extract()?,
         "effort" => options.effort = given.extract()?,
-        "turning" => options.follow = Follow::Turning(given.extract()?),
+        "other_branch_at" => options.follow = Follow::OtherBranchAt(given.extract()?),
         "follow" => {
             options.follow = match given.extract::<String>()?.as_str() {
                 "unchecked" => Follow::Unchecked,
@@ -78,8 +79,10 @@ fn put(options: &mut Options, name: &str, given: &Bound<'_, PyAny>) -> PyResult<
 pub fn engine_named(name: &str) -> PyResult<Engine> {
     match name {
         "auto" => Ok(Engine::Auto),
-        "plain" => Ok(Engine::Plain),
+        "step-by-step" => Ok(Engine::StepByStep),
         "compiled" => Ok(Engine::Compiled),
-        other => Err(value(format!("engine: \"auto\", \"plain\" or \"compiled\", not {other:?}"))),
+        other => {
+            Err(value(format!("engine: \"auto\", \"step-by-step\" or \"compiled\", not {other:?}")))
+        }
     }
 }

@@ -5,7 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
-use kin::{Lanes, Options, Result, Series};
+use kin::extend::Lanes;
+use kin::results::Series;
+use kin::{Result, SolverOptions};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -46,7 +48,7 @@ fn feature(name: &str) -> PyResult<Feature> {
 }
 
 impl Feature {
-    fn of(self, x: &kin::Quantity) -> f64 {
+    fn of(self, x: &kin::results::Quantity) -> f64 {
         let largest = |all: &Series| all.values().iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         match self {
             Feature::MaxRate => largest(&x.rate),
@@ -167,7 +169,7 @@ struct Asked {
     cases: Vec<Vec<f64>>,
     times: Vec<f64>,
     wanted: Vec<(String, Feature, bool)>,
-    options: Options,
+    options: SolverOptions,
     lanes: bool,
     threads: Option<usize>,
 }

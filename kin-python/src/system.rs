@@ -1,10 +1,12 @@
 //! A mechanism made ready for solving, and what is asked of it. A run works on a system of its own,
 //! without Python's lock; `set` changes the one that the next run takes.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use kin::SolverOptions;
 use kin::diagnosis::Diagnosis;
-use kin::{Extremes, Solution};
+use kin::results::{Extremes, Solution};
 use kin_view::Scene;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -81,7 +83,7 @@ fn solved<'py>(py: Python<'py>, at: &Solution) -> PyResult<Solved<'py>> {
 
 fn turns(found: &Extremes) -> Turns {
     let all = found.all().iter().map(|one| (one.t, one.value, one.is_max)).collect();
-    let end = |extreme: kin::Extreme| (extreme.t, extreme.value);
+    let end = |extreme: kin::results::Extreme| (extreme.t, extreme.value);
     let name = (found.name().to_owned(), found.unit().to_owned());
     (name.0, name.1, all, found.stroke(), found.time_ratio(), end(found.min()), end(found.max()))
 }
@@ -175,7 +177,15 @@ impl System {
         let times = numbers::read(times)?;
         let options = options(keywords)?;
         let mut watch = Watch::new(progress, times.len());
-        let run = py.detach(|| system.run_watched(&times, &options, |done| watch.look(done)));
+        let stop = AtomicBool::new(false);
+        let run = py.detach(|| {
+            let look = |done, _| {
+                if !watch.look(done) {
+                    stop.store(true, Ordering::Relaxed);
+                }
+            };
+            system.solver().options(options).progress(look).stop_when(&stop).run(&times)
+        });
         watch.end(run.is_ok())?;
         or_raise(py, run).map(Motion::from)
     }
@@ -192,8 +202,8 @@ impl System {
         let options = options(keywords)?;
         let start = q.map(numbers::read).transpose()?;
         let found = py.detach(|| match start {
-            Some(q) => system.solve_at_with(t, &q, &options),
-            None => system.position_with(t, &options),
+            Some(q) => system.solver().options(options).solve_at(t, &q),
+            None => system.solver().options(options).position(t),
         });
         solved(py, &or_raise(py, found)?)
     }
@@ -263,7 +273,7 @@ impl System {
         let system = self.now();
         let q = q.map(numbers::read).transpose()?;
         let found = py.detach(|| match q {
-            Some(q) => system.diagnose_at(t, &q),
+            Some(q) => system.diagnose((t, &q)),
             None => system.diagnose(t),
         });
         diagnosis(&or_raise(py, found)?)
@@ -278,8 +288,17 @@ impl System {
     ) -> PyResult<Listed<'py>> {
         let system = self.now();
         let options = assembly_options(keywords)?;
-        let found = or_raise(py, py.detach(|| system.assemblies_with(t, &options)))?;
-        let one = |one: &kin::Assembly| Ok((one.label.to_string(), numbers::list(py, &one.q)?));
+        let found = or_raise(
+            py,
+            py.detach(|| {
+                system
+                    .solver()
+                    .options(SolverOptions::new().assemblies(options.clone()))
+                    .assemblies(t)
+            }),
+        )?;
+        let one =
+            |one: &kin::solver::Assembly| Ok((one.label.to_string(), numbers::list(py, &one.q)?));
         let all: PyResult<Vec<_>> = found.iter().map(one).collect();
         Ok((all?, found.complete.to_string(), found.reason))
     }
@@ -294,8 +313,16 @@ impl System {
     ) -> PyResult<Bound<'py, PyBytes>> {
         let system = self.now();
         let options = assembly_options(keywords)?;
-        let label: kin::Label = or_raise(py, label.parse())?;
-        let found = or_raise(py, py.detach(|| system.assembly_with(t, &label, &options)))?;
+        let label: kin::solver::Label = or_raise(py, label.parse())?;
+        let found = or_raise(
+            py,
+            py.detach(|| {
+                system
+                    .solver()
+                    .options(SolverOptions::new().assemblies(options.clone()))
+                    .assembly(t, &label)
+            }),
+        )?;
         numbers::list(py, &found.q)
     }
 

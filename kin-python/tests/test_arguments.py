@@ -44,7 +44,7 @@ def calls(m, system, motion, a, x):
         lambda v: kin.Law.sequence(v, v), kin.Law.polynomial, lambda v: kin.Law.ramp(1.0).at(v),
         lambda v: kin.Law.ramp(1.0).periodic(v), lambda v: kin.Law.ramp(1.0) * v, kin.Axis, lambda v: kin.Axis((0, 0, 1), v),
         system.run, lambda v: system.run([0.0, 0.1], tolerance=v), lambda v: system.run([0.0, 0.1], engine=v),
-        lambda v: system.run([0.0, 0.1], turning=v), lambda v: system.run([0.0, 0.1], memory=v),
+        lambda v: system.run([0.0, 0.1], other_branch_at=v), lambda v: system.run([0.0, 0.1], memory=v),
         lambda v: system.run([0.0, 0.1], max_iterations=v), lambda v: system.run([0.0, 0.1], jerk=v),
         lambda v: system.run([0.0, 0.1], wrong=v), lambda v: system.run([0.0, 0.1], progress=v), system.position,
         lambda v: system.position(0.0, v), lambda v: system.residual(v, v), lambda v: system.jacobian(v, 0.0),

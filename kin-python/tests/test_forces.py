@@ -70,7 +70,7 @@ def test_engines_agree_and_say_which_they_were():
     plain, program = (system.forces(motion, engine=engine) for engine in ("plain", "compiled"))
     # The first time is computed by both, and compared.
     assert plain.engine == (0, 0) and program.engine == (len(T) - 1, 0)
-    assert plain.why_plain is None and program.why_plain is None
+    assert plain.why_not_compiled is None and program.why_not_compiled is None
     for name, values in plain.columns().items():
         np.testing.assert_allclose(program.columns()[name], values, atol=1e-11)
     column = plain.named("O on arm.F_x")

@@ -13,7 +13,7 @@ CORE = ROOT / "kin-core" / "src"
 
 # Types of Rust, and their classes here where these have another name.
 TYPES = {
-    "Acted": "", "Balance": "", "Compiled": "", "Diagnosis": "", "Dimension": "", "Drive": "", "Extremes": "",
+    "BodyWrench": "", "Balance": "", "Compiled": "", "Diagnosis": "", "Dimension": "", "Drive": "", "Extremes": "",
     "Forces": "", "Friction": "", "Law": "", "Link": "", "Load": "", "Mechanism": "", "Motion": "", "PlanarBody": "",
     "PointMotion": "Point", "Proof": "", "Quantity": "", "Reaction": "", "RotationMotion": "Rotation", "Samples": "",
     "Sensitivities": "", "Series": "Quantity", "Solid": "", "SpatialBody": "", "SpatialLink": "", "System": "", "Tolerance": "",
@@ -42,7 +42,7 @@ INSTEAD = {
     "Load": {"and": "`load + load`"},
     "Mechanism": {
         "add_data": "from_json", "add_load_data": "from_json", "coordinate_named": "`m[name]`", "data": "to_json",
-        "diagnose_at": "diagnose(t, q)", "dimension_named": "`m[name]`", "expression": "an expression of dimensions",
+        "dimension_named": "`m[name]`", "expression": "an expression of dimensions",
         "from_data": "from_json", "law": "`kin.Law`", "marker": "local", "planar_named": "`m[name]`", "spatial_named": "`m[name]`",
         "write_json_for": "write_json",
     },
@@ -64,13 +64,13 @@ INSTEAD = {
     },
     "Solid": {"and": "`solid + solid`"},
     "System": {
-        "assemblies_with": "assemblies", "assembly_with": "assembly", "check_columns": "`kin.sweep`", "constraint_names": "constraints", "coordinate_names": "names",
-        "coordinate_units": "units", "diagnose_at": "diagnose(t, q)", "diagnose_at_with": "diagnose", "diagnose_with": "diagnose",
-        "equation_names": "equations", "forces_by": "`forces(motion, engine=…)`", "forces_with": "forces(motion, sharing)",
+        "check_columns": "`kin.sweep`", "constraint_names": "constraints", "coordinate_names": "names",
+        "coordinate_units": "units", 
+        "equation_names": "equations", 
         "link_length": "parameters", "load_names": "loads",
-        "n_coordinates": "`len(system.names)`", "n_equations": "`len(system.equations)`", "position_with": "position",
-        "run_in_parts": "`kin.sweep` and files", "run_watched": "run(progress=…)", "run_with": "run", "solve_at": "position(t, q)",
-        "solve_at_with": "position(t, q)", "sweep": "`kin.sweep`", "tolerance_of": "tolerance(motion, what, of)", "unit_words": "units",
+        "n_coordinates": "`len(system.names)`", "n_equations": "`len(system.equations)`",
+        "solve_at": "position(t, q)", "solver": "keywords of each call",
+        "sweep": "`kin.sweep`", "tolerance_of": "tolerance(motion, what, of)", "unit_words": "units",
     },
     "Tolerance": {"share": "`contributions`", "share_of_variance": "`contributions`"},
 }  # fmt: skip
@@ -135,7 +135,7 @@ def test_every_error_of_rust_is_a_class():
 
 def test_every_option_of_a_run_is_a_keyword():
     page = (CORE / "solve" / "newton" / "options.rs").read_text(encoding="utf-8")
-    body = page[page.index("pub struct Options {") :].split("\n}\n")[0]
+    body = page[page.index("pub struct SolverOptions {") :].split("\n}\n")[0]
     fields = set(re.findall(r"^    pub (\w+):", body, re.M))
     m = kin.Mechanism("wheel")
     wheel = m.planar("wheel")
@@ -144,6 +144,6 @@ def test_every_option_of_a_run_is_a_keyword():
     with pytest.raises(TypeError, match="there is no option `speed`") as refused:
         m.build().run([0.0], speed=1)
     known = set(re.findall(r"\w+", str(refused.value).split("there are ")[1]))
-    # The stop rule has a keyword for each of its kinds; how branches are looked for is an option of `assemblies`.
-    assert fields - known == {"stop", "search"}
-    assert known - fields == {"tolerance", "residual_only", "turning"}
+    # The stop rule has a keyword for each of its kinds; `assemblies` and `forces` have keywords of their calls.
+    assert fields - known == {"stop", "search", "assemblies", "sharing"}
+    assert known - fields == {"tolerance", "residual_only", "other_branch_at"}

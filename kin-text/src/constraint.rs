@@ -2,15 +2,13 @@
 
 use std::sync::Arc;
 
-use kin::constraint::{
-    Attached, Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written,
-};
-use kin::coordinates::{Argument, Coordinate, Target, Trig};
 use kin::data::{Datum, Describer};
 use kin::emitted::graph::{Dual3_64, Given, Table, give_law};
 use kin::emitted::{Bindings, Numbers, Refuses, refusal};
-use kin::state::{At, Rates};
-use kin::{Axis, Law, PlanarBody, SpatialBody, Vec3};
+use kin::extend::coordinates::{Argument, Coordinate, Target, Trig};
+use kin::extend::state::{At, Rates};
+use kin::extend::{Attached, Attachment, Facts, Parameters, Parts, RouteReason, Written};
+use kin::{Axis, Constraint, Law, PlanarBody, SpatialBody, Vec3};
 use kin_graph::Node;
 use kin_language::parse::Shape;
 use serde_json::Value;

@@ -3,12 +3,13 @@
 use std::str::FromStr;
 use std::sync::Arc;
 
-use kin::dual_route::ArgumentKind;
+use kin::dimension::IntoNumber;
 use kin::emitted::{Bindings, parameter};
 use kin::error::{Error, Result};
+use kin::extend::dual_route::ArgumentKind;
 use kin::{
-    Axis, Coordinate, Dimension, EulerParameters, Ground, IntoNumber, Law, Link, Mat2, Mat3,
-    PlanarBody, SpatialBody, SpatialLink, Vec2, Vec3,
+    Axis, Coordinate, Dimension, EulerParameters, Ground, Law, Link, Mat2, Mat3, PlanarBody,
+    SpatialBody, SpatialLink, Vec2, Vec3,
 };
 
 use crate::constraint::{Body, ReadConstraint, count};
@@ -23,7 +24,8 @@ use crate::signature::ParameterKind;
 ///
 /// ```
 /// use kin_text::Equation;
-/// # use kin::{Mechanism, Law, pose, linspace, joints::drivers::drive};
+/// # use kin::joints::drivers::drive;
+/// # use kin::{Law, Mechanism, linspace, pose};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let slot = Equation::read(

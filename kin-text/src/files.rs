@@ -1,10 +1,10 @@
 //! Mechanism files that carry their equations.
 
-use kin::Registry;
-use kin::constraint::Constraint;
+use kin::Constraint;
 use kin::data::Reader;
-use kin::dual_route::ArgumentKind;
+use kin::data::Registry;
 use kin::emitted::Bindings;
+use kin::extend::dual_route::ArgumentKind;
 use kin::{Axis, Law};
 use kin_language::parse::Shape;
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! A text read: its graph with every derivative, and what a constraint is asked for besides.
 
-use kin::constraint::{Dependence, Entry, Measured};
 use kin::emitted::graph::Table;
+use kin::extend::{Dependence, Entry, Measured};
 use kin_graph::Node;
 use kin_graph::differentiate::Derivatives;
 use kin_language::formula::{Outside, Written, local_column, parameter_name};

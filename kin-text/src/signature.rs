@@ -1,7 +1,7 @@
 //! The signature of an equation, without its tokens: bodies, and parameters with their numbers by
 //! name.
 
-use kin::dual_route::ArgumentKind;
+use kin::extend::dual_route::ArgumentKind;
 use kin_language::formula::parameter_name;
 use kin_language::lower::component_paths;
 use kin_language::parse::{Argument, Kind, Shape};

@@ -4,7 +4,7 @@
 use std::cell::Cell;
 
 use kin::Law;
-use kin::state::{At, Rates};
+use kin::extend::state::{At, Rates};
 use kin_graph::{Graph, Input, LeafUse, Node, Op, Part, Results, Source, evaluate_all};
 
 thread_local! {
@@ -70,14 +70,14 @@ pub struct Seen<'a> {
     pub at: &'a At<'a>,
     pub rates: Option<&'a Rates<'a>>,
     pub t_dot: f64,
-    pub kinds: &'a [(&'static str, kin::dual_route::ArgumentKind)],
+    pub kinds: &'a [(&'static str, kin::extend::dual_route::ArgumentKind)],
     pub parameters: &'a [f64],
     pub laws: &'a [Law],
 }
 
 impl Seen<'_> {
     fn state(&self, slot: usize, part: Part) -> Option<f64> {
-        use kin::dual_route::ArgumentKind::{Coord, Planar, Spatial};
+        use kin::extend::dual_route::ArgumentKind::{Coord, Planar, Spatial};
         match (self.kinds.get(slot)?.1, part) {
             (Planar, Part::R(k)) => self.at.state::<5>(slot)?.get(k).copied(),
             (Planar, part) => Some(self.at.state::<5>(slot)?[trig(part, 2)]),
@@ -89,7 +89,7 @@ impl Seen<'_> {
     }
 
     fn rate(&self, slot: usize, part: Part) -> Option<f64> {
-        use kin::dual_route::ArgumentKind::{Coord, Planar, Spatial};
+        use kin::extend::dual_route::ArgumentKind::{Coord, Planar, Spatial};
         let rates = self.rates?;
         match (self.kinds.get(slot)?.1, part) {
             (Planar, Part::R(k)) => rates.of::<3>(slot)?.get(k).copied(),

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use kin::{Feature, Result, Tolerance};
+use kin::Result;
+use kin::design::{Feature, Tolerance};
 
 use crate::color::PALETTE;
 use crate::file;
@@ -44,7 +45,7 @@ impl Bars {
             Feature::Stroke(_) => String::new(),
             _ => format!(" at t = {} {time_unit}", short(tolerance.t)),
         };
-        let row = |one: &kin::Contribution| Row {
+        let row = |one: &kin::design::Contribution| Row {
             name: one.name.clone(),
             share: tolerance.share(one),
             of_variance: tolerance.share_of_variance(one),

@@ -7,7 +7,7 @@ mod language;
 mod messages;
 mod values;
 
-use kin::blame::{Culprit, Found, Part};
+use kin::extend::blame::{Culprit, Found, Part};
 use kin::prelude::*;
 use kin::{Error, Result};
 
@@ -91,7 +91,7 @@ macro_rules! blames {
                 &culprit,
                 source,
                 file!(),
-                ($expression, kin::blame::Part::$part, expected),
+                ($expression, kin::extend::blame::Part::$part, expected),
             );
         }
     };

@@ -2,11 +2,11 @@
 
 use std::sync::{Arc, Mutex};
 
-use kin::constraint::{Constraint, Facts, Parts};
-use kin::coordinates::{Argument, Target};
+use kin::Constraint;
 use kin::data::{Describer, LawData};
-use kin::state::{At, Rates};
-use kin::{jerk_rhs, terms};
+use kin::extend::coordinates::{Argument, Target};
+use kin::extend::state::{At, Rates};
+use kin::extend::{Facts, Parts, jerk_rhs, terms};
 use kin_text::{Equation, Making, On, Parameter, ReadConstraint};
 use serde_json::Value;
 

@@ -1,9 +1,11 @@
 //! The same run by plain steps and by a program: the same numbers, verdicts, names and events, most
 //! times of a fine grid computed by the program, or the reason by name why there is none.
 
-use kin::constraint::RouteReason;
+use kin::extend::Route;
+use kin::extend::RouteReason;
 use kin::prelude::*;
-use kin::{Engine, Error, Options, Route, Stop};
+use kin::solver::Stop;
+use kin::{Engine, Error, SolverOptions};
 
 /// How far q, q̇, q̈ and q⃛ may be apart, by 1 and the largest number of their kind in the motion:
 /// the tolerances of the references (`tests/data/README.md`), to which either engine is held alone,
@@ -30,7 +32,11 @@ pub trait Engines {
     fn run_both(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion>;
 
     /// The same with options, the engine apart.
-    fn run_both_with(&self, times: impl AsRef<[f64]>, options: &Options) -> kin::Result<Motion>;
+    fn run_both_with(
+        &self,
+        times: impl AsRef<[f64]>,
+        options: &SolverOptions,
+    ) -> kin::Result<Motion>;
 
     /// [`System::run`] by plain steps, after one by the engine that is chosen by itself, a program
     /// where that pays, has been compared with it.
@@ -48,17 +54,21 @@ pub trait Engines {
 impl Engines for System {
     #[track_caller]
     fn run_both(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion> {
-        self.run_both_with(times, &Options::default())
+        self.run_both_with(times, &SolverOptions::default())
     }
 
     #[track_caller]
-    fn run_both_with(&self, times: impl AsRef<[f64]>, options: &Options) -> kin::Result<Motion> {
+    fn run_both_with(
+        &self,
+        times: impl AsRef<[f64]>,
+        options: &SolverOptions,
+    ) -> kin::Result<Motion> {
         let times = times.as_ref();
-        let plain = Options { engine: Engine::Plain, ..options.clone() };
+        let plain = options.clone().engine(Engine::StepByStep);
         // A program always predicts.
-        let compiled = Options { engine: Engine::Compiled, predict: true, ..options.clone() };
-        let plain = self.run_with(times, &plain);
-        match (&plain, self.run_with(times, &compiled)) {
+        let compiled = options.clone().engine(Engine::Compiled).predict(true);
+        let plain = self.solver().options(plain.clone()).run(times);
+        match (&plain, self.solver().options(compiled.clone()).run(times)) {
             (_, Err(error)) if is_refusal(&error) => is_right(self, &error.to_string()),
             (Ok(plain), Ok(program)) => {
                 assert_eq!(stands_in_the_way(self), None, "{}", program.summary());
@@ -73,15 +83,16 @@ impl Engines for System {
     #[track_caller]
     fn run_both_by_auto(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion> {
         let times = times.as_ref();
-        let plain = self.run_with(times, &Options { engine: Engine::Plain, ..Options::default() });
+        let plain =
+            self.solver().options(SolverOptions::new().engine(Engine::StepByStep)).run(times);
         match (&plain, self.run(times)) {
             (Ok(plain), Ok(chosen)) => {
-                if let Some(reason) = chosen.why_plain() {
+                if let Some(reason) = chosen.why_not_compiled() {
                     is_right(self, reason);
                 } else if chosen.engine().compiled > 0 {
                     is_told(plain, &chosen);
                 }
-                is_near(plain, &chosen, Options::default().stop)
+                is_near(plain, &chosen, SolverOptions::default().stop)
             }
             (Err(plain), Err(chosen)) => ends_the_same(plain, &chosen),
             (plain, chosen) => panic!("{:?} {:?}", plain.as_ref().err(), chosen.err()),
@@ -91,13 +102,14 @@ impl Engines for System {
 
     #[track_caller]
     fn run_by_all(&self, times: impl AsRef<[f64]>, rounding: f64) -> kin::Result<Motion> {
-        let by = |engine| self.run_with(times.as_ref(), &Options { engine, ..Options::default() });
-        let plain = by(Engine::Plain);
+        let by =
+            |engine| self.solver().options(SolverOptions::new().engine(engine)).run(times.as_ref());
+        let plain = by(Engine::StepByStep);
         for engine in [Engine::Compiled, Engine::Auto] {
             match (&plain, by(engine)) {
                 (_, Err(error)) if is_refusal(&error) => is_right(self, &error.to_string()),
                 (Ok(plain), Ok(other)) => {
-                    is_near_but_for(rounding, plain, &other, Options::default().stop)
+                    is_near_but_for(rounding, plain, &other, SolverOptions::default().stop)
                 }
                 // Far off rounding decides which equation is said to be missed most.
                 (Err(plain), Err(other)) if rounding <= f64::EPSILON => {
@@ -114,11 +126,11 @@ impl Engines for System {
 
     #[track_caller]
     fn run_compiled(&self, times: impl AsRef<[f64]>) -> kin::Result<Motion> {
-        let by = |engine: Engine| Options { engine, ..Options::default() };
-        match self.run_with(&times, &by(Engine::Compiled)) {
+        let by = |engine: Engine| SolverOptions::new().engine(engine);
+        match self.solver().options(by(Engine::Compiled)).run(&times) {
             Err(error) if is_refusal(&error) => {
                 is_right(self, &error.to_string());
-                self.run_with(times, &by(Engine::Plain))
+                self.solver().options(by(Engine::StepByStep)).run(times)
             }
             run => run,
         }

@@ -1,9 +1,10 @@
 //! Mechanisms built from their description in a file, every constraint on its own route or by dual
 //! numbers.
 
-use kin::dual_route::Equation;
+use kin::extend::by_dual;
+use kin::extend::dual_route::Equation;
 use kin::prelude::*;
-use kin::{Mechanism, Result, by_dual, pose};
+use kin::{Mechanism, Result, pose};
 use serde_json::Value;
 
 use super::{array, number, numbers};
@@ -13,7 +14,7 @@ use super::{array, number, numbers};
 pub enum By {
     /// Its own: symbolic for all that the files need.
     Symbols,
-    /// `kin::by_dual`.
+    /// `kin::extend::by_dual`.
     DualNumbers,
 }
 

@@ -25,7 +25,7 @@ pub fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 {
 }
 
 /// Geneva drive: where the pin P of the driver is in a slot, s × e / |ū| = 0, s = P as the wheel
-/// sees it and e the slot's direction; else the wheel stands at its station. [–, rad]
+/// sees it and e the slot's direction; else the wheel stands at its station.      [–, rad]
 ///
 /// `pin`: ū, P in the driver, on its x-axis; at the driver's angle 0 it is deepest in a slot.
 /// `slots`: their number; the wheel's axle is to the right.

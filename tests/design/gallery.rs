@@ -1,7 +1,7 @@
 //! All mechanisms of the gallery: derivatives by their parameters against differences of runs,
 //! extrapolated.
 
-use kin::Registry;
+use kin::data::Registry;
 use kin::prelude::*;
 
 use crate::engines::Engines;

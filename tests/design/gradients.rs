@@ -48,7 +48,8 @@ fn by_tables() -> [System; 2] {
         .expect("adds");
     m.add("motor", drive_angle(crank, Law::spline(&table, Ends::Natural))).expect("adds");
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/examples");
-    let cam = Mechanism::read_json(format!("{folder}/07_cam_follower.json"), &kin::Registry::new());
+    let cam =
+        Mechanism::read_json(format!("{folder}/07_cam_follower.json"), &kin::data::Registry::new());
     [m.build().expect("a slider-crank"), cam.expect("a file").build().expect("a cam")]
 }
 

@@ -17,8 +17,10 @@ mod refused;
 mod toggles;
 
 use data::{error, numbers, rows};
+use kin::SolverOptions;
 use kin::prelude::*;
-use kin::{Extreme, Measure, Options, Quantity, Stop};
+use kin::results::{Extreme, Measure, Quantity};
+use kin::solver::Stop;
 use model::{Model, model};
 use serde_json::Value;
 
@@ -44,7 +46,7 @@ const LIMITS: [f64; 3] = [1e-12, 1e-11, 1e-10];
 
 fn run(model: &Model, times: &[f64]) -> Motion {
     let stop = Stop::Converged { tolerance: 1e-15 };
-    model.system.run_both_with(times, &Options { stop, ..Options::default() }).expect("a motion")
+    model.system.run_both_with(times, &SolverOptions::new().stop(stop)).expect("a motion")
 }
 
 /// The times with so many parts of each step.

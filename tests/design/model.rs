@@ -1,8 +1,9 @@
 //! Mechanisms of the files in `tests/data/design`, and what of each parameter of a file is read
 //! where.
 
+use kin::Mechanism;
+use kin::mechanism::IntoConstraint;
 use kin::prelude::*;
-use kin::{IntoConstraint, Mechanism};
 use serde_json::Value;
 
 use crate::data::{number, numbers};

@@ -1,7 +1,7 @@
 //! A function p → (value, gradient) for an optimiser.
 
-use kin::Quantity;
 use kin::prelude::*;
+use kin::results::Quantity;
 
 /// A slider-crank of two dimensions; its slider should go as x(t) of one with 0.1 and 0.3 does.
 fn system() -> (System, PlanarBody) {

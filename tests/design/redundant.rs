@@ -1,8 +1,9 @@
 //! Derivatives of redundant mechanisms: they exist where the parameter leaves the mechanism closed,
 //! and are refused where it does not, at rest and in motion, whatever the sizes.
 
+use kin::Mechanism;
+use kin::design::Sampling;
 use kin::prelude::*;
-use kin::{Mechanism, Sampling};
 
 use crate::engines::Engines;
 

@@ -1,7 +1,11 @@
 //! Derivatives that do not exist, or are not known, are refused by name, never given as a number.
 
+use kin::Mechanism;
+use kin::design::{Feature, Sampling};
+use kin::extend::{LawFunction, by_dual};
+use kin::law::Break;
 use kin::prelude::*;
-use kin::{Break, Extreme, Feature, LawFunction, Mechanism, Sampling, by_dual};
+use kin::results::Extreme;
 
 use crate::engines::Engines;
 

@@ -2,7 +2,8 @@
 //! of branch, a toggle, a jump, a kink.
 
 use kin::prelude::*;
-use kin::{Follow, Options, SingularPosition};
+use kin::results::SingularPosition;
+use kin::{Follow, SolverOptions};
 
 use crate::engines::Engines;
 
@@ -99,7 +100,7 @@ fn the_time_of_a_change_point_has_no_derivatives_in_any_units() {
         let system = parallelogram_in(unit);
         let motion = system.run_both(linspace(0.0, 4.0, 41)).expect("a motion");
         let mut change = motion.singular_positions().last().expect("a change point").clone();
-        change.kind = kin::SingularKind::TurningPoint;
+        change.kind = kin::results::SingularKind::TurningPoint;
         let told = system.toggle_by(&change, ["P.u_i.x"]).expect_err("an error").to_string();
         assert!(told.contains("no driver pushes the parts that are singular"), "{unit}: {told}");
     }
@@ -153,8 +154,8 @@ fn parallelogram_in(unit: f64) -> System {
 #[test]
 fn there_is_no_gradient_through_a_change_of_branch() {
     let system = parallelogram();
-    for follow in [Follow::Smooth, Follow::Turning(vec![0])] {
-        let options = Options { follow, ..Options::default() };
+    for follow in [Follow::Smooth, Follow::OtherBranchAt(vec![0])] {
+        let options = SolverOptions::new().follow(follow);
         let motion = system.run_both_with(linspace(0.0, 4.0, 41), &options).expect("a motion");
         let told = said(&system, &motion, "P.u_i.x");
         assert!(
@@ -170,7 +171,7 @@ fn there_is_no_gradient_through_a_change_of_branch() {
         );
         // Called a toggle it has none either: no driver pushes what is singular there.
         let mut called = change.clone();
-        called.kind = kin::SingularKind::TurningPoint;
+        called.kind = kin::results::SingularKind::TurningPoint;
         let told = system.toggle_by(&called, ["P.u_i.x"]).expect_err("an error").to_string();
         assert!(told.contains("no driver pushes the parts that are singular"), "{told}");
     }

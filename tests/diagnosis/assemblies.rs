@@ -1,9 +1,10 @@
 //! All assemblies of a loop, with labels.
 
-use kin::algebra::Vec3;
+use kin::SolverOptions;
+use kin::Vec3;
 use kin::joints::drivers::spatial::drive_turn;
 use kin::prelude::*;
-use kin::{AssemblyOptions, Complete, Label};
+use kin::solver::{AssemblyOptions, Complete, Label};
 
 use crate::engines::Engines;
 use crate::models::*;
@@ -77,7 +78,11 @@ fn stewart_gough_platform_has_40_poses() {
     }
     let system = m.build().unwrap();
     let begun = std::time::Instant::now();
-    let all = system.assemblies_with(0.0, &AssemblyOptions::default()).unwrap();
+    let all = system
+        .solver()
+        .options(SolverOptions::new().assemblies(AssemblyOptions::default()))
+        .assemblies(0.0)
+        .unwrap();
     println!("{} in {:?}", all.len(), begun.elapsed());
     for assembly in &all {
         println!("{}", assembly.label);
@@ -125,14 +130,20 @@ fn all_poses_of_a_plate_on_six_rods() {
     for seed in 0..3 {
         let begun = std::time::Instant::now();
         let all = system
-            .assemblies_with(0.0, &AssemblyOptions { seed, ..AssemblyOptions::default() })
+            .solver()
+            .options(SolverOptions::new().assemblies(AssemblyOptions::new().seed(seed)))
+            .assemblies(0.0)
             .unwrap();
         println!("{} in {:?}: {}", all.len(), begun.elapsed(), all.reason);
         assert_eq!((all.len(), all.complete), (14, Complete::Believed), "{}", all.reason);
     }
     // A search that is cut short does not claim to be complete.
-    let few = AssemblyOptions { starts: 40, ..AssemblyOptions::default() };
-    let some = system.assemblies_with(0.0, &few).unwrap();
+    let few = AssemblyOptions::new().starts(40);
+    let some = system
+        .solver()
+        .options(SolverOptions::new().assemblies(few.clone()))
+        .assemblies(0.0)
+        .unwrap();
     assert!(some.len() < 14);
     assert_eq!(some.complete, Complete::Unknown);
     assert!(some.reason.contains("40 starts"), "{}", some.reason);

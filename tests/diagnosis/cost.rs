@@ -100,8 +100,8 @@ fn cranks(redundant: bool) -> System {
 fn step(system: &System) -> f64 {
     let times = kin::linspace(0.0, 1.0, 1000);
     let begun = now();
-    let plain = kin::Options { engine: kin::Engine::Plain, ..kin::Options::default() };
-    let motion = system.run_with(&times, &plain).unwrap();
+    let plain = kin::SolverOptions::new().engine(kin::Engine::StepByStep);
+    let motion = system.solver().options(plain.clone()).run(&times).unwrap();
     let steps: usize = motion.iterations().iter().skip(1).map(|steps| steps + 1).sum();
     (now() - begun).as_secs_f64() / steps as f64
 }

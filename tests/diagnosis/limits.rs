@@ -2,10 +2,12 @@
 
 use std::time::Duration;
 
-use kin::diagnosis::{Change, DiagnosisOptions, Resize, Size};
+use kin::diagnosis::{Change, Resize, Size};
+use kin::extend::state::{At, Rates};
+use kin::extend::{Entry, Facts};
 use kin::prelude::*;
-use kin::state::{At, Rates};
-use kin::{AssemblyOptions, Entry, Error, Facts, Options, SearchOptions};
+use kin::solver::{AssemblyOptions, SearchOptions};
+use kin::{Error, SolverOptions};
 
 use crate::engines::Engines;
 use crate::models::*;
@@ -20,18 +22,24 @@ fn out_of_reach() -> System {
 #[test]
 fn limits_of_zero_are_refused() {
     let system = out_of_reach();
-    for search in [
-        SearchOptions { starts: 0, ..SearchOptions::default() },
-        SearchOptions { steps: 0, ..SearchOptions::default() },
-    ] {
-        let options = Options { search: search.clone(), ..Options::default() };
+    for search in [SearchOptions::new().starts(0), SearchOptions::new().steps(0)] {
+        let options = SolverOptions::new().search(search.clone());
         assert!(matches!(system.run_both_with([0.0], &options), Err(Error::InvalidOptions { .. })));
-        assert!(matches!(system.position_with(0.0, &options), Err(Error::InvalidOptions { .. })));
-        let options = DiagnosisOptions { search, ..DiagnosisOptions::default() };
-        assert!(matches!(system.diagnose_with(0.0, &options), Err(Error::InvalidOptions { .. })));
+        assert!(matches!(
+            system.solver().options(options.clone()).position(0.0),
+            Err(Error::InvalidOptions { .. })
+        ));
+        let options = search;
+        assert!(matches!(
+            system.solver().options(SolverOptions::new().search(options.clone())).diagnose(0.0),
+            Err(Error::InvalidOptions { .. })
+        ));
     }
-    let none = AssemblyOptions { starts: 0, ..AssemblyOptions::default() };
-    assert!(matches!(system.assemblies_with(0.0, &none), Err(Error::InvalidOptions { .. })));
+    let none = AssemblyOptions::new().starts(0);
+    assert!(matches!(
+        system.solver().options(SolverOptions::new().assemblies(none.clone())).assemblies(0.0),
+        Err(Error::InvalidOptions { .. })
+    ));
 }
 
 #[test]
@@ -39,21 +47,19 @@ fn gaps_tell_how_many_starts_were_tried() {
     let system = out_of_reach();
     let starts = |search: SearchOptions| {
         let found = system
-            .diagnose_with(0.0, &DiagnosisOptions { search, ..DiagnosisOptions::default() })
+            .solver()
+            .options(SolverOptions::new().search(search.clone()))
+            .diagnose(0.0)
             .unwrap();
         (found.gaps[0].starts, found.gaps[0].constraint.clone())
     };
     assert_eq!(starts(SearchOptions::default()), (16, "motor".to_string()));
-    assert_eq!(
-        starts(SearchOptions { starts: 3, seed: 9, ..SearchOptions::default() }),
-        (3, "motor".to_string())
-    );
-    let at_once = SearchOptions { time_limit: Some(Duration::ZERO), ..SearchOptions::default() };
+    assert_eq!(starts(SearchOptions::new().starts(3).seed(9)), (3, "motor".to_string()));
+    let at_once = SearchOptions::new().time_limit(Some(Duration::ZERO));
     let found = system
-        .diagnose_with(
-            0.0,
-            &DiagnosisOptions { search: at_once.clone(), ..DiagnosisOptions::default() },
-        )
+        .solver()
+        .options(SolverOptions::new().search(at_once.clone()))
+        .diagnose(0.0)
         .unwrap();
     assert!(
         !found.can_be_driven() || found.rank < found.coordinates,
@@ -63,10 +69,7 @@ fn gaps_tell_how_many_starts_were_tried() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     assert!(
-        m.build()
-            .unwrap()
-            .run_both_with([0.0, 0.1], &Options { search: at_once, ..Options::default() })
-            .is_ok()
+        m.build().unwrap().run_both_with([0.0, 0.1], &SolverOptions::new().search(at_once)).is_ok()
     );
 }
 
@@ -75,12 +78,23 @@ fn search_for_assemblies_ends_in_time() {
     let (mut m, [crank, ..]) = four_bar();
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     let system = m.build().unwrap();
-    let options =
-        AssemblyOptions { time_limit: Some(Duration::ZERO), ..AssemblyOptions::default() };
-    assert!(system.assemblies_with(0.0, &options).unwrap().len() <= 1);
+    let options = AssemblyOptions::new().time_limit(Some(Duration::ZERO));
+    assert!(
+        system
+            .solver()
+            .options(SolverOptions::new().assemblies(options.clone()))
+            .assemblies(0.0)
+            .unwrap()
+            .len()
+            <= 1
+    );
     let all = system.assemblies(0.0).unwrap();
     assert_eq!(
-        system.assembly_with(0.0, &all[1].label, &AssemblyOptions::default()).unwrap(),
+        system
+            .solver()
+            .options(SolverOptions::new().assemblies(AssemblyOptions::default()))
+            .assembly(0.0, &all[1].label)
+            .unwrap(),
         all[1]
     );
 }
@@ -95,8 +109,11 @@ impl Constraint for Motor {
             Facts { rows: &["1"], pattern: &[Entry::new(0, 2)], ..Facts::of("motor") };
         FACTS
     }
-    fn arguments(&self) -> Vec<kin::coordinates::Argument> {
-        vec![kin::coordinates::Argument { name: "b", target: kin::Target::Planar(self.0) }]
+    fn arguments(&self) -> Vec<kin::extend::coordinates::Argument> {
+        vec![kin::extend::coordinates::Argument {
+            name: "b",
+            target: kin::extend::Target::Planar(self.0),
+        }]
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         c[0] = at.planar(0).theta - 1.0 - at.t;

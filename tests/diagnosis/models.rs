@@ -3,7 +3,7 @@
 use kin::prelude::*;
 
 /// Five-row revolute: a common point, and the axis h_i of body i perpendicular to two directions of
-/// body j. [m, –]
+/// body j.      [m, –]
 #[constraint]
 pub fn hinge(
     i: Spatial,
@@ -28,7 +28,7 @@ pub fn ball(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
 }
 
 /// The angle of a body about a ground axis: the direction h of the body stays at the angle f(t) in
-/// the plane of a and b. [–]
+/// the plane of a and b.      [–]
 #[constraint]
 pub fn turn(body: Spatial, h: Vec3, a: Vec3, b: Vec3, law: Law, t: Time) -> f64 {
     let angle = law.at(t);

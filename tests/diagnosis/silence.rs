@@ -1,8 +1,9 @@
 //! Faults that once passed in silence: bodies that are assembled far from where they are drawn,
 //! handles of other mechanisms, kinks of equations.
 
+use kin::Error;
 use kin::prelude::*;
-use kin::{Error, EventKind};
+use kin::results::EventKind;
 
 use crate::engines::Engines;
 

@@ -1,4 +1,4 @@
-use kin::algebra::Vec3;
+use kin::Vec3;
 use kin::diagnosis::{How, Persistence};
 use kin::prelude::*;
 use kin::{SpatialPose, linspace};
@@ -141,10 +141,11 @@ fn bennett_runs_through_a_turn() {
         let q = motion.q(k);
         let exact = point(*t);
         let first = 7;
-        let state = kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i]));
+        let state =
+            kin::extend::state::SpatialState::<f64>::new(std::array::from_fn(|i| q[first + i]));
         assert!((state.point(u) - exact).norm() < 1e-10, "position at {t}");
         let rate = |q: &[f64], qd: &[f64], s: f64| {
-            kin::state::SpatialState::<f64>::new(std::array::from_fn(|i| {
+            kin::extend::state::SpatialState::<f64>::new(std::array::from_fn(|i| {
                 q[first + i] + s * qd[first + i]
             }))
             .point(u)

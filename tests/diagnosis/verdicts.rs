@@ -4,7 +4,7 @@
 use kin::diagnosis::{Change, Diagnosis, Elsewhere};
 use kin::joints::drivers::spatial as drivers;
 use kin::prelude::*;
-use kin::{Error, Options, System};
+use kin::{Error, SolverOptions, System};
 
 use crate::engines::Engines;
 
@@ -165,7 +165,7 @@ fn singular_start_says_where_to_begin() {
 /// The share that a refusal advises to allow.
 fn advised(found: &Diagnosis) -> f64 {
     let allow = found.changes.iter().find_map(|change| {
-        if let Change::Allow { closure } = change { Some(*closure) } else { None }
+        if let Change::Allow { misfit } = change { Some(*misfit) } else { None }
     });
     allow.unwrap_or_else(|| panic!("{found}"))
 }
@@ -180,8 +180,14 @@ fn third_rod_of_ordinary_accuracy_is_allowed_on_request() {
         let error = system.run_both(&times).unwrap_err();
         let closure = advised(error.diagnosis().unwrap());
         assert!(closure > off / 3.0 && closure < 10.0 * off, "{closure} for {off}");
-        assert!(error.to_string().contains(&format!("Options::closure({closure:e})")), "{error}");
-        let motion = system.run_both_with(&times, &Options::closure(closure)).unwrap();
+        assert!(
+            error
+                .to_string()
+                .contains(&format!("SolverOptions::new().allowed_misfit({closure:e})")),
+            "{error}"
+        );
+        let motion =
+            system.run_both_with(&times, &SolverOptions::new().allowed_misfit(closure)).unwrap();
         assert!(
             motion.misfit() > 0.01 * off && motion.misfit() <= closure,
             "{} for {off}",
@@ -192,13 +198,16 @@ fn third_rod_of_ordinary_accuracy_is_allowed_on_request() {
         let exact = times.iter().map(|t| (1.0 + 2.0 * t).cos());
         assert!(x.value.values().iter().zip(exact).all(|(x, exact)| (x - exact).abs() < 2.0 * off));
         // The half of it is too little, and so is what is allowed without being asked.
-        assert!(system.run_both_with(&times, &Options::closure(0.05 * closure)).is_err());
+        assert!(
+            system
+                .run_both_with(&times, &SolverOptions::new().allowed_misfit(0.05 * closure))
+                .is_err()
+        );
     }
     assert!(matches!(
-        parallelogram(1.0, 1.0)
-            .mechanism
-            .diagnose(0.0)
-            .and_then(|_| flat(1.0, 0.0).build()?.run_both_with([0.0], &Options::closure(-1.0))),
+        parallelogram(1.0, 1.0).mechanism.diagnose(0.0).and_then(|_| flat(1.0, 0.0)
+            .build()?
+            .run_both_with([0.0], &SolverOptions::new().allowed_misfit(-1.0))),
         Err(Error::InvalidOptions { .. })
     ));
 }
@@ -223,7 +232,9 @@ fn imported_assembly_is_allowed_on_request() {
     m.add("motor", drivers::drive_turn(door, m.ground(), z, z, Law::ramp(1.0))).unwrap();
     let system = m.build().unwrap();
     let closure = advised(system.run_both([0.0, 0.1]).unwrap_err().diagnosis().unwrap());
-    let motion = system.run_both_with(linspace(0.0, 6.0, 61), &Options::closure(closure)).unwrap();
+    let motion = system
+        .run_both_with(linspace(0.0, 6.0, 61), &SolverOptions::new().allowed_misfit(closure))
+        .unwrap();
     assert!(motion.misfit() > 1e-10 && motion.misfit() < 2e-8, "{}", motion.misfit());
     assert!(system.run_both(linspace(0.0, 6.0, 61)).is_err());
 }
@@ -309,9 +320,9 @@ fn mechanism_that_cannot_be_built_can_be_asked() {
     assert!(m.clone().build().is_err());
     assert_eq!(m.diagnose(0.0).unwrap().lasting_freedoms().count(), 1);
     let q = m.diagnose(0.0).unwrap().q;
-    let found = m.diagnose_at(0.0, &q).unwrap();
+    let found = m.diagnose((0.0, &q)).unwrap();
     assert!(found.q.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-9) && found.rank == 8);
-    assert!(matches!(m.diagnose_at(0.0, &q[1..]), Err(Error::WrongLength { .. })));
+    assert!(matches!(m.diagnose((0.0, &q[1..])), Err(Error::WrongLength { .. })));
     let mut driven = m.clone();
     let motor: Box<dyn Constraint> = Box::new(drive_angle(crank, Law::linear(1.0, 1.0)));
     driven.add("motor", motor).unwrap();

@@ -1,8 +1,12 @@
 //! Axes, turns and spatial links that hang on dimensions: set, they are those of a mechanism built
 //! so.
 
+use kin::data::Registry;
+use kin::dimension::IntoNumber;
+use kin::extend::Lanes;
+use kin::mechanism::IntoAxis;
 use kin::prelude::*;
-use kin::{Axis, Dimension, IntoAxis, IntoNumber, Lanes, Mechanism, Registry};
+use kin::{Axis, Dimension, Mechanism};
 
 use crate::engines::Engines;
 use crate::{apart, same_bits, times};

@@ -1,7 +1,7 @@
 //! Mechanism files name dimensions.
 
-use kin::Registry;
 use kin::data::MechanismData;
+use kin::data::Registry;
 use kin::prelude::*;
 
 use super::{NOMINAL, SliderCrank, same_bits, times};
@@ -44,7 +44,7 @@ fn distributions_and_clearances_come_back() {
         .dimension("a", 0.3)
         .unwrap()
         .tolerance(0.1)
-        .distributed(kin::Distribution::TruncatedNormal);
+        .distributed(kin::design::Distribution::TruncatedNormal);
     let gap = m.clearance("gap", 0.01).unwrap();
     let crank = m.link("crank", a).unwrap();
     m.add("O", revolute(crank, Ground, crank.start(), gap)).unwrap();

@@ -1,8 +1,12 @@
 //! Masses, gravity, loads and friction whose numbers hang on dimensions: set, they are those of a
 //! mechanism built so.
 
+use kin::data::Registry;
+use kin::dimension::IntoNumber;
+use kin::error::DimensionError;
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{DimensionError, Error, Friction, IntoNumber, Load, Registry, loads};
+use kin::{Error, Load, loads};
 
 use crate::engines::Engines;
 use crate::times;

@@ -1,7 +1,8 @@
 //! Which assembly is meant, and where bodies face, by dimensions.
 
+use kin::data::Registry;
 use kin::prelude::*;
-use kin::{Axis, Registry, deg};
+use kin::{Axis, deg};
 
 use crate::engines::Engines;
 use crate::times;

@@ -1,7 +1,8 @@
 //! Mistakes in dimensions are told by name.
 
+use kin::Error;
+use kin::error::DimensionError;
 use kin::prelude::*;
-use kin::{DimensionError, Error};
 
 use super::NOMINAL;
 use crate::engines::Engines;

@@ -11,7 +11,7 @@ fn made(
     names: [&str; 3],
     backwards: bool,
     scale: f64,
-) -> (Motion, Vec<(String, f64)>, kin::Tolerance) {
+) -> (Motion, Vec<(String, f64)>, kin::design::Tolerance) {
     let mut m = Mechanism::new("slider-crank");
     if scale != 1.0 {
         m.units("mm", "s");

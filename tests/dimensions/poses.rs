@@ -1,15 +1,19 @@
 //! Poses, guesses and links between points that hang on dimensions: set, they are those of a
 //! mechanism built so.
 
+use kin::Mechanism;
+use kin::data::Registry;
 use kin::prelude::*;
-use kin::{Mechanism, Registry};
 
 use crate::engines::Engines;
 use crate::{apart, times};
 
 /// A door of two hinges whose frame is `out` from the axis, told by its pose: set by dimensions, or
 /// built.
-fn door<N: kin::IntoNumber>(m: &mut Mechanism, [out, angle]: [N; 2]) -> kin::Result<SpatialBody> {
+fn door<N: kin::dimension::IntoNumber>(
+    m: &mut Mechanism,
+    [out, angle]: [N; 2],
+) -> kin::Result<SpatialBody> {
     let z = vec3(0.0, 0.0, 1.0);
     let pose = SpatialPose::turned([out, N::from(0.0), N::from(0.3)], z, angle);
     let door = m.spatial("door", pose)?;
@@ -94,7 +98,7 @@ fn guesses_that_are_given_later_hang_on_dimensions_too() -> kin::Result<()> {
 }
 
 /// A four-bar drawn by its points: B is at (bx, by).
-fn drawn<N: kin::IntoNumber>(m: &mut Mechanism, b: [N; 2]) -> kin::Result<()> {
+fn drawn<N: kin::dimension::IntoNumber>(m: &mut Mechanism, b: [N; 2]) -> kin::Result<()> {
     let crank = m.link_between("crank", (0.0, 0.0), (0.1, 0.0))?;
     let coupler = m.link_between("coupler", [N::from(0.1), N::from(0.0)], b)?;
     let rocker = m.link_between("rocker", [N::from(0.4), N::from(0.0)], b)?;

@@ -1,8 +1,9 @@
 //! Worst cases that are proved: they hold every sample, are hardly wider than what is attained, and
 //! are refused where a mechanism within the tolerances may not be assembled.
 
+use kin::Coordinate;
+use kin::design::{Distribution, Feature, Sampling, Tolerance};
 use kin::prelude::*;
-use kin::{Coordinate, Distribution, Feature, Sampling, Tolerance};
 
 use crate::engines::Engines;
 
@@ -13,7 +14,7 @@ const UNIFORM: Sampling = Sampling { count: 1500, seed: 3, distribution: Distrib
 fn holds_samples(
     system: &System,
     motion: &Motion,
-    what: impl kin::Measure + Sync + Copy,
+    what: impl kin::results::Measure + Sync + Copy,
     of: impl Into<Feature>,
 ) -> Tolerance {
     let of = of.into();
@@ -196,7 +197,7 @@ fn told_by(x: Coord, p: f64) -> f64 {
     x - odd(p)
 }
 
-fn odd<D: kin::Dual>(p: kin::Real<D>) -> kin::Real<D> {
+fn odd<D: kin::extend::Dual>(p: kin::extend::Real<D>) -> kin::extend::Real<D> {
     p * p
 }
 

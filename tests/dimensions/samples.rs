@@ -1,7 +1,8 @@
 //! Mechanisms made at random: distributions, clearances, and those that cannot be assembled.
 
+use kin::Coordinate;
+use kin::design::{Distribution, Sampling, Tolerance};
 use kin::prelude::*;
-use kin::{Coordinate, Distribution, Sampling, Tolerance};
 
 use crate::engines::Engines;
 

@@ -1,6 +1,6 @@
 //! A dimension that is set moves all that hangs on it.
 
-use kin::constraint::Constraint;
+use kin::Constraint;
 use kin::prelude::*;
 
 use super::{NOMINAL, SliderCrank, apart, same_bits, times};

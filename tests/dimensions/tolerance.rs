@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use kin::Coordinate;
+use kin::design::{Distribution, Feature, Samples, Sampling, Tolerance};
 use kin::prelude::*;
-use kin::{Coordinate, Distribution, Feature, Samples, Sampling, Tolerance};
 use serde_json::Value;
 
 use crate::engines::Engines;
@@ -156,7 +157,7 @@ fn slider_crank(case: &Value, law: Law, degrees: f64) -> kin::Result<(System, Pl
 fn compare_all(
     system: &System,
     motion: &Motion,
-    what: impl kin::Measure + Sync + Copy,
+    what: impl kin::results::Measure + Sync + Copy,
     of: impl Into<Feature>,
     case: &Value,
 ) {

@@ -1,8 +1,9 @@
 //! The worst of a box of tolerances where the linear stack does not say it: slopes that vanish,
 //! extremes inside, corners that do not close, and many dimensions.
 
+use kin::Coordinate;
+use kin::design::Tolerance;
 use kin::prelude::*;
-use kin::{Coordinate, Tolerance};
 
 use crate::engines::Engines;
 
@@ -62,7 +63,7 @@ fn a_worst_case_where_slopes_vanish() {
     );
     assert!(text.contains("the slopes vanish here, and the stack says nothing"), "{text}");
     assert!(text.contains("Looked at all 2 corners of the box of tolerances"), "{text}");
-    assert!(found.looked_at.highest.is_empty() && found.looked_at.lowest[0].by.abs() == 0.04);
+    assert!(found.searched.highest.is_empty() && found.searched.lowest[0].by.abs() == 0.04);
 }
 
 #[test]
@@ -75,9 +76,7 @@ fn an_upper_corner_is_never_below_the_nominal_value() {
     let (system, x) = chain(&[0.02, -0.01], 0.03);
     let found = stack_of(&system, x);
     between(&found, [0.5 * 0.05_f64.cos() + 0.5 * 0.07_f64.cos(), 1.0], 1e-13);
-    assert!(
-        found.looked_at.all_corners && found.looked_at.corners == 4 && found.looked_at.inside > 0
-    );
+    assert!(found.searched.all_corners && found.searched.corners == 4 && found.searched.inside > 0);
 }
 
 /// Two angles of fourteen are worst one way, and all others the other way round: 2¹⁴ corners are
@@ -88,7 +87,7 @@ fn many_dimensions_are_looked_at_with_bounded_effort() {
     let found = stack_of(&system, x);
     let low = (1..=14).map(|k| 0.5 * (0.01 * f64::from(k)).cos()).sum();
     between(&found, [low, 7.0], 1e-13);
-    let looked = &found.looked_at;
+    let looked = &found.searched;
     assert!(!looked.all_corners && looked.corners + looked.inside <= 600, "{looked:?}");
     let text = found.to_string();
     let said = format!("Looked at {} corners of the box of 14 tolerances", looked.corners);
@@ -190,7 +189,7 @@ fn a_box_that_does_not_close_has_no_worst_case_and_names_the_corner() {
     let motion = system.run_both([0.0]).expect("a motion");
     let found = system.tolerance(&motion, slider.x()).expect("a tolerance");
     assert_eq!((found.corners, found.attained(), found.misled()), ([None, None], None, None));
-    let place = found.looked_at.unassembled.as_ref().expect("a corner");
+    let place = found.searched.unassembled.as_ref().expect("a corner");
     assert!(place.iter().any(|off| off.name == "b" && off.by == -0.02), "{place:?}");
     let text = found.to_string();
     let first = text.lines().next().expect("a line");

@@ -1,7 +1,8 @@
 //! Between two times of the grid: motors that go out and come back within one step.
 
+use kin::extend::LawFunction;
 use kin::prelude::*;
-use kin::{Error, LawFunction, Options};
+use kin::{Error, SolverOptions};
 
 use crate::engines::Engines;
 use crate::models::{FourBar, slider_crank};
@@ -316,7 +317,7 @@ fn cases_of_a_sweep_are_followed_between_times_in_lanes_as_alone() {
         .map(|u| [-u, u, 1.0 + u, 1.0 + 2.0 * u])
         .collect();
     for times in grids() {
-        for options in [Options::default(), Options { predict: false, ..Options::default() }] {
+        for options in [SolverOptions::default(), SolverOptions::new().predict(false)] {
             let found = system
                 .sweep(names)
                 .unwrap()

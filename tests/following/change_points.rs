@@ -2,7 +2,8 @@
 
 use kin::data::MotionData;
 use kin::prelude::*;
-use kin::{Follow, Options, SingularKind, SingularPosition};
+use kin::results::{SingularKind, SingularPosition};
+use kin::{Follow, SolverOptions};
 
 use crate::engines::Engines;
 use crate::models::{FourBar, slider_crank};
@@ -12,8 +13,8 @@ use crate::models::{FourBar, slider_crank};
 const PARALLELOGRAM: FourBar =
     FourBar { driven: 1.0, next: 2.0, last: 1.0, ground: 2.0, by_coupler: false };
 
-fn turning(at: &[usize]) -> Options {
-    Options { follow: Follow::Turning(at.to_vec()), ..Options::default() }
+fn turning(at: &[usize]) -> SolverOptions {
+    SolverOptions::new().follow(Follow::OtherBranchAt(at.to_vec()))
 }
 
 /// How far what is found is from what is exact, by the largest of it.
@@ -79,7 +80,7 @@ fn slider_crank_with_equal_links_at_90_degrees() {
     let at = (-1.2 + (1.44 + 0.6 * PI).sqrt()) / 0.6;
     let system = slider_crank(1.0, 1.0, law(), 0.0).unwrap();
     for points in [5, 12, 400] {
-        for (options, stays) in [(Options::default(), false), (turning(&[0]), true)] {
+        for (options, stays) in [(SolverOptions::default(), false), (turning(&[0]), true)] {
             // a grid that straddles the position, and one that has it among its times
             for times in [linspace(0.0, 1.9, points), linspace(0.0, 2.0 * at, 2 * points + 1)] {
                 let motion = system
@@ -149,8 +150,7 @@ fn jerk_at_a_change_point_is_that_of_its_branch() {
     let system = slider_crank(1.0, 1.0, law, 0.0).unwrap();
     let crossing = system.run_both([0.0, 1.5]).unwrap().singular_positions()[0].t;
     let times = [0.0, crossing - 0.2, crossing, crossing + 0.2];
-    let motion =
-        system.run_both_with(times, &Options { jerk: true, ..Options::default() }).unwrap();
+    let motion = system.run_both_with(times, &SolverOptions::new().jerk(true)).unwrap();
     // The rod turns as much as the crank: φ = −θ, and the slider is at 2 cos θ.
     let qddd = motion.qddd(2);
     let theta = motion.q(2)[2];
@@ -219,7 +219,7 @@ fn change_points_are_events_by_name_and_data() {
     let [event] = motion.events() else { panic!("{:?}", motion.events()) };
     assert_eq!(
         (event.kind, event.name.as_str(), event.t),
-        (kin::EventKind::Bifurcation, "coupler, rocker", found.t)
+        (kin::results::EventKind::Bifurcation, "coupler, rocker", found.t)
     );
     println!("{event}");
     let json = serde_json::to_string(&motion.data()).unwrap();

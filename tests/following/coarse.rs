@@ -1,7 +1,7 @@
 //! A coarse grid gives the motion of a fine one.
 
 use kin::prelude::*;
-use kin::{Follow, Options};
+use kin::{Follow, SolverOptions};
 
 use crate::engines::Engines;
 use crate::models::FourBar;
@@ -92,10 +92,8 @@ fn assemblies_that_nearly_meet_are_told_apart() {
 fn checks_are_an_option() {
     let bar = FourBar { driven: 1.0, next: 2.0, last: 2.0, ground: 3.0 - 4e-6, by_coupler: false };
     let (system, _) = bar.system(Law::linear(0.2, TAU), 0.2, 1.0).unwrap();
-    let motion = system.run_both_with(
-        linspace(0.0, 2.0, 11),
-        &Options { follow: Follow::Unchecked, ..Options::default() },
-    );
+    let motion = system
+        .run_both_with(linspace(0.0, 2.0, 11), &SolverOptions::new().follow(Follow::Unchecked));
     let stays = motion.is_ok_and(|motion| (0..11).all(|k| bar.error(motion.q(k), 1.0) < 1e-9));
     assert!(!stays);
 }

@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use kin::prelude::*;
-use kin::{Engine, Error, Follow, Options};
+use kin::{Engine, Error, Follow, SolverOptions};
 
 use crate::families::{FAMILIES, Frame, Random, system};
 use crate::models::slider_crank;
@@ -22,7 +22,7 @@ fn wave(far: f64, effort: f64) -> kin::Result<Motion> {
     let z = m.length("z", 0.0)?;
     m.add("x", drive(x, Law::ramp(far)))?;
     m.add("z", wavy(x, z))?;
-    m.build()?.run_with([0.0, 1.0], &Options { effort, ..Options::default() })
+    m.build()?.solver().options(SolverOptions::new().effort(effort)).run([0.0, 1.0])
 }
 
 #[test]
@@ -33,7 +33,10 @@ fn effort_is_the_work_that_a_run_may_spend_on_smaller_steps() {
     for effort in [1e-4, 1e-3, 1e-2] {
         let [error, again] = [(); 2].map(|()| wave(1e5, effort).expect_err("ends early"));
         let Error::CannotFollow { t, reason, .. } = &error else { panic!("{effort}: {error}") };
-        assert!(reason.contains("`Options::effort`") && *t > last && *t < 1.0, "{effort}: {error}");
+        assert!(
+            reason.contains("`SolverOptions::effort`") && *t > last && *t < 1.0,
+            "{effort}: {error}"
+        );
         // It is counted, not timed.
         assert_eq!(error.to_string(), again.to_string());
         last = *t;
@@ -54,10 +57,11 @@ fn effort_bounds_the_diagnosis_after_a_failure() {
     let system = slider_crank(1.0, 0.8, Law::ramp(1.0), 0.0).unwrap();
     let end = |effort: f64| {
         // Hardly any of it is spent on smaller steps.
-        let options =
-            Options { effort, follow: Follow::Unchecked, halvings: 3, ..Options::default() };
+        let options = SolverOptions::new().effort(effort).follow(Follow::Unchecked).halvings(3);
         system
-            .run_with(linspace(0.0, 2.0, 2001), &options)
+            .solver()
+            .options(options.clone())
+            .run(linspace(0.0, 2.0, 2001))
             .expect_err("no position beyond a toggle")
     };
     let [full, cut] = [1.0, 1e-5].map(end);
@@ -92,7 +96,7 @@ struct Longest {
 impl Longest {
     fn run(&mut self, system: &System, times: &[f64], engine: Engine, words: &str) {
         let begun = Instant::now();
-        let result = system.run_with(times, &Options { engine, ..Options::default() });
+        let result = system.solver().options(SolverOptions::new().engine(engine)).run(times);
         let took = begun.elapsed();
         if result.is_ok() {
             self.each = self.each.max(took / times.len() as u32);
@@ -118,12 +122,14 @@ fn runs_that_cannot_be_followed_end_soon() {
         let Ok(mechanism) = system(family, &mut Random::of(number), Frame::default()) else {
             continue;
         };
-        for (points, engine) in [(2, Engine::Plain), (4, Engine::Plain), (37, Engine::Compiled)] {
+        for (points, engine) in
+            [(2, Engine::StepByStep), (4, Engine::StepByStep), (37, Engine::Compiled)]
+        {
             let words = format!("number {number}, {}, {points} times", FAMILIES[family]);
             longest.run(&mechanism, &linspace(0.0, 1.0, points), engine, &words);
         }
         let case = steps::random(number as u64);
-        for engine in [Engine::Plain, Engine::Compiled] {
+        for engine in [Engine::StepByStep, Engine::Compiled] {
             longest.run(&case.system, &case.times, engine, &case.words);
         }
     }

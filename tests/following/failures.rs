@@ -2,7 +2,7 @@
 //! end.
 
 use kin::prelude::*;
-use kin::{Error, Follow, Options};
+use kin::{Error, Follow, SolverOptions};
 
 use crate::engines::Engines;
 
@@ -53,7 +53,7 @@ fn halvings_without_end_come_to_one() {
     let system = m.build().unwrap();
     for halvings in [0, 12, 60, 200, u32::MAX] {
         for times in [vec![0.0, 2.0], vec![-1e9, 2.0], vec![0.0, 1.0, 1.0 + 1e-12]] {
-            let options = Options { halvings, follow: Follow::Unchecked, ..Options::default() };
+            let options = SolverOptions::new().halvings(halvings).follow(Follow::Unchecked);
             let Err(error) = system.run_both_with(&times, &options) else {
                 panic!("{halvings} {times:?}")
             };
@@ -88,7 +88,7 @@ fn a_last_correction_over_a_jump_is_not_taken() {
                 m.add("floor", floored(x, z)).unwrap()
             };
             let system = m.build().unwrap();
-            for options in [Options::default(), Options { predict: false, ..Options::default() }] {
+            for options in [SolverOptions::default(), SolverOptions::new().predict(false)] {
                 let motion = system.run_both_with([0.0, 1.0], &options).unwrap();
                 for k in 0..2 {
                     let q = motion.q(k);
@@ -113,7 +113,7 @@ fn a_run_that_needs_too_many_smaller_steps_says_so_soon() {
         let z = m.length("z", 0.0).unwrap();
         m.add("x", drive(x, Law::ramp(far))).unwrap();
         m.add("z", wavy(x, z)).unwrap();
-        m.build().unwrap().run_with(linspace(0.0, 1.0, times), &Options::default())
+        m.build().unwrap().solver().run(linspace(0.0, 1.0, times))
     };
     for times in [2, 3] {
         let Err(Error::CannotFollow { t, reason, .. }) = run(2e6, times) else { panic!("{times}") };

@@ -1,7 +1,8 @@
 //! Events of a motion do not depend on where the origin is and how large the mechanism is.
 
 use kin::prelude::*;
-use kin::{Engine, Error, Options, SingularKind};
+use kin::results::SingularKind;
+use kin::{Engine, Error, SolverOptions};
 
 use crate::families::{FAMILIES, Frame, Random, margin, system};
 
@@ -32,7 +33,7 @@ fn periodic(x: Coord, z: Coord) -> f64 {
 
 /// A run by one engine.
 fn run(system: &System, times: &[f64], engine: Engine) -> kin::Result<Motion> {
-    system.run_with(times, &Options { engine, ..Options::default() })
+    system.solver().options(SolverOptions::new().engine(engine)).run(times)
 }
 
 /// Kinds and times of what happens, the toggle at the end among them; the rest of errors by their
@@ -87,7 +88,7 @@ fn a_fold_is_found_wherever_the_origin_is() {
         m.add("x", drive(x, Law::sine(2.0, 3.0, 0.0) + Law::constant(far))).unwrap();
         m.add("z", periodic(x, z)).unwrap();
         let system = m.build().unwrap();
-        for engine in [Engine::Plain, Engine::Compiled] {
+        for engine in [Engine::StepByStep, Engine::Compiled] {
             let found = run(&system, &linspace(0.0, 1.0, points), engine);
             let Err(Error::Toggle { t, .. }) = found else {
                 panic!("{turns} {points} {engine:?}: {:?}", found.map(|motion| motion.summary()))
@@ -112,7 +113,7 @@ fn a_fold_is_found_beside_long_links() {
         m.add("x", drive(x, Law::sine(2.0, 3.0, 0.0))).unwrap();
         m.add("z", periodic(x, z)).unwrap();
         let system = m.build().unwrap();
-        for engine in [Engine::Plain, Engine::Compiled] {
+        for engine in [Engine::StepByStep, Engine::Compiled] {
             for points in [8, 20, 50] {
                 let found = run(&system, &linspace(0.0, 1.0, points), engine);
                 let Err(Error::Toggle { t, .. }) = found else {
@@ -147,7 +148,7 @@ fn explicit_equations_that_are_moved_and_scaled_do_the_same() {
     let mut seen = 0;
     for (kind, points) in (0..4).flat_map(|kind| [7, 20, 90].map(|points| (kind, points))) {
         let times = linspace(0.0, 1.0, points);
-        let expected = run(&explicit(kind, 1.0, 0.0).unwrap(), &times, Engine::Plain);
+        let expected = run(&explicit(kind, 1.0, 0.0).unwrap(), &times, Engine::StepByStep);
         for (scale, place) in [
             (1.0, 1e6),
             (1.0, -1e6),
@@ -157,7 +158,7 @@ fn explicit_equations_that_are_moved_and_scaled_do_the_same() {
             (1e-6, 1.0),
             (1e6, -1e12),
         ] {
-            for engine in [Engine::Plain, Engine::Compiled] {
+            for engine in [Engine::StepByStep, Engine::Compiled] {
                 let found = run(&explicit(kind, scale, place).unwrap(), &times, engine);
                 let rounding = f64::EPSILON * place.abs() / scale;
                 let what =
@@ -215,8 +216,8 @@ fn mechanisms_that_are_moved_and_scaled_do_the_same() {
             // so.
             let may_end = margin <= (64.0 * rounding).powf(2.0 / 3.0);
             let Some([here, there]) = pair(number, frame) else { continue };
-            let expected = run(&here, &times, Engine::Plain);
-            for engine in [Engine::Plain, Engine::Compiled] {
+            let expected = run(&here, &times, Engine::StepByStep);
+            for engine in [Engine::StepByStep, Engine::Compiled] {
                 let found = run(&there, &times, engine);
                 let what = format!(
                     "number {number}, {} in {steps} steps, by {scale} to {place}, {engine:?}",
@@ -314,7 +315,7 @@ fn a_fold_is_found_beside_what_is_carried_far_away() {
     for (((far, size), rides), begin) in all.flat_map(|case| [(case, 0.0), (case, 1.0)]) {
         let system = carried(far, size, begin, rides);
         let pace = if rides { far.abs() / size } else { 0.0 };
-        for engine in [Engine::Plain, Engine::Compiled] {
+        for engine in [Engine::StepByStep, Engine::Compiled] {
             for points in [8, 20, 50, 400] {
                 let what = format!("{far} {size} {rides} from {begin}, {points} times, {engine:?}");
                 let error = run(&system, &linspace(0.0, 1.0, points), engine).expect_err(&what);
@@ -345,7 +346,7 @@ fn a_slider_that_starts_at_the_rounding_of_zero_runs() {
             m.add("guide", prismatic(slider, m.ground(), o, o, up, 0.0)).unwrap();
             m.add("motor", drive(slider.x(), Law::sine(0.3, 1.0, phase))).unwrap();
             let system = m.build().unwrap();
-            for engine in [Engine::Plain, Engine::Compiled] {
+            for engine in [Engine::StepByStep, Engine::Compiled] {
                 let what = format!("{phase} {drawn} {engine:?}");
                 let motion = run(&system, &linspace(0.0, 1.0, 5), engine).expect(&what);
                 assert!((motion.q(4)[0] - 0.3 * (1.0 + phase).sin()).abs() < 1e-15, "{what}");

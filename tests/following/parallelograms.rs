@@ -2,7 +2,7 @@
 //! grid.
 
 use kin::prelude::*;
-use kin::{Engine, Error, Options};
+use kin::{Engine, Error, SolverOptions};
 
 use crate::families::{Frame, Random, near_parallelogram};
 
@@ -18,10 +18,10 @@ fn first() -> usize {
 
 /// The end of a run in words, with the times at which something happens.
 fn verdict(system: &System, steps: usize, engine: Engine) -> (String, Vec<f64>) {
-    let options = Options { engine, ..Options::default() };
+    let options = SolverOptions::new().engine(engine);
     let passed =
         |motion: &Motion| motion.singular_positions().iter().map(|at| at.t).collect::<Vec<f64>>();
-    match system.run_with(linspace(0.0, 1.0, steps + 1), &options) {
+    match system.solver().options(options.clone()).run(linspace(0.0, 1.0, steps + 1)) {
         Ok(motion) => ("moves".to_string(), passed(&motion)),
         Err(Error::Toggle { t, motion, .. }) => {
             let before = motion.iter().flat_map(|motion| passed(motion));
@@ -55,8 +55,9 @@ fn near_parallelograms_end_alike_on_coarse_and_fine_grids() {
         system.set_initial(&begin.q).expect("sets");
         let steps = random.one_of(&[1, 3, 5, 9, 10, 36]);
         let fine = random.one_of(&[90, 180, 360]);
-        let found = [(steps, Engine::Plain), (fine, Engine::Plain), (fine, Engine::Compiled)]
-            .map(|(steps, engine)| verdict(&system, steps, engine));
+        let found =
+            [(steps, Engine::StepByStep), (fine, Engine::StepByStep), (fine, Engine::Compiled)]
+                .map(|(steps, engine)| verdict(&system, steps, engine));
         toggles += usize::from(found[0].0 == "toggle");
         let is_told = ["moves", "toggle"].contains(&found[0].0.as_str());
         if !is_told || !found.iter().all(|own| is_same(own, &found[0])) {

@@ -1,7 +1,7 @@
-//! Turning points: the time beyond which there is no position.
+//! HasTorque points: the time beyond which there is no position.
 
-use kin::SingularKind;
 use kin::prelude::*;
+use kin::results::SingularKind;
 
 use crate::engines::Engines;
 use crate::models::{FourBar, slider_crank};

@@ -1,8 +1,10 @@
 //! Forces by functions under `#[force]` against the same ones by hand, on both routes; and loads in
 //! files.
 
+use kin::extend::by_dual;
+use kin::law::Ends;
 use kin::prelude::*;
-use kin::{Ends, Load, Mechanism, by_dual, loads};
+use kin::{Load, Mechanism, loads};
 
 use crate::both::Engines;
 
@@ -87,7 +89,7 @@ fn spatial_motion(
 fn on_first(
     mut m: Mechanism,
     body: PlanarBody,
-    load: impl kin::IntoLoad,
+    load: impl kin::loads::IntoLoad,
 ) -> (Vec<[f64; 3]>, Motion) {
     m.load("load", load).expect("a load");
     let system = m.build().expect("a system");
@@ -327,7 +329,7 @@ fn loads_come_back_from_a_file_with_equations_of_ones_own_as_text() {
     let off = before.iter().flatten().zip(after.iter().flatten()).map(|(a, b)| (a - b).abs());
     let off = off.fold(0.0, f64::max);
     assert!(off < 1e-12, "{off:e}");
-    let by_program = kin::Registry::new().with::<strut>().with::<gap>().with::<stiffening>();
+    let by_program = kin::data::Registry::new().with::<strut>().with::<gap>().with::<stiffening>();
     let again = Mechanism::from_data(&data, &by_program).expect("the same");
     assert_eq!(efforts(again), before);
 }

@@ -101,7 +101,7 @@ impl Table {
         let forces = system.forces(&motion).expect("forces");
         let ground = SpatialBody::from(self.m.ground());
         let at = self.vector("joint_point");
-        let on_ground = |reaction: kin::Reaction<'_>| {
+        let on_ground = |reaction: kin::forces::Reaction<'_>| {
             let acted = reaction.on(ground).expect("the ground").about(at);
             (acted.force().expect("unique"), acted.torque().expect("unique"))
         };

@@ -1,7 +1,8 @@
 //! All forces as columns: their names, in their order, and names that none has.
 
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Error, Friction, Load, Mechanism};
+use kin::{Error, Load, Mechanism};
 
 use crate::both::Engines;
 

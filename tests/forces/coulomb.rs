@@ -1,7 +1,9 @@
 //! Coulomb's law at the contacts of a joint: its friction by its reaction.
 
+use kin::forces::Forces;
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Error, Forces, Friction, Load, Mechanism};
+use kin::{Error, Load, Mechanism};
 
 use crate::both::Engines;
 

@@ -1,7 +1,9 @@
 //! Efforts of drivers: their peaks, names and units, and those that redundant drives share.
 
+use kin::extend::by_dual;
+use kin::forces::Drive;
 use kin::prelude::*;
-use kin::{Drive, Error, Mechanism, by_dual};
+use kin::{Error, Mechanism};
 
 use crate::both::Engines;
 
@@ -197,8 +199,9 @@ fn efforts<C: Constraint + 'static>(
             .map(|(effort, law)| effort.values()[k] * law.jet(*t)[1]);
         assert!((each.sum::<f64>() - drive.power().values()[k]).abs() < 1e-12, "{t}");
     }
-    let told =
-        |one: &kin::Series| (one.name().to_string(), one.unit().to_string(), one.values()[0]);
+    let told = |one: &kin::results::Series| {
+        (one.name().to_string(), one.unit().to_string(), one.values()[0])
+    };
     drive.efforts().iter().map(told).collect()
 }
 

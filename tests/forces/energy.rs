@@ -1,7 +1,9 @@
 //! Kinetic and potential energy: closed forms, and their rate against the power of the drives.
 
+use kin::SolverOptions;
 use kin::prelude::*;
-use kin::{Mechanism, Series, loads};
+use kin::results::Series;
+use kin::{Mechanism, loads};
 
 use crate::both::Engines;
 
@@ -56,8 +58,12 @@ fn a_bar_with_springs_has_the_energy_of_its_closed_form() {
     assert!(energy.potential.max() > 10.0 && found.iter().all(|off| *off < 1e-12), "{found:?}");
     assert_eq!([energy.kinetic.unit(), energy.potential.unit()], ["J", "J"]);
     // Masses of points are in both balances of powers.
-    for engine in [kin::Engine::Plain, kin::Engine::Compiled] {
-        let forces = system.forces_by(&motion, engine).expect("forces");
+    for engine in [kin::Engine::StepByStep, kin::Engine::Compiled] {
+        let forces = system
+            .solver()
+            .options(SolverOptions::new().engine(engine))
+            .forces(&motion)
+            .expect("forces");
         let balance = forces.balance();
         assert!(balance.worst() < 1e-13, "{engine:?}: {balance}");
         let rate = |t: f64| {

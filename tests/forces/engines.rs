@@ -1,8 +1,11 @@
 //! Forces by a program against those one time after the other: the same numbers, and told by name
 //! what has no program.
 
+use kin::SolverOptions;
+use kin::forces::Forces;
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Engine, Forces, Friction, Load, Mechanism, loads};
+use kin::{Engine, Load, Mechanism, loads};
 
 /// f(x, ẋ, t) of a damper with a seal that grows tired.
 #[force]
@@ -80,10 +83,14 @@ fn loads_of_all_kinds_are_in_the_program() {
     let (m, crank) = four_bar();
     let mut system = m.build().expect("a system");
     let motion = system.run(linspace(0.0, 2.0, 201)).expect("a motion");
-    let plain = system.forces_by(&motion, Engine::Plain).expect("forces");
+    let plain = system
+        .solver()
+        .options(SolverOptions::new().engine(Engine::StepByStep))
+        .forces(&motion)
+        .expect("forces");
     let compiled = system.forces(&motion).expect("forces");
-    assert_eq!((plain.engine().compiled, plain.why_plain()), (0, None));
-    assert_eq!((compiled.engine().compiled, compiled.why_plain()), (200, None));
+    assert_eq!((plain.engine().compiled, plain.why_not_compiled()), (0, None));
+    assert_eq!((compiled.engine().compiled, compiled.why_not_compiled()), (200, None));
     let off = apart(&compiled, &plain);
     assert!(off < 1e-11 && compiled.balance().worst() < 1e-12, "{off:e}, {}", compiled.balance());
     for name in ["O", "A", "motor"] {
@@ -99,7 +106,11 @@ fn loads_of_all_kinds_are_in_the_program() {
     system.set("B.u_i.x", 0.5).expect("a parameter");
     let motion = system.run(linspace(0.0, 2.0, 201)).expect("a motion");
     let again = system.forces(&motion).expect("forces");
-    let plain = system.forces_by(&motion, Engine::Plain).expect("forces");
+    let plain = system
+        .solver()
+        .options(SolverOptions::new().engine(Engine::StepByStep))
+        .forces(&motion)
+        .expect("forces");
     assert!(again.engine().compiled > 190 && apart(&again, &plain) < 1e-11);
 }
 
@@ -108,18 +119,23 @@ fn few_times_are_not_worth_a_program() {
     let system = four_bar().0.build().expect("a system");
     let motion = system.run(linspace(0.0, 0.3, 31)).expect("a motion");
     let forces = system.forces(&motion).expect("forces");
-    assert_eq!((forces.engine().compiled, forces.why_plain()), (0, None));
+    assert_eq!((forces.engine().compiled, forces.why_not_compiled()), (0, None));
 }
 
 /// Both answers about forces that have no program: by Compiled an error, by Auto the reason.
 fn reasons(m: Mechanism) -> [String; 2] {
     let system = m.build().expect("a system");
     let motion = system.run(linspace(0.0, 0.6, 61)).expect("a motion");
-    let refused =
-        system.forces_by(&motion, Engine::Compiled).map(|_| ()).expect_err("an error").to_string();
+    let refused = system
+        .solver()
+        .options(SolverOptions::new().engine(Engine::Compiled))
+        .forces(&motion)
+        .map(|_| ())
+        .expect_err("an error")
+        .to_string();
     let forces = system.forces(&motion).expect("forces");
     assert_eq!(forces.engine().compiled, 0);
-    [refused, forces.why_plain().unwrap_or_default().to_string()]
+    [refused, forces.why_not_compiled().unwrap_or_default().to_string()]
 }
 
 #[test]
@@ -166,8 +182,14 @@ fn what_is_not_finite_is_told_as_by_the_walk() {
     m.load("rope", torn(along, 0.355)).expect("a load");
     let system = m.build().expect("a system");
     let motion = system.run(linspace(0.0, 0.6, 61)).expect("a motion");
-    let told = [Engine::Plain, Engine::Compiled, Engine::Auto].map(|engine| {
-        system.forces_by(&motion, engine).map(|_| ()).expect_err("an error").to_string()
+    let told = [Engine::StepByStep, Engine::Compiled, Engine::Auto].map(|engine| {
+        system
+            .solver()
+            .options(SolverOptions::new().engine(engine))
+            .forces(&motion)
+            .map(|_| ())
+            .expect_err("an error")
+            .to_string()
     });
     assert!(told[0].contains("force of `rope`") && told[0].contains("t = 0.36"), "{told:?}");
     assert!(told[1] == told[0] && told[2] == told[0], "{told:?}");
@@ -196,7 +218,10 @@ fn cases_of_a_sweep_have_their_own_forces_and_errors() {
             .zip(case)
             .for_each(|(name, x)| system.set(name, *x).map(|_| ()).expect("a parameter"));
         let own = system.run(&times).and_then(|motion| {
-            let forces = system.forces_by(&motion, Engine::Plain)?;
+            let forces = system
+                .solver()
+                .options(SolverOptions::new().engine(Engine::StepByStep))
+                .forces(&motion)?;
             Ok(told(&forces))
         });
         match (found, own) {

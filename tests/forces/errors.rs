@@ -56,7 +56,7 @@ fn a_mass_without_a_centre_in_a_file() {
         let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"))
             .join(format!("without_{number}.json"));
         std::fs::write(&path, data.to_string()).expect("a file");
-        let told = told(Mechanism::read_json(&path, &kin::Registry::new()));
+        let told = told(Mechanism::read_json(&path, &kin::data::Registry::new()));
         assert!(told.contains(&format!("`{number}`")) && told.contains("missing"), "{told}");
     }
 }

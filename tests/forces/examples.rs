@@ -49,7 +49,7 @@ fn the_engine_shakes_and_is_driven_as_by_hand() -> kin::Result<()> {
         let forces = system.forces(&motion)?;
         let (force, moment) = engine::shaking(&forces)?;
         let effort = forces.drive("turning")?.effort().values().to_vec();
-        let by_hand = |solids: [kin::Solid; 3]| -> [Vec<[f64; 2]>; 2] {
+        let by_hand = |solids: [kin::loads::Solid; 3]| -> [Vec<[f64; 2]>; 2] {
             let at = |t: &f64| engine::by_hand(solids, *t);
             let all: Vec<_> = motion.times().iter().map(at).collect();
             let turning = all.iter().map(|(_, moment, torque)| [*moment, *torque]);

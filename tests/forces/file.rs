@@ -164,7 +164,7 @@ fn spatial(m: &mut Mechanism, file: &Value) -> Result<Bodies> {
                 let axis_i = Axis::new(vec3_of(c, "hi"), vec3_of(c, "ai"));
                 m.add(
                     name,
-                    kin::spatial::drive_turn(j, i, axis_j, axis_i, law(file, text(c, "f"))),
+                    kin::joints::spatial::drive_turn(j, i, axis_j, axis_i, law(file, text(c, "f"))),
                 )?
             }
             other => panic!("a constraint `{other}`"),

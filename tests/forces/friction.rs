@@ -1,7 +1,8 @@
 //! Dry friction against closed forms, and what jams.
 
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Error, Friction, Load, Mechanism};
+use kin::{Error, Load, Mechanism};
 
 use crate::both::Engines;
 
@@ -265,7 +266,7 @@ impl Block for Motion {
         let found =
             system.bodies().into_iter().find(|(name, _)| *name == "block").expect("a body").1;
         match found {
-            kin::Target::Planar(body) => body,
+            kin::extend::Target::Planar(body) => body,
             _ => panic!("it is planar"),
         }
     }

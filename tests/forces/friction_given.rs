@@ -1,7 +1,8 @@
 //! Friction as it is given: what makes no sense, and files.
 
+use kin::data::Registry;
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Friction, Registry};
 
 use crate::both::Engines;
 use crate::friction::{O, X, inclined, pushed};

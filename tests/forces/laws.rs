@@ -1,8 +1,9 @@
 //! Efforts of drivers by their laws, where rows are not x(q) − f(t): against closed forms, and
 //! effort · ḟ against the power.
 
+use kin::Mechanism;
+use kin::forces::{Drive, Forces};
 use kin::prelude::*;
-use kin::{Drive, Forces, Mechanism};
 
 const O: Vec2 = Vec2::new(0.0, 0.0);
 const MASS: f64 = 2.5;

@@ -1,8 +1,10 @@
 //! Loads written as energies against the same ones by hand, on both routes; the library against
 //! closed forms.
 
+use kin::extend::by_dual;
+use kin::law::Ends;
 use kin::prelude::*;
-use kin::{Ends, Load, Mechanism, by_dual, loads};
+use kin::{Load, Mechanism, loads};
 
 use crate::both::Engines;
 
@@ -103,7 +105,14 @@ fn a_spring_as_an_energy_is_a_spring_by_hand_on_both_routes() {
         m.load("load", Load::along(by_dual(by_numbers(i, j, U[0], U[1], k, free)), |_, _, _| -1.0))
     });
     near(&on_first(&dual.0, dual.1), &exact, "dual numbers");
-    kin::check::derivatives(own_spring(kin::any_planar(), kin::any_planar(), U[0], U[1], k, free));
+    kin::check::derivatives(own_spring(
+        kin::check::any_planar(),
+        kin::check::any_planar(),
+        U[0],
+        U[1],
+        k,
+        free,
+    ));
 }
 
 #[test]
@@ -301,7 +310,7 @@ fn masses_and_gravity_come_back_from_a_file_and_closures_are_refused() {
     m.gravity(vec2(0.0, -9810.0));
     let data = serde_json::to_string(&m.data().expect("data")).expect("writes");
     let data = serde_json::from_str(&data).expect("reads");
-    let again = Mechanism::from_data(&data, &kin::Registry::new()).expect("the same");
+    let again = Mechanism::from_data(&data, &kin::data::Registry::new()).expect("the same");
     assert_eq!(again.data().expect("data"), data);
     let peaks = [m.clone(), again].map(|m| {
         let system = m.build().expect("a system");

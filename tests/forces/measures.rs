@@ -1,8 +1,10 @@
 //! Forces along measures of joints by their names: against closed forms, and against the same force
 //! along a length of the library or of one's own.
 
+use kin::SolverOptions;
+use kin::forces::Forces;
 use kin::prelude::*;
-use kin::{Error, Forces, Load, Mechanism, loads};
+use kin::{Error, Load, Mechanism, loads};
 
 use crate::both::Engines;
 
@@ -166,14 +168,18 @@ fn a_coordinate_by_its_name_is_that_coordinate_in_a_program_too() {
         m.load("spring", load).expect("a load");
         let system = m.build().expect("a system");
         let motion = system.run(linspace(0.0, 3.0, 61)).expect("a motion");
-        let forces = system.forces_by(&motion, engine).expect("forces");
+        let forces = system
+            .solver()
+            .options(SolverOptions::new().engine(engine))
+            .forces(&motion)
+            .expect("forces");
         assert_eq!(forces.engine().compiled > 0, engine == kin::Engine::Compiled);
         let on =
             forces.load("spring").expect("a load").on(PlanarBody::from(arm)).expect("its body");
         assert!((on.torque().expect("unique")[0] + 7.0 * -0.2 + 1.5 * 1.6).abs() < 1e-12);
         efforts(&forces, "motor")
     };
-    for engine in [kin::Engine::Plain, kin::Engine::Compiled] {
+    for engine in [kin::Engine::StepByStep, kin::Engine::Compiled] {
         assert!(apart(&of(true, engine), &of(false, engine)) < 1e-13);
     }
 }
@@ -308,7 +314,14 @@ fn dampers_against_the_ground_in_space_take_rates_of_the_body_alone() {
         m.load("damper", load).expect("a load");
         let system = m.build().expect("a system");
         let motion = system.run(linspace(0.0, 1.0, 11)).expect("a motion");
-        efforts(&system.forces_by(&motion, kin::Engine::Plain).expect("forces"), "rack")
+        efforts(
+            &system
+                .solver()
+                .options(SolverOptions::new().engine(kin::Engine::StepByStep))
+                .forces(&motion)
+                .expect("forces"),
+            "rack",
+        )
     };
     for along in [true, false] {
         assert!(apart(&damper(along), &[3.5; 11]) < 1e-12, "{along}: {:?}", damper(along));

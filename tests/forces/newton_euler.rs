@@ -2,8 +2,9 @@
 //! about the centre, with the accelerations of points and none of what Kin's forces are made by.
 //! Faults that are planted in them have to show.
 
+use kin::System;
+use kin::forces::Forces;
 use kin::prelude::*;
-use kin::{Forces, System};
 
 use super::data::{array, number, numbers, read, rows};
 use super::file::{Bodies, build, list};
@@ -101,7 +102,7 @@ pub fn planar(
     left(all.into_iter(), largest)
 }
 
-fn add_planar(acted: kin::Acted<'_, Vec2>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
+fn add_planar(acted: kin::forces::BodyWrench<'_, Vec2>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
     let force = acted.force().expect("unique");
     let torque = acted.torque().expect("unique");
     for ((sum, f), m) in sums.iter_mut().zip(force).zip(torque) {
@@ -172,7 +173,11 @@ pub fn spatial(
     left(all.into_iter(), largest)
 }
 
-fn add_spatial(acted: kin::Acted<'_, Vec3>, sums: &mut [[Vec3; 2]], largest: &mut f64) {
+fn add_spatial(
+    acted: kin::forces::BodyWrench<'_, Vec3>,
+    sums: &mut [[Vec3; 2]],
+    largest: &mut f64,
+) {
     let force = acted.force().expect("unique");
     let torque = acted.torque().expect("unique");
     for ((sum, f), m) in sums.iter_mut().zip(force).zip(torque) {
@@ -183,7 +188,7 @@ fn add_spatial(acted: kin::Acted<'_, Vec3>, sums: &mut [[Vec3; 2]], largest: &mu
 }
 
 /// Takes in how large the components are that are unique.
-fn raise<V: kin::Turning>(acted: &kin::Acted<'_, V>, largest: &mut f64) {
+fn raise<V: kin::loads::HasTorque>(acted: &kin::forces::BodyWrench<'_, V>, largest: &mut f64) {
     for component in acted.components() {
         *largest = largest.max(component.max().abs()).max(component.min().abs());
     }
@@ -275,7 +280,7 @@ fn every_body_of_the_files_is_in_balance_and_faults_show() {
 /// The mechanisms of all examples, with masses of the test's own.
 #[test]
 fn every_body_of_every_example_is_in_balance() {
-    let registry = kin::Registry::new()
+    let registry = kin::data::Registry::new()
         .with::<own::slider_crank>()
         .with::<own::parabolic_slot>()
         .with::<own::geneva>();

@@ -1,7 +1,9 @@
 //! The balance of powers: its largest power, what is left of it, and how it is printed.
 
+use kin::SolverOptions;
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Engine, Error, Friction, Load, Mechanism};
+use kin::{Engine, Error, Load, Mechanism};
 
 use crate::both::Engines;
 
@@ -38,8 +40,12 @@ fn the_largest_power_is_that_of_the_drive_whenever_it_comes() {
             MASS * a * v
         };
         let due = motion.times().iter().map(power).fold(0.0_f64, |most, x| most.max(x.abs()));
-        for engine in [Engine::Plain, Engine::Compiled] {
-            let forces = system.forces_by(&motion, engine).expect("forces");
+        for engine in [Engine::StepByStep, Engine::Compiled] {
+            let forces = system
+                .solver()
+                .options(SolverOptions::new().engine(engine))
+                .forces(&motion)
+                .expect("forces");
             let balance = forces.balance();
             assert!((balance.largest / due - 1.0).abs() < 1e-12, "{} {due}", balance.largest);
             for (t, found) in motion.times().iter().zip(balance.drives.values()) {
@@ -58,8 +64,14 @@ fn powers_of_loads_and_friction_may_be_the_largest() {
     m.load("back", Load::force(body, O, vec2(-50.0, -10.0))).expect("a load");
     let system = m.build().expect("a system");
     let motion = system.run_both(linspace(0.0, 1.0, 11)).expect("a motion");
-    for engine in [Engine::Plain, Engine::Compiled] {
-        let balance = system.forces_by(&motion, engine).expect("forces").balance().clone();
+    for engine in [Engine::StepByStep, Engine::Compiled] {
+        let balance = system
+            .solver()
+            .options(SolverOptions::new().engine(engine))
+            .forces(&motion)
+            .expect("forces")
+            .balance()
+            .clone();
         assert!((balance.largest - 100.0 * 0.5_f64.sqrt()).abs() < 1e-12, "{}", balance.largest);
         assert!(balance.drives.values().iter().all(|x| x.abs() < 1e-12));
     }

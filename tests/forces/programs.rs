@@ -1,8 +1,9 @@
 //! Forces by a program of bodies in space, of coordinates that stand still, of no force and of
 //! large ones.
 
+use kin::forces::Forces;
 use kin::prelude::*;
-use kin::{Engine, Forces, Load, Mechanism, Options, loads};
+use kin::{Engine, Load, Mechanism, SolverOptions, loads};
 
 const O: Vec2 = Vec2::new(0.0, 0.0);
 
@@ -28,11 +29,19 @@ fn numbers(forces: &Forces<'_>) -> Vec<(String, Vec<f64>)> {
 
 /// Fails unless a program has the forces of all times but the first, and they are those one by one.
 fn by_program(system: &System, motion: &Motion) -> Vec<(String, Vec<f64>)> {
-    let plain = system.forces_by(motion, Engine::Plain).expect("forces");
-    let compiled = system.forces_by(motion, Engine::Compiled).expect("forces");
+    let plain = system
+        .solver()
+        .options(SolverOptions::new().engine(Engine::StepByStep))
+        .forces(motion)
+        .expect("forces");
+    let compiled = system
+        .solver()
+        .options(SolverOptions::new().engine(Engine::Compiled))
+        .forces(motion)
+        .expect("forces");
     let counts = compiled.engine();
     assert_eq!((counts.compiled, counts.handed_back), (motion.len() - 1, 0), "{}", system.name());
-    assert_eq!(compiled.why_plain(), None);
+    assert_eq!(compiled.why_not_compiled(), None);
     assert!(compiled.balance().worst() < 1e-11, "{}", compiled.balance());
     let plain = numbers(&plain);
     let compiled = numbers(&compiled);
@@ -117,9 +126,18 @@ fn coordinates_that_stand_still_are_taken_for_that_alone() {
     let back = Law::cycloidal(-0.9, 0.8).shifted(1.2);
     for law in [Law::linear(0.4, 2.0), Law::constant(0.4) + there + back] {
         let system = press(law);
-        let options = Options { engine: Engine::Compiled, ..Options::default() };
-        let motion = system.run_with(linspace(0.0, 2.4, 481), &options).expect("a motion");
-        assert!(motion.engine().compiled > 100, "{:?} {:?}", motion.engine(), motion.why_plain());
+        let options = SolverOptions::new().engine(Engine::Compiled);
+        let motion = system
+            .solver()
+            .options(options.clone())
+            .run(linspace(0.0, 2.4, 481))
+            .expect("a motion");
+        assert!(
+            motion.engine().compiled > 100,
+            "{:?} {:?}",
+            motion.engine(),
+            motion.why_not_compiled()
+        );
         by_program(&system, &motion);
     }
 }
@@ -133,10 +151,20 @@ fn forces_do_not_depend_on_other_motions() {
         let before = made();
         let fresh = made();
         let other = before.run(times(0.0)).expect("a motion");
-        let _ = before.forces_by(&other, Engine::Compiled).expect("forces");
+        let _ = before
+            .solver()
+            .options(SolverOptions::new().engine(Engine::Compiled))
+            .forces(&other)
+            .expect("forces");
         let [found, due] = [&before, &fresh].map(|system| {
             let motion = system.run(times(0.7)).expect("a motion");
-            numbers(&system.forces_by(&motion, Engine::Compiled).expect("forces"))
+            numbers(
+                &system
+                    .solver()
+                    .options(SolverOptions::new().engine(Engine::Compiled))
+                    .forces(&motion)
+                    .expect("forces"),
+            )
         });
         assert_eq!(found, due);
     }

@@ -1,6 +1,8 @@
 //! Reactions, efforts, powers and energies against 60 digits (`tests/data/forces/`).
 
-use kin::{Acted, Forces, Mechanism, Motion, Turning};
+use kin::forces::{BodyWrench, Forces};
+use kin::loads::HasTorque;
+use kin::{Mechanism, Motion};
 use serde_json::Value;
 
 use super::data::{numbers, read, rows};
@@ -33,7 +35,7 @@ impl Compared {
 }
 
 /// The wrench that the files list of a joint or a load, on body i or on another one.
-fn compare<V: Turning>(acted: &Acted<'_, V>, exact: &Value, sign: f64, of: &mut Compared) {
+fn compare<V: HasTorque>(acted: &BodyWrench<'_, V>, exact: &Value, sign: f64, of: &mut Compared) {
     let names: &[&str] =
         if exact["torque"][0].is_array() { &["T_x", "T_y", "T_z"] } else { &["T"] };
     let unique = |k: usize| exact["unique_always"].get(k).is_none_or(|unique| unique == true);
@@ -51,8 +53,8 @@ fn compare<V: Turning>(acted: &Acted<'_, V>, exact: &Value, sign: f64, of: &mut 
     }
 }
 
-fn series<V: Turning>(
-    acted: &Acted<'_, V>,
+fn series<V: HasTorque>(
+    acted: &BodyWrench<'_, V>,
     name: &str,
     unique: bool,
     exact: impl Fn(usize) -> f64,

@@ -1,8 +1,10 @@
 //! Forces that redundant constraints share: powers and rules, bare coordinates, and points of a
 //! joint.
 
+use kin::SolverOptions;
+use kin::forces::LoadSharing;
 use kin::prelude::*;
-use kin::{Error, Load, Mechanism, Sharing, loads};
+use kin::{Error, Load, Mechanism, loads};
 
 use crate::both::Engines;
 
@@ -46,11 +48,19 @@ fn motors_of_a_bare_angle_share_by_a_rule() {
         assert!(found.values().iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1e-12), "{found:?}");
     }
     // No rule leaves them open; the least norm halves, and what is left out gives nothing.
-    let open = system.forces_with(&motion, &Sharing::NotGiven).expect("forces");
+    let open = system
+        .solver()
+        .options(SolverOptions::new().sharing(LoadSharing::NotGiven))
+        .forces(&motion)
+        .expect("forces");
     assert!(open.drive("motor 1").is_err());
-    let left_out = Sharing::LeftOut(vec!["motor 1".to_string()]);
-    for (sharing, due) in [(Sharing::LeastNorm, [3.0, 3.0]), (left_out, [0.0, 6.0])] {
-        let forces = system.forces_with(&motion, &sharing).expect("forces");
+    let left_out = LoadSharing::Without(vec!["motor 1".to_string()]);
+    for (sharing, due) in [(LoadSharing::LeastNorm, [3.0, 3.0]), (left_out, [0.0, 6.0])] {
+        let forces = system
+            .solver()
+            .options(SolverOptions::new().sharing(sharing.clone()))
+            .forces(&motion)
+            .expect("forces");
         let found = ["motor 1", "motor 2"]
             .map(|name| forces.drive(name).expect("unique").effort().values()[1]);
         assert!(
@@ -74,14 +84,24 @@ fn rules_of_sharing_without_redundant_equations() {
     let system = m.build().expect("a system");
     let motion = system.run_both(linspace(0.0, 1.0, 5)).expect("a motion");
     let own = system.forces(&motion).expect("forces").columns();
-    for sharing in [Sharing::NotGiven, Sharing::LeastNorm, Sharing::LeftOut(Vec::new())] {
+    for sharing in [LoadSharing::NotGiven, LoadSharing::LeastNorm, LoadSharing::Without(Vec::new())]
+    {
         assert_eq!(
-            system.forces_with(&motion, &sharing).expect("forces").columns(),
+            system
+                .solver()
+                .options(SolverOptions::new().sharing(sharing.clone()))
+                .forces(&motion)
+                .expect("forces")
+                .columns(),
             own,
             "{sharing:?}"
         );
     }
-    let told = system.forces_with(&motion, &Sharing::LeftOut(vec!["hand".to_string()])).map(drop);
+    let told = system
+        .solver()
+        .options(SolverOptions::new().sharing(LoadSharing::Without(vec!["hand".to_string()])))
+        .forces(&motion)
+        .map(drop);
     let told = told.expect_err("nothing is redundant").to_string();
     assert!(told.contains("1 equations are left out, but 0 are redundant"), "{told}");
 }
@@ -118,7 +138,11 @@ fn three_hinges_of_a_door() {
         all.component("F_z").expect("unique").values().iter().all(|f| (f - 196.2).abs() < 1e-9)
     );
     assert!(forces.drive("hand").is_ok() && forces.balance().worst() < 1e-12);
-    let shared = system.forces_with(&motion, &Sharing::LeastNorm).expect("forces");
+    let shared = system
+        .solver()
+        .options(SolverOptions::new().sharing(LoadSharing::LeastNorm))
+        .forces(&motion)
+        .expect("forces");
     for name in names {
         let acted = shared.reaction(name).expect("a hinge").on(door).expect("the door");
         assert!(

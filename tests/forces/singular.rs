@@ -1,8 +1,11 @@
 //! Forces that grow without bound towards toggles and change points: their powers against closed
 //! forms.
 
+use kin::SolverOptions;
+use kin::forces::Growth;
 use kin::prelude::*;
-use kin::{Error, Growth, Load, Mechanism, SingularKind};
+use kin::results::SingularKind;
+use kin::{Error, Load, Mechanism};
 
 use crate::both::Engines;
 
@@ -221,12 +224,17 @@ fn times_beside_a_change_point_are_handed_back() {
     times.extend([-1e-4, 1e-4]);
     times.sort_by(f64::total_cmp);
     let motion = system.run(times).expect("a motion");
-    let [plain, compiled] = [kin::Engine::Plain, kin::Engine::Compiled]
-        .map(|engine| system.forces_by(&motion, engine).expect("forces"));
+    let [plain, compiled] = [kin::Engine::StepByStep, kin::Engine::Compiled].map(|engine| {
+        system
+            .solver()
+            .options(SolverOptions::new().engine(engine))
+            .forces(&motion)
+            .expect("forces")
+    });
     let counts = compiled.engine();
     assert!(counts.handed_back > 0 && counts.compiled > 50, "{counts:?}");
     assert_eq!(counts.compiled + counts.handed_back + 1, motion.len());
-    let effort = |forces: &kin::Forces<'_>| {
+    let effort = |forces: &kin::forces::Forces<'_>| {
         forces.drive("push").expect("a driver").effort().values().to_vec()
     };
     let plain = effort(&plain);

@@ -1,8 +1,10 @@
 //! Which forces of redundant mechanisms are unique, by name: decided by balances, not by how it is
 //! solved.
 
+use kin::SolverOptions;
+use kin::forces::{Forces, LoadSharing};
 use kin::prelude::*;
-use kin::{Forces, Mechanism, Sharing, System};
+use kin::{Mechanism, System};
 
 use crate::both::Engines;
 
@@ -97,20 +99,34 @@ fn a_rule_that_is_asked_for_makes_numbers_and_keeps_all_balances() {
         let acted = forces.reaction(hinge).expect("a hinge").on(door).expect("its door");
         acted.component("F_z").expect("unique").values().to_vec()
     };
-    let least = system.forces_with(&motion, &Sharing::LeastNorm).expect("forces");
+    let least = system
+        .solver()
+        .options(SolverOptions::new().sharing(LoadSharing::LeastNorm))
+        .forces(&motion)
+        .expect("forces");
     for (a, b) in thrust(&least, "hinge 1").iter().zip(thrust(&least, "hinge 2")) {
         assert!((a - 98.1).abs() < 1e-10 && (b - 98.1).abs() < 1e-10, "{a} {b}");
     }
     assert!(least.balance().worst() < 1e-12);
     let rows = ["hinge 2.point.z", "hinge 2.point.x", "hinge 2.point.y", "hinge 2.f", "hinge 2.g"];
     let rows: Vec<String> = rows.into_iter().map(str::to_string).collect();
-    let without = system.forces_with(&motion, &Sharing::LeftOut(rows)).expect("forces");
+    let without = system
+        .solver()
+        .options(SolverOptions::new().sharing(LoadSharing::Without(rows)))
+        .forces(&motion)
+        .expect("forces");
     for (a, b) in thrust(&without, "hinge 1").iter().zip(thrust(&without, "hinge 2")) {
         assert!((a - 196.2).abs() < 1e-10 && b.abs() < 1e-10, "{a} {b}");
     }
     let told = |rows: &[&str]| {
         let rows = rows.iter().map(|row| row.to_string()).collect();
-        system.forces_with(&motion, &Sharing::LeftOut(rows)).map(|_| ()).unwrap_err().to_string()
+        system
+            .solver()
+            .options(SolverOptions::new().sharing(LoadSharing::Without(rows)))
+            .forces(&motion)
+            .map(|_| ())
+            .unwrap_err()
+            .to_string()
     };
     assert!(told(&["hinge 2.z"]).contains("there is no equation `hinge 2.z`"));
     assert!(told(&["hinge 2.point.z"]).contains("1 equations are left out, but 5 are redundant"));

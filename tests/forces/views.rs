@@ -1,8 +1,9 @@
 //! Which forces are unique does not depend on units, on the order of joints, or on where the
 //! machine stands.
 
+use kin::Mechanism;
+use kin::forces::Forces;
 use kin::prelude::*;
-use kin::{Forces, Mechanism};
 
 use crate::both::Engines;
 

@@ -248,7 +248,7 @@ fn paths_are_followed_to_their_files() {
     };
     assert_eq!(end("linear::Echelon").as_deref(), Some("linear/echelon"));
     assert_eq!(end("Mechanism").as_deref(), Some("model/mechanism"));
-    assert_eq!(end("motion::Series").as_deref(), Some("model/motion/series"));
+    assert_eq!(end("solve::motion::Series").as_deref(), Some("model/motion/series"));
     assert!(house.files.keys().all(|module| module.first().is_none_or(|first| first != "testing")));
 }
 

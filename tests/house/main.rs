@@ -7,6 +7,7 @@ mod limits;
 mod lists;
 mod papers;
 mod reading;
+mod roots;
 mod signatures;
 mod words;
 

@@ -83,7 +83,7 @@ pub fn with_a_call_in_one_branch(x: Coord, y: Coord) -> f64 {
 
 #[test]
 fn what_a_branch_calls_is_not_called_where_the_other_one_is_taken() {
-    let constraint = with_a_call_in_one_branch(kin::any_coord(), kin::any_coord());
+    let constraint = with_a_call_in_one_branch(kin::check::any_coord(), kin::check::any_coord());
     let calls = |x: f64| {
         CALLS.with(|calls| calls.set(0));
         let states = [x, x.sin(), x.cos(), 0.5, 0.5_f64.sin(), 0.5_f64.cos()];

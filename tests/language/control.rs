@@ -1,8 +1,8 @@
 //! `if`, `match`, `for`, closures, functions inside the body; and what only dual numbers can
 //! follow.
 
+use kin::check::{any_coord as c, any_planar as p};
 use kin::prelude::*;
-use kin::{any_coord as c, any_planar as p};
 
 use crate::reads;
 

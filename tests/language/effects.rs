@@ -1,7 +1,7 @@
 //! Side effects on the right of `&&` and `||` happen only where that side is asked; integers do
 //! what rustc makes of them.
 
-use kin::any_coord as c;
+use kin::check::any_coord as c;
 use kin::prelude::*;
 
 use crate::reads;

@@ -24,14 +24,21 @@ pub fn mean_of<const N: usize>(q: [Coord; N], w: [f64; N]) -> [f64; N] {
 
 #[test]
 fn lengths_of_the_attribute() {
-    let constraint = legs(std::array::from_fn(|_| kin::any_coord()), [1.0, 2.0, 3.0]);
-    assert_eq!((constraint.route(), constraint.facts().pattern.len()), (kin::Route::Symbolic, 3));
-    assert_eq!(kin::terms(&constraint, &[0.0, 3.0, 0.0], &[], 0.0).c[0], 2.0 * 3.0_f64.sin() - 3.0);
-    kin::check::derivatives(constraint);
-    let constraint = mean_of(std::array::from_fn(|_| kin::any_coord()), [1.0, 2.0, 3.0, 4.0]);
-    assert_eq!(constraint.route(), kin::Route::Symbolic);
+    let constraint = legs(std::array::from_fn(|_| kin::check::any_coord()), [1.0, 2.0, 3.0]);
     assert_eq!(
-        kin::terms(&constraint, &[0.0, 1.0, 2.0, 5.0], &[], 0.0).c.as_slice(),
+        (constraint.route(), constraint.facts().pattern.len()),
+        (kin::extend::Route::Symbolic, 3)
+    );
+    assert_eq!(
+        kin::extend::terms(&constraint, &[0.0, 3.0, 0.0], &[], 0.0).c[0],
+        2.0 * 3.0_f64.sin() - 3.0
+    );
+    kin::check::derivatives(constraint);
+    let constraint =
+        mean_of(std::array::from_fn(|_| kin::check::any_coord()), [1.0, 2.0, 3.0, 4.0]);
+    assert_eq!(constraint.route(), kin::extend::Route::Symbolic);
+    assert_eq!(
+        kin::extend::terms(&constraint, &[0.0, 1.0, 2.0, 5.0], &[], 0.0).c.as_slice(),
         [-2.0, -2.0, 0.0, 12.0]
     );
     kin::check::derivatives(constraint);

@@ -28,8 +28,8 @@ macro_rules! reads {
         #[test]
         fn $name() {
             let constraint = $constraint;
-            assert_eq!(kin::Constraint::facts(&constraint).route(), kin::Route::$route);
-            let c = kin::terms(&constraint, &$q, &[], $t).c;
+            assert_eq!(kin::Constraint::facts(&constraint).route(), kin::extend::Route::$route);
+            let c = kin::extend::terms(&constraint, &$q, &[], $t).c;
             let expected: &[f64] = &$c;
             assert_eq!(c.len(), expected.len());
             for (got, expected) in c.iter().zip(expected) {

@@ -1,7 +1,8 @@
 //! The user's own items: constants, parameter types, generic functions, laws.
 
+use kin::check::{any_coord as c, any_planar as p, any_spatial as s};
+use kin::extend::Parameters;
 use kin::prelude::*;
-use kin::{Parameters, any_coord as c, any_planar as p, any_spatial as s};
 
 use crate::{reads, twice};
 
@@ -175,7 +176,7 @@ pub fn generic_inside(a: Coord, k: f64) -> f64 {
 
 #[test]
 fn a_generic_function_inside_the_body() {
-    assert_eq!(kin::terms(&generic_inside(c(), 2.0), &[3.0], &[], 0.0).c[0], 5.0);
+    assert_eq!(kin::extend::terms(&generic_inside(c(), 2.0), &[3.0], &[], 0.0).c[0], 5.0);
     kin::check::derivatives(generic_inside(c(), 2.0));
 }
 

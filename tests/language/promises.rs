@@ -1,11 +1,12 @@
 //! The promises of a constraint to its solver before the program runs: which terms never change
 //! with t, and which are always zero.
 
-use kin::coordinates::Argument;
-use kin::dual_route::{ArgumentKind, Equation};
+use kin::check::{any_coord as c, any_planar as p};
 use kin::emitted::{At, Rates};
+use kin::extend::coordinates::Argument;
+use kin::extend::dual_route::{ArgumentKind, Equation};
+use kin::extend::{Dependence, Entry, Facts};
 use kin::prelude::*;
-use kin::{Dependence, Entry, Facts, any_coord as c, any_planar as p};
 
 /// C depends on t, C_q does, C_t can be other than zero, Q_d can, C is not linear.
 fn promised(constraint: &impl Constraint) -> [bool; 5] {
@@ -58,7 +59,7 @@ fn terms_that_vanish_and_terms_without_time_are_promised() {
 #[test]
 fn the_dual_route_promises_what_the_graph_knows_and_nothing_without_one() {
     let own = revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0));
-    let dual = kin::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)));
+    let dual = kin::extend::by_dual(revolute(p(), p(), vec2(1.0, 0.0), vec2(0.0, 1.0)));
     assert_eq!(
         (own.facts().dependence, own.facts().constants),
         (dual.facts().dependence, dual.facts().constants)
@@ -94,18 +95,18 @@ impl Constraint for Claims {
         growing(self.3).arguments()
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
-        kin::dual_route::residual(self, at, c);
+        kin::extend::dual_route::residual(self, at, c);
         // Of an argument that is not its own it sees nothing.
         c[0] += at.coord(1).value;
     }
     fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]) {
-        kin::dual_route::jacobian(self, at, c_q);
+        kin::extend::dual_route::jacobian(self, at, c_q);
     }
     fn velocity_rhs(&self, at: &At<'_>, rhs: &mut [f64]) {
-        kin::dual_route::velocity_rhs(self, at, rhs);
+        kin::extend::dual_route::velocity_rhs(self, at, rhs);
     }
     fn acceleration_rhs(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
-        kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
+        kin::extend::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
     }
 }
 
@@ -172,7 +173,7 @@ pub fn timed_pair(body: Planar, t: Time, f: Law, k: f64, floor: f64) -> [f64; 2]
 
 #[test]
 fn what_depends_on_time_alone_is_evaluated_once_and_is_the_same() {
-    let constraint = timed_pair(kin::any_planar(), Law::harmonic(0.3, 2.0), 1.7, 0.1);
+    let constraint = timed_pair(kin::check::any_planar(), Law::harmonic(0.3, 2.0), 1.7, 0.1);
     assert!(constraint.facts().n_timed > 0);
     kin::check::derivatives(constraint);
 
@@ -186,7 +187,7 @@ fn what_depends_on_time_alone_is_evaluated_once_and_is_the_same() {
         let q = [0.2 + 0.01 * k as f64, -0.3, 0.5];
         let qd = [0.7, -0.2, 1.1];
         // Alone the constraint is asked without the numbers of the time; in a system with them.
-        let alone = kin::terms(&own, &q, &qd, t);
+        let alone = kin::extend::terms(&own, &q, &qd, t);
         assert_eq!(system.residual(&q, t).unwrap()[..2], alone.c.as_slice()[..]);
         assert_eq!(system.c_t(&q, t).unwrap()[..2], alone.c_t.as_slice()[..]);
         assert_eq!(system.acceleration_rhs(&q, &qd, t).unwrap()[..2], alone.q_d.as_slice()[..]);

@@ -23,9 +23,9 @@ with_type!(types_of_a_macro, f64, f64);
 
 #[test]
 fn types_that_a_macro_hands_over() {
-    let constraint = types_of_a_macro(kin::any_coord(), 2.0, [3.0, 4.0]);
+    let constraint = types_of_a_macro(kin::check::any_coord(), 2.0, [3.0, 4.0]);
     assert_eq!(constraint.route(), Route::Symbolic);
-    assert_eq!(kin::terms(&constraint, &[0.5], &[], 0.0).c[0], 1.0_f64.sin() + 3.0 - 4.0);
+    assert_eq!(kin::extend::terms(&constraint, &[0.5], &[], 0.0).c[0], 1.0_f64.sin() + 3.0 - 4.0);
     kin::check::derivatives(constraint);
 }
 
@@ -52,9 +52,9 @@ pub mod belt {
 
     #[test]
     fn a_struct_of_the_users_may_be_called_link() {
-        let constraint = own_link(kin::any_coord(), Link { pitch: 0.5, roller: 0.1 });
+        let constraint = own_link(kin::check::any_coord(), Link { pitch: 0.5, roller: 0.1 });
         assert_eq!(constraint.route(), Route::Symbolic);
-        assert_eq!(kin::terms(&constraint, &[0.0], &[], 0.0).c[0], 1.0);
+        assert_eq!(kin::extend::terms(&constraint, &[0.0], &[], 0.0).c[0], 1.0);
         kin::check::derivatives(constraint);
     }
 }
@@ -86,10 +86,11 @@ pub fn through_a_table(a: Coord, table: Vec<(f64, f64)>) -> f64 {
 
 #[test]
 fn a_helper_of_a_table_and_a_coordinate() {
-    let constraint = through_a_table(kin::any_coord(), vec![(0.0, 2.0), (1.0, 5.0)]);
+    let constraint = through_a_table(kin::check::any_coord(), vec![(0.0, 2.0), (1.0, 5.0)]);
     assert_eq!(constraint.route(), Route::Symbolic);
     assert!(
-        (kin::terms(&constraint, &[0.5], &[], 0.0).c[0] - (3.0 * 0.5_f64.sin() + 2.0 + 0.5 + 1.0))
+        (kin::extend::terms(&constraint, &[0.5], &[], 0.0).c[0]
+            - (3.0 * 0.5_f64.sin() + 2.0 + 0.5 + 1.0))
             .abs()
             < 1e-15
     );
@@ -300,9 +301,9 @@ pub fn of_a_state(i: Planar, j: Planar, k: f64) -> f64 {
 
 #[test]
 fn a_state_handed_to_a_helper() {
-    let constraint = of_a_state(kin::any_planar(), kin::any_planar(), 2.0);
+    let constraint = of_a_state(kin::check::any_planar(), kin::check::any_planar(), 2.0);
     assert_eq!(constraint.route(), Route::Symbolic);
-    let c = kin::terms(&constraint, &[1.0, 2.0, 0.0, 3.0, 4.0, 0.0], &[], 0.0).c[0];
+    let c = kin::extend::terms(&constraint, &[1.0, 2.0, 0.0, 3.0, 4.0, 0.0], &[], 0.0).c[0];
     assert_eq!(c, 2.0 - 4.0);
     assert_eq!(plain_height(PlanarState::new([0.0, 1.0, 0.0]), 1.0), 3.0);
     kin::check::derivatives(constraint);
@@ -320,6 +321,9 @@ pub fn real_from_integers(a: Coord) -> f64 {
 
 #[test]
 fn a_real_is_made_of_integers_and_has_an_order() {
-    kin::check::derivatives(real_from_integers(kin::any_coord()));
-    assert_eq!(kin::terms(&real_from_integers(kin::any_coord()), &[1.0], &[], 0.0).c[0], -2.0);
+    kin::check::derivatives(real_from_integers(kin::check::any_coord()));
+    assert_eq!(
+        kin::extend::terms(&real_from_integers(kin::check::any_coord()), &[1.0], &[], 0.0).c[0],
+        -2.0
+    );
 }

@@ -1,7 +1,7 @@
 //! Every constraint of these tests, read from the text that it keeps: all terms are those that were
 //! compiled.
 
-use kin::constraint::Constraint;
+use kin::Constraint;
 use kin::data::Describer;
 use kin::prelude::*;
 use kin_text::Equation;
@@ -155,8 +155,8 @@ pub fn agrees(path: &str, compiled: &dyn Constraint) {
 
 #[test]
 fn constraints_that_are_tested_by_themselves_agree_too() {
-    let c = kin::any_coord;
-    let p = kin::any_planar;
+    let c = kin::check::any_coord;
+    let p = kin::check::any_planar;
     agrees("branches::with_a_call_in_one_branch", &branches::with_a_call_in_one_branch(c(), c()));
     agrees("effects::thirteen", &effects::thirteen(c()));
     agrees("effects::below_zero", &effects::below_zero(c(), [1.0; 3]));

@@ -4,10 +4,11 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use kin::dual_route::Equation;
+use kin::Constraint;
 use kin::emitted::{PlanarState, SpatialState};
+use kin::extend::dual_route::Equation;
+use kin::extend::{Route, Routed};
 use kin::nalgebra::DVector;
-use kin::{Constraint, Route, Routed};
 
 use crate::differences::{Estimate, LONGEST, apart, derivatives_by};
 
@@ -123,7 +124,7 @@ fn values_agree(constraint: &dyn Constraint, n: usize, plain: Plain, known: bool
         if !known && expected.iter().any(|x| x.is_nan()) {
             continue;
         }
-        let c = kin::terms(constraint, &q, &[], t).c;
+        let c = kin::extend::terms(constraint, &q, &[], t).c;
         for (row, (got, expected)) in c.iter().zip(&expected).enumerate() {
             let same = (got - expected).abs() <= ROUNDING * (1.0 + expected.abs())
                 || !got.is_finite() && !expected.is_finite();
@@ -172,8 +173,8 @@ fn derivatives_agree(constraint: &dyn Constraint, n: usize, plain: Plain, steps:
         if !known.iter().enumerate().all(is_known) {
             continue;
         }
-        let own = kin::terms(constraint, &q, &qd, t);
-        let jerk = kin::jerk_rhs(constraint, &q, &qd, &qdd, t).expect("the jerk is known");
+        let own = kin::extend::terms(constraint, &q, &qd, t);
+        let jerk = kin::extend::jerk_rhs(constraint, &q, &qd, &qdd, t).expect("the jerk is known");
         let rates = [&qd, &qdd].map(|rates| &own.c_q * DVector::from_column_slice(rates));
         let columns = own.c_q.column_iter().map(DVector::from);
         let found: Vec<DVector<f64>> = std::iter::once(own.c_t.clone())
@@ -274,10 +275,10 @@ macro_rules! expected {
         $crate::twice::Expected::Nothing
     };
     ($route:ident) => {
-        $crate::twice::Expected::Route(kin::Route::$route, None)
+        $crate::twice::Expected::Route(kin::extend::Route::$route, None)
     };
     ($route:ident $reason:literal) => {
-        $crate::twice::Expected::Route(kin::Route::$route, Some($reason))
+        $crate::twice::Expected::Route(kin::extend::Route::$route, Some($reason))
     };
 }
 
@@ -285,17 +286,17 @@ macro_rules! expected {
 #[macro_export]
 macro_rules! made {
     ($f:path; [$($done:expr,)*];) => { $f($($done),*) };
-    ($f:path; [$($done:expr,)*]; planar $($rest:tt)*) => { $crate::made!($f; [$($done,)* kin::any_planar(),]; $($rest)*) };
-    ($f:path; [$($done:expr,)*]; spatial $($rest:tt)*) => { $crate::made!($f; [$($done,)* kin::any_spatial(),]; $($rest)*) };
-    ($f:path; [$($done:expr,)*]; coord $($rest:tt)*) => { $crate::made!($f; [$($done,)* kin::any_coord(),]; $($rest)*) };
+    ($f:path; [$($done:expr,)*]; planar $($rest:tt)*) => { $crate::made!($f; [$($done,)* kin::check::any_planar(),]; $($rest)*) };
+    ($f:path; [$($done:expr,)*]; spatial $($rest:tt)*) => { $crate::made!($f; [$($done,)* kin::check::any_spatial(),]; $($rest)*) };
+    ($f:path; [$($done:expr,)*]; coord $($rest:tt)*) => { $crate::made!($f; [$($done,)* kin::check::any_coord(),]; $($rest)*) };
     ($f:path; [$($done:expr,)*]; coords $($rest:tt)*) => {
-        $crate::made!($f; [$($done,)* std::array::from_fn(|_| kin::any_coord()),]; $($rest)*)
+        $crate::made!($f; [$($done,)* std::array::from_fn(|_| kin::check::any_coord()),]; $($rest)*)
     };
     ($f:path; [$($done:expr,)*]; planars $($rest:tt)*) => {
-        $crate::made!($f; [$($done,)* std::array::from_fn(|_| kin::any_planar()),]; $($rest)*)
+        $crate::made!($f; [$($done,)* std::array::from_fn(|_| kin::check::any_planar()),]; $($rest)*)
     };
     ($f:path; [$($done:expr,)*]; spatials $($rest:tt)*) => {
-        $crate::made!($f; [$($done,)* std::array::from_fn(|_| kin::any_spatial()),]; $($rest)*)
+        $crate::made!($f; [$($done,)* std::array::from_fn(|_| kin::check::any_spatial()),]; $($rest)*)
     };
     ($f:path; [$($done:expr,)*]; time $($rest:tt)*) => { $crate::made!($f; [$($done,)*]; $($rest)*) };
     ($f:path; [$($done:expr,)*]; ($value:expr) $($rest:tt)*) => { $crate::made!($f; [$($done,)* $value,]; $($rest)*) };

@@ -1,7 +1,7 @@
 //! Bindings, arithmetic, vectors, matrices, tuples, arrays.
 
+use kin::check::{any_coord as c, any_planar as p, any_spatial as s};
 use kin::prelude::*;
-use kin::{any_coord as c, any_planar as p, any_spatial as s};
 
 use crate::reads;
 

@@ -1,7 +1,7 @@
 //! "Driving Constraints": simple and complex drivers.
 
+use kin::check::{any_coord, any_planar};
 use kin::prelude::*;
-use kin::{any_coord, any_planar};
 use nalgebra::DMatrix;
 
 use crate::support::*;

@@ -1,7 +1,8 @@
 //! "Moving Point on Rigid Body": a point that moves in its body, ū(t), on a point of another body.
 
+use kin::check::any_planar;
+use kin::extend::terms;
 use kin::prelude::*;
-use kin::{any_planar, terms};
 use nalgebra::DMatrix;
 
 use crate::support::*;

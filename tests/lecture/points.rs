@@ -1,7 +1,8 @@
 //! "Velocity", "Acceleration" and both "Equivalence" slides: a point fixed in its body.
 
+use kin::check::any_planar;
+use kin::extend::{dual_terms, terms};
 use kin::prelude::*;
-use kin::{any_planar, dual_terms, terms};
 use nalgebra::Matrix2;
 
 use crate::support::*;

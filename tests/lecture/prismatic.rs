@@ -1,8 +1,9 @@
 //! "Constraint Library: Prismatic", with the blocks D1 to D4 of (C_q q̇)_q.
 
+use kin::check::any_planar;
+use kin::extend::by_dual;
+use kin::extend::state::{At, Offsets, PLANAR_STATE, PlanarState, Rates};
 use kin::prelude::*;
-use kin::state::{At, Offsets, PLANAR_STATE, PlanarState, Rates};
-use kin::{any_planar, by_dual};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 

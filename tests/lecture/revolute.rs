@@ -1,6 +1,6 @@
 //! "Constraint Library: Revolute".
 
-use kin::any_planar;
+use kin::check::any_planar;
 use kin::prelude::*;
 
 use crate::support::*;

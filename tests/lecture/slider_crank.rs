@@ -1,6 +1,6 @@
 //! "Loop Closure Kinematics" of the slider-crank: its Jacobian and both right sides.
 
-use kin::any_coord;
+use kin::check::any_coord;
 use kin::prelude::*;
 use nalgebra::DMatrix;
 
@@ -128,7 +128,7 @@ fn slider_crank_elimination_formula_closes_the_loop() {
         for (theta3, side) in [(angle, 1.0), (PI - angle, -1.0)] {
             let x = l2 * theta2.cos() + side * (l3 * l3 - (h - l2 * theta2.sin()).powi(2)).sqrt();
             let closure = driven(any_coord(), any_coord(), l2, l3, h, Law::constant(theta2));
-            let c = kin::terms(&closure, &[theta3, x], &[0.0; 2], 0.0).c;
+            let c = kin::extend::terms(&closure, &[theta3, x], &[0.0; 2], 0.0).c;
             assert!(c.amax() <= TOLERANCE * (1.0 + l2 + l3), "{c}");
         }
     }

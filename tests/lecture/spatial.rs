@@ -1,7 +1,7 @@
 //! "Spherical", "Cylindrical" and "Universal Joint Constraint", derived by hand for Euler
 //! parameters, A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ.
 
-use kin::any_spatial;
+use kin::check::any_spatial;
 use kin::prelude::*;
 use nalgebra::{DMatrix, DVector, Matrix3x4, Vector3, Vector4};
 

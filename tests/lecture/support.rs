@@ -1,7 +1,7 @@
 //! Random states, the lecture's matrices, and the comparison of terms.
 
-use kin::dual_route::Equation;
-use kin::{Route, Routed, Terms, dual_terms, terms};
+use kin::extend::dual_route::Equation;
+use kin::extend::{Route, Routed, Terms, dual_terms, terms};
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 
 /// Largest difference that counts as rounding, relative to 1 + the largest term.

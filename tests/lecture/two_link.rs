@@ -1,9 +1,11 @@
 //! "Example: Two Link Manipulator": the full set of nine constraints in nine coordinates, assembled
 //! by hand from its five constraints.
 
-use kin::dual_route::Equation;
+use kin::check::any_planar;
+use kin::extend::dual_route::Equation;
+use kin::extend::{Terms, by_dual, dual_terms, terms};
 use kin::prelude::*;
-use kin::{Mechanism, Terms, any_planar, by_dual, dual_terms, pose, terms};
+use kin::{Mechanism, pose};
 use nalgebra::{DMatrix, DVector};
 
 use crate::support::*;

@@ -1,11 +1,12 @@
 //! The public checker: one line in a test, a table to read where something is wrong.
 
-use kin::constraint::{Entry, Facts};
-use kin::coordinates::Argument;
-use kin::dual_route::{ArgumentKind, Equation};
+use kin::check;
+use kin::check::any_planar;
+use kin::extend::coordinates::Argument;
+use kin::extend::dual_route::{ArgumentKind, Equation};
+use kin::extend::state::{At, Rates};
+use kin::extend::{Entry, Facts};
 use kin::prelude::*;
-use kin::state::{At, Rates};
-use kin::{any_planar, check};
 
 /// A crank's pin at a height, with derivatives by hand and a slip in one of them.
 #[derive(Clone)]
@@ -21,7 +22,7 @@ impl Constraint for ByHand {
         FACTS
     }
     fn arguments(&self) -> Vec<Argument> {
-        vec![Argument { name: "crank", target: kin::coordinates::Target::Planar(self.0) }]
+        vec![Argument { name: "crank", target: kin::extend::coordinates::Target::Planar(self.0) }]
     }
     fn residual(&self, at: &At<'_>, c: &mut [f64]) {
         let b = at.planar(0);

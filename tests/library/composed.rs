@@ -1,9 +1,10 @@
 //! Joints of spatial bodies are made of the primitives: their rows are those of at-point, dot-1,
 //! dot-2 and distance, one below the other.
 
+use kin::check::any_spatial as s;
+use kin::extend::terms;
+use kin::joints::spatial::primitives::{at_point, distance, dot_1, dot_2};
 use kin::prelude::*;
-use kin::spatial::primitives::{at_point, distance, dot_1, dot_2};
-use kin::{any_spatial as s, terms};
 use nalgebra::{DMatrix, DVector};
 
 use crate::sample::{Random, columns};

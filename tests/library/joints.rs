@@ -1,8 +1,8 @@
 //! Properties of every joint of the table.
 
-use kin::Route;
+use kin::extend::Route;
+use kin::extend::terms;
 use kin::prelude::*;
-use kin::terms;
 use nalgebra::DVector;
 
 use crate::sample::{Argument, Random, arguments, columns, on_manifold, with_norms};
@@ -231,9 +231,9 @@ fn jerk_right_side_is_the_rate_of_the_acceleration_equation() {
         // of two steps the one that is farther from the truth by 16 times: Richardson
         let slope = |h: f64| (second(h) - second(-h)) / (2.0 * h);
         let difference = (slope(1e-4) * 4.0 - slope(2e-4)) / 3.0;
-        let jerk =
-            kin::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t).expect("the library knows it");
-        let by_dual = kin::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t)
+        let jerk = kin::extend::jerk_rhs(sample.constraint(), &q, &qd, &qdd, t)
+            .expect("the library knows it");
+        let by_dual = kin::extend::jerk_rhs(sample.by_dual().as_ref(), &q, &qd, &qdd, t)
             .expect("dual numbers know it");
         assert!(
             (&jerk - &by_dual).amax() < 1e-12 * (1.0 + jerk.amax()),
@@ -271,10 +271,10 @@ fn measures_have_the_rates_of_their_values() {
                     along([&qd, &qdd, &qddd, &zero]),
                     along([&qdd, &qddd, &zero, &zero]),
                 ];
-                kin::measure(
+                kin::extend::measure(
                     sample.constraint(),
                     k,
-                    kin::Moving { q: &q, qd: &v, qdd: &a, qddd: &qddd },
+                    kin::extend::Moving { q: &q, qd: &v, qdd: &a, qddd: &qddd },
                     s,
                 )
             };

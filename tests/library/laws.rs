@@ -1,7 +1,8 @@
 //! The table of all laws, and what holds for each of them.
 
+use kin::check;
+use kin::law::Break;
 use kin::prelude::*;
-use kin::{Break, check};
 
 use crate::engines::Engines;
 
@@ -393,7 +394,7 @@ fn what_makes_no_sense_is_refused_in_words() {
 #[test]
 fn the_checker_finds_what_is_wrong() {
     struct Wrong;
-    impl kin::LawFunction for Wrong {
+    impl kin::extend::LawFunction for Wrong {
         fn jet(&self, x: f64) -> [f64; 4] {
             [x * x, 2.0 * x, 2.5, 0.0]
         }

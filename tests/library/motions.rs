@@ -1,7 +1,9 @@
 //! Joints at work in small machines, against rotations by nalgebra and closed forms.
 
+use kin::Error;
+use kin::check::any_spatial as s;
 use kin::prelude::*;
-use kin::{Error, Quantity, any_spatial as s};
+use kin::results::Quantity;
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
 use crate::engines::Engines;
@@ -172,10 +174,10 @@ fn angles_of_a_universal_joint_turn_the_one_frame_into_the_other() {
                 [vec![0.0; 3], parameters(turn).to_array().to_vec()].concat()
             };
             let q = [body(i), body(j)].concat();
-            assert!(kin::terms(&joint, &q, &[], 0.0).c.amax() < 1e-14, "the joint is open");
-            let still = kin::Moving { q: &q, ..kin::Moving::default() };
-            near(kin::measure(&joint, place("angle_i"), still, 0.0)[0], a_i, 1e-14);
-            near(kin::measure(&joint, place("angle_j"), still, 0.0)[0], a_j, 1e-14);
+            assert!(kin::extend::terms(&joint, &q, &[], 0.0).c.amax() < 1e-14, "the joint is open");
+            let still = kin::extend::Moving { q: &q, ..kin::extend::Moving::default() };
+            near(kin::extend::measure(&joint, place("angle_i"), still, 0.0)[0], a_i, 1e-14);
+            near(kin::extend::measure(&joint, place("angle_j"), still, 0.0)[0], a_j, 1e-14);
         }
     }
 }
@@ -249,7 +251,7 @@ fn more_than_two_coordinates_are_coupled() {
     };
     follows(&motion.coordinate(cage).unwrap(), halved);
     assert!(system.prove(&motion).unwrap().is_complete());
-    let again = Mechanism::from_data(&data, &kin::Registry::new())
+    let again = Mechanism::from_data(&data, &kin::data::Registry::new())
         .unwrap()
         .build()
         .unwrap()

@@ -241,12 +241,16 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
     assert_eq!((before.len(), before.breaks().len()), (5, 0), "it ends before the corner");
     // a value that jumps, in a law of one's own that says so
     struct Step;
-    impl kin::LawFunction for Step {
+    impl kin::extend::LawFunction for Step {
         fn jet(&self, x: f64) -> [f64; 4] {
             [if x < 0.5 { 0.0 } else { 1.0 }, 0.0, 0.0, 0.0]
         }
-        fn breaks(&self, from: f64, to: f64) -> Vec<kin::Break> {
-            if (from..=to).contains(&0.5) { vec![kin::Break { x: 0.5, order: 0 }] } else { vec![] }
+        fn breaks(&self, from: f64, to: f64) -> Vec<kin::law::Break> {
+            if (from..=to).contains(&0.5) {
+                vec![kin::law::Break { x: 0.5, order: 0 }]
+            } else {
+                vec![]
+            }
         }
         fn is_smooth(&self) -> bool {
             false

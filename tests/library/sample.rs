@@ -1,9 +1,9 @@
 //! One joint with random parameters, whatever its type, and random numbers from a seed.
 
 use kin::check::{Mismatch, Report};
-use kin::dual_route::Equation;
+use kin::extend::dual_route::Equation;
+use kin::extend::terms;
 use kin::prelude::*;
-use kin::terms;
 use nalgebra::{DMatrix, DVector};
 
 /// The tests' view of a joint.
@@ -29,7 +29,7 @@ impl<E: Equation<N, M> + Clone, const N: usize, const M: usize> Sample for Of<E,
     }
 
     fn by_dual(&self) -> Box<dyn Constraint> {
-        Box::new(kin::by_dual(self.0.clone()))
+        Box::new(kin::extend::by_dual(self.0.clone()))
     }
 
     fn compare(&self, seed: u64) -> Result<Report, Box<Mismatch>> {
@@ -53,7 +53,7 @@ pub enum Argument {
 /// The arguments of a joint in order.
 pub fn arguments(joint: &dyn Constraint) -> Vec<Argument> {
     let mut column = 0;
-    let of = |argument: kin::coordinates::Argument| {
+    let of = |argument: kin::extend::coordinates::Argument| {
         let first = column;
         column += argument.target.columns();
         match argument.target.columns() {

@@ -2,8 +2,9 @@
 
 use std::time::{Duration, Instant};
 
+use kin::Error;
+use kin::law::Break;
 use kin::prelude::*;
-use kin::{Break, Error};
 
 use crate::engines::Engines;
 

@@ -1,8 +1,9 @@
 //! Sign conventions by example: one pose each, worked out by hand, that closes, and the same with
 //! the sign turned, that does not.
 
+use kin::check::{any_coord as c, any_planar as p, any_spatial as s};
+use kin::extend::terms;
 use kin::prelude::*;
-use kin::{any_coord as c, any_planar as p, any_spatial as s, terms};
 
 fn size(joint: &dyn Constraint, q: &[f64], t: f64) -> f64 {
     terms(joint, q, &[], t).c.amax()

@@ -1,8 +1,8 @@
 //! The table of all joints: a name's constraint with random parameters, and where two bodies may be
 //! exchanged, how.
 
+use kin::check::{any_coord as c, any_planar as p, any_spatial as s};
 use kin::prelude::*;
-use kin::{any_coord as c, any_planar as p, any_spatial as s};
 
 use crate::sample::{Random, Sample, sample};
 

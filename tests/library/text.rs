@@ -4,10 +4,10 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use kin::constraint::Attached;
-use kin::coordinates::Target;
-use kin::dual_route::ArgumentKind;
-use kin::measure;
+use kin::extend::Attached;
+use kin::extend::coordinates::Target;
+use kin::extend::dual_route::ArgumentKind;
+use kin::extend::measure;
 use kin::prelude::*;
 use kin_text::Equation;
 use quote::ToTokens;
@@ -60,7 +60,7 @@ fn equations(text: &str) -> Vec<Equation> {
 /// The largest difference of a measure, as a part of the largest number of it.
 fn of_measures(a: &dyn Constraint, b: &dyn Constraint, [q, qd, qdd]: [&[f64]; 3], t: f64) -> f64 {
     let all = (0..a.facts().measures.len()).map(|k| {
-        let both = [a, b].map(|c| measure(c, k, kin::Moving { q, qd, qdd, qddd: qd }, t));
+        let both = [a, b].map(|c| measure(c, k, kin::extend::Moving { q, qd, qdd, qddd: qd }, t));
         let size = both[0].iter().map(|x| x.abs()).filter(|x| x.is_finite()).fold(1.0, f64::max);
         both[0].into_iter().zip(both[1]).map(|(x, y)| apart(x, y, size)).fold(0.0, f64::max)
     });
@@ -95,7 +95,7 @@ fn same_points(a: &dyn Constraint, b: &dyn Constraint) -> bool {
 
 /// Everything that does not depend on the state.
 fn says_the_same(compiled: &dyn Constraint, read: &dyn Constraint, name: &str) {
-    use kin::constraint::Facts;
+    use kin::extend::Facts;
     let a = compiled.facts();
     let b = read.facts();
     // How emitted code splits a row by time is its own matter.

@@ -1,7 +1,7 @@
 //! Extremes, crossings and poses exactly at a change point, where the equations are singular.
 
 use kin::prelude::*;
-use kin::{Follow, Options};
+use kin::{Follow, SolverOptions};
 
 use crate::near;
 
@@ -63,10 +63,10 @@ fn extremes_and_crossings_at_the_change_point_of_equal_links() {
     // θ = π/2 at 1.2 t + 0.3 t²
     let at = (-1.2 + (1.44 + 0.6 * PI).sqrt()) / 0.6;
     let system = equal_links(Law::polynomial(&[0.0, 1.2, 0.3]));
-    let turning = Options { follow: Follow::Turning(vec![0]), ..Options::default() };
+    let turning = SolverOptions::new().follow(Follow::OtherBranchAt(vec![0]));
     for times in [linspace(0.0, 1.9, 5), linspace(0.0, 1.9, 400), linspace(0.0, 1.5 * at, 4)] {
-        for (options, goes_on) in [(Options::default(), true), (turning.clone(), false)] {
-            let motion = system.run_with(&times, &options).unwrap();
+        for (options, goes_on) in [(SolverOptions::default(), true), (turning.clone(), false)] {
+            let motion = system.solver().options(options.clone()).run(&times).unwrap();
             let found = system.extremes(&motion, "crank.R_y").unwrap();
             let [top] = found.all() else { panic!("{found:?}") };
             near(top.t, at, 1e-9);

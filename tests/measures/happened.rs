@@ -1,7 +1,8 @@
 //! Events on the way, extremes and crossings, and quantities that are asked by name.
 
+use kin::SolverOptions;
 use kin::prelude::*;
-use kin::{Event, EventKind, Options};
+use kin::results::{Event, EventKind};
 
 use crate::engines::Engines;
 
@@ -95,7 +96,8 @@ fn limits_can_be_asked_for_by_name() {
     m.limit("pin.R_x", -0.35, 0.35).unwrap();
     let text = serde_json::to_string(&m.data().unwrap()).unwrap();
     let again =
-        Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &kin::Registry::new()).unwrap();
+        Mechanism::from_data(&serde_json::from_str(&text).unwrap(), &kin::data::Registry::new())
+            .unwrap();
     for m in [m, again] {
         let motion = m.build().unwrap().run_both(linspace(0.0, TAU, 50)).unwrap();
         let times: Vec<f64> = motion.events().iter().map(|event| event.t).collect();
@@ -249,9 +251,8 @@ fn what_cannot_be_asked_is_told_by_name() {
 #[test]
 fn the_distance_of_two_points_is_a_measure() {
     let FourBar { system, crank, coupler, rocker, .. } = crank_rocker();
-    let motion = system
-        .run_both_with(linspace(0.0, 1.0, 1001), &Options { jerk: true, ..Options::default() })
-        .unwrap();
+    let motion =
+        system.run_both_with(linspace(0.0, 1.0, 1001), &SolverOptions::new().jerk(true)).unwrap();
     let p = vec2(0.3, 0.4);
     let q = (1.0, -0.7);
     let distance = motion.distance(coupler, p, rocker, q).unwrap();

@@ -9,8 +9,9 @@ mod happened;
 mod ranges;
 mod set_since;
 
+use kin::SolverOptions;
 use kin::prelude::*;
-use kin::{Options, Quantity};
+use kin::results::Quantity;
 
 use crate::engines::Engines;
 
@@ -157,9 +158,8 @@ fn transmission_angle_of_a_slider_is_that_against_the_direction_across_its_way()
 #[test]
 fn angles_of_joints_count_turns() {
     let FourBar { system, crank, coupler, .. } = crank_rocker();
-    let motion = system
-        .run_both_with(linspace(0.0, 3.0, 331), &Options { jerk: true, ..Options::default() })
-        .unwrap();
+    let motion =
+        system.run_both_with(linspace(0.0, 3.0, 331), &SolverOptions::new().jerk(true)).unwrap();
     let angle = system.measure(&motion, "O.angle").unwrap();
     near(angle.value.max(), 6.0 * PI, 1e-12);
     let relative = motion.relative_angle(crank, coupler).unwrap();
@@ -290,7 +290,7 @@ fn omega_of_a_precessing_body() {
     let mut motion = m
         .build()
         .unwrap()
-        .run_both_with(linspace(0.0, 5.0, 251), &Options { jerk: true, ..Options::default() })
+        .run_both_with(linspace(0.0, 5.0, 251), &SolverOptions::new().jerk(true))
         .unwrap();
     let rotation = motion.rotation(top).unwrap();
     for (k, &t) in motion.times().iter().enumerate() {
@@ -323,7 +323,7 @@ fn omega_of_a_precessing_body() {
     assert_eq!(motion.outputs()[3].name(), "top.alpha_x");
     assert!(
         motion
-            .rotation(kin::any_spatial())
+            .rotation(kin::check::any_spatial())
             .unwrap_err()
             .to_string()
             .contains("not of the mechanism \"top\"")

@@ -1,7 +1,8 @@
 //! Laws that end: the values at their ends, and what a run says that goes beyond.
 
+use kin::Motion;
 use kin::prelude::*;
-use kin::{EventKind, Motion};
+use kin::results::EventKind;
 
 use crate::engines::Engines;
 use crate::near;

@@ -2,7 +2,8 @@
 //! at once.
 
 use kin::prelude::*;
-use kin::{Error, Follow, Options, Stop};
+use kin::solver::Stop;
+use kin::{Error, Follow, SolverOptions};
 
 /// A slider-crank with mass, its rail `h` above the crank's pin, in units of `scale` metres.
 fn slider_crank(scale: f64, h: f64) -> (System, Link) {
@@ -59,8 +60,12 @@ fn a_motion_of_the_system_itself_is_none_of_another() {
         ] {
             for predict in [true, false] {
                 let options =
-                    Options { stop, predict, follow: Follow::Unchecked, ..Options::default() };
-                let motion = system.run_with(linspace(0.0, 300.0, 30_001), &options).expect("runs");
+                    SolverOptions::new().stop(stop).predict(predict).follow(Follow::Unchecked);
+                let motion = system
+                    .solver()
+                    .options(options.clone())
+                    .run(linspace(0.0, 300.0, 30_001))
+                    .expect("runs");
                 assert!(system.forces(&motion).is_ok(), "{scale} {stop:?} {predict}");
                 assert!(system.at(&motion, 17.203).is_ok(), "{scale} {stop:?} {predict}");
             }

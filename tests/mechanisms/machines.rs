@@ -1,8 +1,9 @@
 //! Six machines, as the examples build them, against calculations that know nothing of constraints:
 //! triangles, circles and spheres that meet, closed forms.
 
+use kin::data::Registry;
+use kin::nalgebra;
 use kin::prelude::*;
-use kin::{Registry, nalgebra};
 
 use crate::engines::Engines;
 use crate::own;
@@ -348,7 +349,7 @@ fn planetary_train_obeys_willis_and_its_pitch_points_have_one_velocity() {
     let [sun, ring, carrier] = ["sun", "ring", "carrier"]
         .map(|name| motion.coordinate(planar(&motion, name).theta()).unwrap());
     let error = worst(&motion, |k, _| {
-        let equation = |of: fn(&kin::Quantity) -> &Series| {
+        let equation = |of: fn(&kin::results::Quantity) -> &Series| {
             let [s, r, c] = [&sun, &ring, &carrier].map(|wheel| of(wheel).values()[k]);
             (z_sun * (s - c) + z_ring * (r - c)) / (z_sun + z_ring)
         };

@@ -1,8 +1,9 @@
 //! Which of several assemblies is meant: told by a coordinate, by the turn of a spatial body, by
 //! the measure of a joint; each by closed form.
 
+use kin::EulerParameters;
+use kin::data::Registry;
 use kin::prelude::*;
-use kin::{EulerParameters, Registry};
 
 use crate::engines::Engines;
 

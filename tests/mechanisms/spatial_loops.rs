@@ -1,7 +1,9 @@
 //! Spatial slider-crank, Stewart platform, Bennett's linkage.
 
+use kin::SpatialPose;
+use kin::check::any_spatial;
+use kin::extend::terms;
 use kin::prelude::*;
-use kin::{SpatialPose, any_spatial, terms};
 
 use crate::engines::Engines;
 use crate::worst;

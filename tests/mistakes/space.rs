@@ -1,6 +1,6 @@
 //! Mistakes in space.
 
-use kin::Options;
+use kin::SolverOptions;
 use kin::joints::drivers::spatial as drivers;
 
 use super::*;
@@ -46,7 +46,7 @@ pub fn all() -> Vec<Mistake> {
         Mistake {
             title: "A part that is off by five nanometres",
             line: r#"let third = m.link("crank 3", 1.0 + 5e-9)?; // an imported length"#,
-            culprit: "Options::closure(6e-9)",
+            culprit: "SolverOptions::new().allowed_misfit(6e-9)",
             told: imported,
         },
     ]
@@ -122,7 +122,8 @@ fn imported(wrong: bool) -> Told {
         m.add(&format!("A{}", k + 1), revolute(*crank, coupler, crank.end(), pivot)).unwrap();
     }
     m.add("motor", drive_angle(cranks[0], Law::linear(1.0, 1.0))).unwrap();
-    let options = if wrong { Options::default() } else { Options::closure(6e-9) };
+    let options =
+        if wrong { SolverOptions::default() } else { SolverOptions::new().allowed_misfit(6e-9) };
     m.build()
         .and_then(|system| system.run_both_with(linspace(0.0, 6.0, 61), &options))
         .map_err(|error| error.to_string())

@@ -1,8 +1,11 @@
 //! All that is asked of the gallery's motions, and of runs that fail, by plain steps, by a program,
 //! and by what chooses itself: the same texts, and numbers that rounding alone tells apart.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use kin::extend::LawFunction;
 use kin::prelude::*;
-use kin::{Engine, Error, LawFunction, Options};
+use kin::{Engine, Error, SolverOptions};
 
 use crate::USUAL;
 use crate::engines::Engines;
@@ -11,15 +14,15 @@ use crate::gallery::mechanisms;
 /// Numbers of texts that differ by less than this, by their size or 1, are one.
 const NEAR: f64 = 1e-8;
 
-fn by(engine: Engine) -> Options {
-    Options { engine, ..Options::default() }
+fn by(engine: Engine) -> SolverOptions {
+    SolverOptions::new().engine(engine)
 }
 
 /// The same run by each engine; what chooses itself has a program at hand, where there can be one.
 fn all(system: &System, times: &[f64]) -> [kin::Result<Motion>; 3] {
     let _ = system.compile();
-    [Engine::Plain, Engine::Compiled, Engine::Auto]
-        .map(|engine| system.run_with(times, &by(engine)))
+    [Engine::StepByStep, Engine::Compiled, Engine::Auto]
+        .map(|engine| system.solver().options(by(engine)).run(times))
 }
 
 /// A text as its words and its numbers.
@@ -181,13 +184,16 @@ fn runs_that_fail_do_so_in_the_same_words() {
 #[test]
 fn change_points_are_told_in_the_same_words() {
     let system = four_bar([1.0, 3.0, 1.0, 3.0], false, Law::linear(0.5, 4.0));
-    for follow in [kin::Follow::Smooth, kin::Follow::Turning(vec![0])] {
+    for follow in [kin::Follow::Smooth, kin::Follow::OtherBranchAt(vec![0])] {
         let times = linspace(0.0, 2.0, 2001);
-        let [plain, others @ ..] = [Engine::Plain, Engine::Compiled, Engine::Auto].map(|engine| {
-            system
-                .run_with(&times, &Options { follow: follow.clone(), ..by(engine) })
-                .expect("runs")
-        });
+        let [plain, others @ ..] =
+            [Engine::StepByStep, Engine::Compiled, Engine::Auto].map(|engine| {
+                system
+                    .solver()
+                    .options(by(engine).follow(follow.clone()))
+                    .run(&times)
+                    .expect("runs")
+            });
         assert_eq!(plain.singular_positions().len(), 2);
         for other in others {
             assert!(other.engine().compiled > 1000, "{:?}", other.engine());
@@ -210,8 +216,11 @@ fn change_points_are_told_in_the_same_words() {
 #[test]
 fn runs_that_are_stopped_say_so() {
     let system = four_bar(USUAL, false, Law::ramp(1.0));
-    for engine in [Engine::Plain, Engine::Compiled, Engine::Auto] {
-        let stopped = system.run_watched(linspace(0.0, 1.0, 2001), &by(engine), |done| done < 700);
+    for engine in [Engine::StepByStep, Engine::Compiled, Engine::Auto] {
+        let stop = AtomicBool::new(false);
+        let watch = |done, _| stop.store(done >= 700, Ordering::Relaxed);
+        let mut solver = system.solver().options(by(engine)).progress(watch).stop_when(&stop);
+        let stopped = solver.run(linspace(0.0, 1.0, 2001));
         let error = stopped.expect_err("stopped");
         assert!(matches!(error, Error::Stopped { all: 2001, .. }), "{error}");
     }

@@ -1,8 +1,9 @@
 //! Who decides: programs where they pay, plain steps without a word where there can be none.
 
-use kin::by_dual;
+use kin::extend::by_dual;
 use kin::prelude::*;
-use kin::{Engine, Follow, Options, Stop};
+use kin::solver::Stop;
+use kin::{Engine, Follow, SolverOptions};
 
 use crate::{USUAL, compiled, differences};
 
@@ -16,12 +17,12 @@ fn driven() -> System {
     four_bar(|crank| Box::new(drive_angle(crank, Law::ramp(TAU))))
 }
 
-fn auto() -> Options {
-    Options { engine: Engine::Auto, ..Options::default() }
+fn auto() -> SolverOptions {
+    SolverOptions::new().engine(Engine::Auto)
 }
 
 fn by_auto(system: &System, times: usize) -> Motion {
-    system.run_with(linspace(0.0, 1.0, times), &auto()).expect("runs")
+    system.solver().options(auto()).run(linspace(0.0, 1.0, times)).expect("runs")
 }
 
 #[test]
@@ -29,12 +30,16 @@ fn a_program_is_made_where_there_are_times_enough_for_it() {
     let system = driven();
     let few = by_auto(&system, 500);
     let many = by_auto(&system, 2001);
-    assert_eq!((few.engine().compiled, few.why_plain()), (0, None));
-    assert!(many.engine().compiled > 1900 && many.why_plain().is_none(), "{:?}", many.engine());
+    assert_eq!((few.engine().compiled, few.why_not_compiled()), (0, None));
+    assert!(
+        many.engine().compiled > 1900 && many.why_not_compiled().is_none(),
+        "{:?}",
+        many.engine()
+    );
     assert!(many.summary().contains(" of 2001 times by a program"), "{}", many.summary());
     assert!(!few.summary().contains("program"), "{}", few.summary());
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
-    let plain = system.run_with(linspace(0.0, 1.0, 2001), &plain).expect("runs");
+    let plain = SolverOptions::new().engine(Engine::StepByStep);
+    let plain = system.solver().options(plain.clone()).run(linspace(0.0, 1.0, 2001)).expect("runs");
     assert!(differences(&plain, &many).iter().all(|off| *off < 1e-10));
     assert_eq!(plain.engine().compiled, 0);
 }
@@ -51,8 +56,9 @@ fn numbers_do_not_depend_on_what_was_run_before() {
         assert_eq!(fresh.engine(), used.engine());
         assert_eq!(differences(&fresh, &used), [0.0; 3]);
     }
-    let begun_later =
-        |system: &System| system.run_with(linspace(0.3, 1.0, 1501), &auto()).expect("runs");
+    let begun_later = |system: &System| {
+        system.solver().options(auto()).run(linspace(0.3, 1.0, 1501)).expect("runs")
+    };
     assert_eq!(differences(&begun_later(&driven()), &begun_later(&used)), [0.0; 3]);
 }
 
@@ -63,8 +69,17 @@ fn what_was_compiled_is_used_for_short_runs_until_something_is_set() {
     assert!(by_auto(&system, 200).engine().compiled > 150);
     assert_eq!(by_auto(&system, 20).engine().compiled, 0);
     // The program that was asked for has no jerk.
-    let jerk = Options { jerk: true, ..auto() };
-    assert_eq!(system.run_with(linspace(0.0, 1.0, 200), &jerk).expect("runs").engine().compiled, 0);
+    let jerk = auto().jerk(true);
+    assert_eq!(
+        system
+            .solver()
+            .options(jerk.clone())
+            .run(linspace(0.0, 1.0, 200))
+            .expect("runs")
+            .engine()
+            .compiled,
+        0
+    );
     let copy = system.clone();
     system.set("A.u_j.x", -1.7).expect("is set");
     assert_eq!(by_auto(&system, 200).engine().compiled, 0);
@@ -76,7 +91,7 @@ fn what_was_compiled_is_used_for_short_runs_until_something_is_set() {
 fn no_folded_parameter_is_ever_stale() {
     let mut system = driven();
     let mut set = 0;
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
+    let plain = SolverOptions::new().engine(Engine::StepByStep);
     let times = linspace(0.0, 0.5, 1201);
     for (name, value) in system.parameters() {
         by_auto(&system, 1201);
@@ -84,8 +99,8 @@ fn no_folded_parameter_is_ever_stale() {
             continue;
         }
         let before = by_auto(&system, 1201);
-        let again = system.run_with(&times, &plain).expect("runs");
-        let program = system.run_with(&times, &auto()).expect("runs");
+        let again = system.solver().options(plain.clone()).run(&times).expect("runs");
+        let program = system.solver().options(auto()).run(&times).expect("runs");
         assert!(program.engine().compiled > 1000 && before.engine().compiled > 1000, "{name}");
         assert!(differences(&again, &program).iter().all(|off| *off < 1e-10), "{name}");
         set += 1;
@@ -97,44 +112,45 @@ fn no_folded_parameter_is_ever_stale() {
 fn what_cannot_be_compiled_runs_plainly_and_says_why() {
     let system = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
     let motion = by_auto(&system, 2001);
-    let reason = motion.why_plain().expect("a reason");
+    let reason = motion.why_not_compiled().expect("a reason");
     assert!(
         reason.contains("`motor` cannot be compiled") && reason.contains("dual route"),
         "{reason}"
     );
     assert!(motion.summary().contains(&format!("plain steps: {reason}")), "{}", motion.summary());
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
-    let plain = system.run_with(linspace(0.0, 1.0, 2001), &plain).expect("runs");
-    assert!(plain.why_plain().is_none() && differences(&plain, &motion) == [0.0; 3]);
-    assert!(system.run_with(linspace(0.0, 1.0, 2001), &compiled()).is_err());
+    let plain = SolverOptions::new().engine(Engine::StepByStep);
+    let plain = system.solver().options(plain.clone()).run(linspace(0.0, 1.0, 2001)).expect("runs");
+    assert!(plain.why_not_compiled().is_none() && differences(&plain, &motion) == [0.0; 3]);
+    assert!(system.solver().options(compiled()).run(linspace(0.0, 1.0, 2001)).is_err());
 }
 
 #[test]
 fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
     let system = driven();
     let all = [
-        (Options { predict: false, ..auto() }, "a program always predicts"),
+        (auto().predict(false), "a program always predicts"),
         (
-            Options { stop: Stop::ResidualOnly(1e-10), ..auto() },
+            auto().stop(Stop::ResidualOnly(1e-10)),
             "a stop rule by the residual alone is that of plain steps",
         ),
     ];
     for (options, reason) in all {
-        let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
+        let motion =
+            system.solver().options(options.clone()).run(linspace(0.0, 1.0, 2001)).expect("runs");
         assert_eq!(
-            (motion.engine().compiled, motion.why_plain()),
+            (motion.engine().compiled, motion.why_not_compiled()),
             (0, Some(reason)),
             "{options:?}"
         );
         // Of so few times no program was looked for.
-        let motion = system.run_with(linspace(0.0, 1.0, 201), &options).expect("runs");
-        assert_eq!((motion.engine().compiled, motion.why_plain()), (0, None), "{options:?}");
+        let motion =
+            system.solver().options(options.clone()).run(linspace(0.0, 1.0, 201)).expect("runs");
+        assert_eq!((motion.engine().compiled, motion.why_not_compiled()), (0, None), "{options:?}");
     }
     // Following and the jerk are asked of programs too.
-    for options in
-        [Options { follow: Follow::Unchecked, ..auto() }, Options { jerk: true, ..auto() }]
-    {
-        let motion = system.run_with(linspace(0.0, 1.0, 2001), &options).expect("runs");
+    for options in [auto().follow(Follow::Unchecked), auto().jerk(true)] {
+        let motion =
+            system.solver().options(options.clone()).run(linspace(0.0, 1.0, 2001)).expect("runs");
         assert!(
             motion.engine().compiled > 1900 && motion.has_jerk() == options.jerk,
             "{options:?}"
@@ -149,14 +165,16 @@ fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
     let system = driven();
     let times = linspace(0.0, 2.0, 4000);
     let whole = system
-        .run_with(&times, &Options { engine: Engine::Plain, ..Options::default() })
+        .solver()
+        .options(SolverOptions::new().engine(Engine::StepByStep))
+        .run(&times)
         .expect("runs");
     for (options, least) in [(auto(), 0), (compiled(), 900)] {
         let mut k = 0;
         let mut off = [0.0_f64; 3];
         let keep = |part: &Motion| {
             assert!(
-                part.engine().compiled >= least && part.why_plain().is_none(),
+                part.engine().compiled >= least && part.why_not_compiled().is_none(),
                 "{:?}",
                 part.engine()
             );
@@ -175,12 +193,20 @@ fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
             }
             Ok(())
         };
-        system.run_in_parts(times.iter().copied(), 1000, &options, keep).expect("runs");
+        system
+            .solver()
+            .options(options.clone())
+            .run_in_parts(times.iter().copied(), 1000, keep)
+            .expect("runs");
         let bound = if least > 0 { 1e-10 } else { 0.0 };
         assert!(k == times.len() && off.iter().all(|off| *off <= bound), "{off:?}");
     }
     let refused = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
-    let error = refused.run_in_parts([0.0, 0.1], 1, &compiled(), |_| Ok(())).expect_err("refused");
+    let error = refused
+        .solver()
+        .options(compiled())
+        .run_in_parts([0.0, 0.1], 1, |_| Ok(()))
+        .expect_err("refused");
     assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
 }
 
@@ -189,13 +215,13 @@ fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
 fn sweeps_heed_the_engine() {
     let system = driven();
     let times = linspace(0.0, 1.0, 1501);
-    let by = |options: Options| {
+    let by = |options: SolverOptions| {
         let sweep = system.sweep(["coupler.theta"]).expect("a sweep").options(options);
         let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs"));
         found.expect("runs").remove(0)
     };
-    let plain = by(Options { engine: Engine::Plain, ..Options::default() });
-    for found in [by(compiled()), by(Options::default())] {
+    let plain = by(SolverOptions::new().engine(Engine::StepByStep));
+    for found in [by(compiled()), by(SolverOptions::default())] {
         assert!(
             plain.engine().compiled == 0 && found.engine().compiled > 1400,
             "{:?}",
@@ -209,5 +235,7 @@ fn sweeps_heed_the_engine() {
     assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
     let sweep = refused.sweep(["coupler.theta"]).expect("a sweep");
     let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs")).expect("runs");
-    assert!(found[0].why_plain().is_some_and(|why| why.contains("`motor` cannot be compiled")));
+    assert!(
+        found[0].why_not_compiled().is_some_and(|why| why.contains("`motor` cannot be compiled"))
+    );
 }

@@ -39,9 +39,13 @@ fn examples_move_as_before_the_rooms() {
         };
         assert_eq!(&system.coordinate_names(), names, "{name}");
         seen += 1;
-        for engine in [Engine::Plain, Engine::Compiled] {
-            let options = kin::Options { engine, ..kin::Options::default() };
-            let motion = system.run_with(linspace(*first, *last, *count), &options).expect("runs");
+        for engine in [Engine::StepByStep, Engine::Compiled] {
+            let options = kin::SolverOptions::new().engine(engine);
+            let motion = system
+                .solver()
+                .options(options.clone())
+                .run(linspace(*first, *last, *count))
+                .expect("runs");
             for (k, orders) in rows {
                 for (order, (was, is)) in
                     orders.iter().zip([motion.q(*k), motion.qd(*k), motion.qdd(*k)]).enumerate()

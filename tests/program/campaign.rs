@@ -4,7 +4,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use kin::prelude::*;
-use kin::{Engine, Options};
+use kin::{Engine, SolverOptions};
 
 use crate::engines::Engines;
 use crate::families::{FAMILIES, Frame, system};
@@ -27,8 +27,8 @@ fn engines_agree_about_random_mechanisms_with_steps() {
     let mut failed = 0;
     for seed in (0..count()).map(|k| first() + k) {
         let Case { words, system, times, loose, .. } = random(seed);
-        let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
-        let plain = by(Engine::Plain);
+        let by = |engine| system.solver().options(SolverOptions::new().engine(engine)).run(&times);
+        let plain = by(Engine::StepByStep);
         ran += usize::from(plain.is_ok());
         failed += usize::from(plain.is_err());
         let mut differ = difference(&plain, &by(Engine::Compiled), loose)
@@ -57,8 +57,8 @@ fn engines_agree_about_random_mechanisms_with_steps() {
 fn a_coordinate_at_rest_on_a_step_is_on_one_side_by_every_engine() {
     for seed in [682, 1024] {
         let Case { words, system, times, loose, .. } = random(seed);
-        let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
-        let plain = by(Engine::Plain);
+        let by = |engine| system.solver().options(SolverOptions::new().engine(engine)).run(&times);
+        let plain = by(Engine::StepByStep);
         for engine in [Engine::Compiled, Engine::Auto] {
             assert_eq!(difference(&plain, &by(engine), loose), None, "{words} {engine:?}");
         }
@@ -70,8 +70,8 @@ fn a_coordinate_at_rest_on_a_step_is_on_one_side_by_every_engine() {
 fn a_step_over_a_kink_succeeds_by_every_engine() {
     for seed in [10_202, 17_114] {
         let Case { words, system, times, loose, .. } = random(seed);
-        let by = |engine| system.run_with(&times, &Options { engine, ..Options::default() });
-        let plain = by(Engine::Plain);
+        let by = |engine| system.solver().options(SolverOptions::new().engine(engine)).run(&times);
+        let plain = by(Engine::StepByStep);
         assert!(plain.is_ok(), "{words}: {plain:?}");
         assert_eq!(difference(&plain, &by(Engine::Compiled), loose), None, "{words}");
     }

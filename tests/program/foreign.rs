@@ -1,19 +1,24 @@
 //! Values of time that only rustc can read, and laws that are written by hand: a program asks the
 //! user's own code for them.
 
+use kin::SolverOptions;
+use kin::extend::LawFunction;
 use kin::prelude::*;
-use kin::{LawFunction, Options};
 
 use crate::engines::Engines;
 use crate::{USUAL, compiled, differences};
 
 /// √x by a library that rustc alone can read.
-fn root<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
+fn root<D: kin::extend::Dual>(x: kin::extend::Real<D>) -> kin::extend::Real<D> {
     x.sqrt()
 }
 
 /// A turn that swings, with a pulse of height `a` and width `w` at the time `at`.
-fn swing<D: kin::Dual>(t: kin::Real<D>, from: f64, [a, w, at]: [f64; 3]) -> kin::Real<D> {
+fn swing<D: kin::extend::Dual>(
+    t: kin::extend::Real<D>,
+    from: f64,
+    [a, w, at]: [f64; 3],
+) -> kin::extend::Real<D> {
     let s = (t - at) / w;
     t * -0.3 + (t * 5.0).sin() * 0.1 + from + (-(s * s)).exp() * a
 }
@@ -43,8 +48,8 @@ fn a_value_of_time_is_the_user_s_own() {
     let times = linspace(0.0, 2.0, 301);
     for k in [1.0, 2.0] {
         system.set("motor.k", k).expect("is set");
-        system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
-        let program = system.run_with(&times, &compiled()).expect("runs");
+        system.run_both_with(&times, &SolverOptions::new().jerk(true)).expect("runs");
+        let program = system.solver().options(compiled()).run(&times).expect("runs");
         assert!(program.engine().compiled > 280, "{:?}", program.engine());
         for (n, t) in times.iter().enumerate() {
             // √(k + t²), and its first two derivatives
@@ -66,9 +71,8 @@ fn most_times_of_a_loop_are_computed_by_the_program() {
         m.add("motor", by_a_swing(crank, 0.4, 0.2, 0.3, 0.5)).expect("adds");
     });
     let times = linspace(0.0, 1.0, 1001);
-    let plain =
-        system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
-    let program = system.run_with(&times, &compiled()).expect("runs");
+    let plain = system.run_both_with(&times, &SolverOptions::new().jerk(true)).expect("runs");
+    let program = system.solver().options(compiled()).run(&times).expect("runs");
     assert!(
         program.engine().compiled > 900 && program.engine().handed_back < 5,
         "{:?}",
@@ -88,7 +92,7 @@ fn a_pulse_between_two_times_is_seen_by_both() {
     let times = linspace(0.0, 1.0, 1001);
     let error = system.run_both(&times).expect_err("a toggle");
     assert!(matches!(error, kin::Error::Toggle { .. }), "{error}");
-    let program = system.run_with(&times, &compiled()).expect_err("a toggle");
+    let program = system.solver().options(compiled()).run(&times).expect_err("a toggle");
     let motion = program.motion().expect("a motion");
     assert!(
         motion.len() == 501 && motion.engine().compiled > 400,
@@ -114,8 +118,8 @@ fn laws_by_hand_are_asked() {
         m.add("motor", drive_angle(crank, Law::new(Swing))).expect("adds");
     });
     let times = linspace(0.0, 1.0, 1001);
-    system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
-    let program = system.run_with(&times, &compiled()).expect("runs");
+    system.run_both_with(&times, &SolverOptions::new().jerk(true)).expect("runs");
+    let program = system.solver().options(compiled()).run(&times).expect("runs");
     assert!(
         program.engine().compiled > 900 && program.engine().handed_back < 5,
         "{:?}",
@@ -136,14 +140,14 @@ fn a_value_that_is_no_number_is_told_by_both() {
     });
     let times = linspace(0.0, 1.0, 1001);
     let error = system.run_both(&times).expect_err("no number");
-    let program = system.run_with(&times, &compiled()).expect_err("no number");
+    let program = system.solver().options(compiled()).run(&times).expect_err("no number");
     assert_eq!(error.to_string(), program.to_string());
     let motion = program.motion().expect("a motion");
     assert!(motion.len() > 600 && motion.engine().compiled > 500, "{:?}", motion.engine());
 }
 
 /// True from half a second on.
-fn is_late<D: kin::Dual>(t: kin::Real<D>) -> bool {
+fn is_late<D: kin::extend::Dual>(t: kin::extend::Real<D>) -> bool {
     t > 0.5
 }
 
@@ -161,7 +165,7 @@ fn conditions_of_time_are_the_user_s_own_too() {
     let system = m.build().expect("builds");
     let times = linspace(0.0, 1.0, 1001);
     system.run_both(&times).expect("runs");
-    let program = system.run_with(&times, &compiled()).expect("runs");
+    let program = system.solver().options(compiled()).run(&times).expect("runs");
     assert!(program.engine().compiled > 800, "{:?}", program.engine());
     for (k, t) in times.iter().enumerate() {
         let exact = 1e-3 * t.min(1.0 - t);

@@ -1,6 +1,6 @@
 //! All mechanisms of the gallery, by both engines.
 
-use kin::Registry;
+use kin::data::Registry;
 use kin::prelude::*;
 
 use crate::{compiled, differences};
@@ -37,7 +37,7 @@ fn allowed(name: &str) -> [f64; 3] {
 fn both_engines_give_the_same_motion_or_the_same_error() {
     for (name, system) in mechanisms() {
         for times in [linspace(0.0, 2.0, 101), linspace(0.0, 2.0, 1501), linspace(1.0, -0.5, 401)] {
-            match (system.run(&times), system.run_with(&times, &compiled())) {
+            match (system.run(&times), system.solver().options(compiled()).run(&times)) {
                 (Ok(plain), Ok(program)) => {
                     let off = differences(&plain, &program);
                     let bounds = allowed(&name);
@@ -82,7 +82,7 @@ fn both_engines_give_the_same_motion_or_the_same_error() {
 fn most_times_of_fine_grids_are_computed_by_the_program() {
     for (name, system) in mechanisms() {
         let times = linspace(0.0, 2.0, 2001);
-        let counts = system.run_with(&times, &compiled()).expect("runs").engine();
+        let counts = system.solver().options(compiled()).run(&times).expect("runs").engine();
         assert!(10 * counts.compiled >= 9 * times.len(), "{name}: {counts:?}");
         assert!(20 * counts.handed_back <= times.len(), "{name}: {counts:?}");
     }

@@ -1,14 +1,14 @@
 //! The jerk by a program: that of plain steps, wherever it is asked for.
 
 use kin::prelude::*;
-use kin::{Engine, Options};
+use kin::{Engine, SolverOptions};
 
 use crate::compiled;
 use crate::engines::Engines;
 use crate::gallery::mechanisms;
 
-fn with_jerk() -> Options {
-    Options { jerk: true, ..Options::default() }
+fn with_jerk() -> SolverOptions {
+    SolverOptions::new().jerk(true)
 }
 
 #[test]
@@ -17,7 +17,7 @@ fn mechanisms_of_the_gallery_have_it_by_both_engines() {
         let times = linspace(0.01, 0.21, 401);
         let motion = system.run_both_with(&times, &with_jerk()).expect("runs");
         assert!(motion.has_jerk(), "{name}");
-        let program = system.run_with(&times, &Options { jerk: true, ..compiled() }).expect("runs");
+        let program = system.solver().options(compiled().jerk(true)).run(&times).expect("runs");
         assert!(
             10 * program.engine().compiled >= 9 * times.len(),
             "{name}: {:?}",
@@ -44,8 +44,8 @@ fn a_slider_has_the_third_derivative_of_its_law() {
         m.add("motor", drive(x, law.clone())).expect("adds");
         let system = m.build().expect("builds");
         let times = linspace(0.0, 4.0, 401);
-        let options = Options { jerk: true, ..compiled() };
-        let motion = system.run_with(&times, &options).expect("runs");
+        let options = compiled().jerk(true);
+        let motion = system.solver().options(options.clone()).run(&times).expect("runs");
         assert!(motion.engine().compiled > 300, "{:?}", motion.engine());
         for (k, t) in times.iter().enumerate() {
             let found = motion.qddd(k)[0];
@@ -81,9 +81,13 @@ fn parts_and_ends_have_as_many_rows_of_it_as_of_the_others() {
     )
     .expect("adds");
     let system = m.build().expect("builds");
-    for engine in [Engine::Plain, Engine::Compiled] {
-        let options = Options { engine, ..with_jerk() };
-        let error = system.run_with(linspace(0.0, 2.0, 801), &options).expect_err("a corner");
+    for engine in [Engine::StepByStep, Engine::Compiled] {
+        let options = with_jerk().engine(engine);
+        let error = system
+            .solver()
+            .options(options.clone())
+            .run(linspace(0.0, 2.0, 801))
+            .expect_err("a corner");
         let motion = error.motion().expect("a motion");
         assert!(
             motion.len() > 250 && motion.qddd_rows().len() == motion.qdd_rows().len(),
@@ -95,7 +99,11 @@ fn parts_and_ends_have_as_many_rows_of_it_as_of_the_others() {
             assert!(part.has_jerk() && part.qddd_rows().len() == part.qdd_rows().len());
             Ok(())
         };
-        system.run_in_parts(linspace(0.0, 0.6, 301), 100, &options, keep).expect("runs");
+        system
+            .solver()
+            .options(options.clone())
+            .run_in_parts(linspace(0.0, 0.6, 301), 100, keep)
+            .expect("runs");
         assert_eq!(parts, 4);
     }
 }

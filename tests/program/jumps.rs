@@ -1,8 +1,9 @@
 //! Equations that choose between sides where coordinates move: a block ends where one chooses
 //! another side, and plain steps go on from the last time before.
 
+use kin::SolverOptions;
 use kin::prelude::*;
-use kin::{EventKind, Options};
+use kin::results::EventKind;
 
 use crate::engines::Engines;
 use crate::{compiled, differences};
@@ -49,7 +50,7 @@ fn a_block_ends_where_another_side_is_chosen() {
         });
         let times = linspace(0.0, 2.0, 2001);
         let plain = system.run_both(&times).expect("runs");
-        let program = system.run_with(&times, &compiled()).expect("runs");
+        let program = system.solver().options(compiled()).run(&times).expect("runs");
         let crossings =
             (1..plain.len()).filter(|k| plain.q(*k)[1] * plain.q(k - 1)[1] < 0.0).count();
         assert_eq!((crossings, program.engine().handed_back), (4, 4));
@@ -72,7 +73,7 @@ fn steps_of_coordinates_are_those_of_plain_steps() {
         });
         let times = linspace(0.05, 4.0, 1001);
         let plain = system.run_both(&times).expect("runs");
-        let program = system.run_with(&times, &compiled()).expect("runs");
+        let program = system.solver().options(compiled()).run(&times).expect("runs");
         assert_eq!(program.engine().handed_back, 4, "{:?}", program.engine());
         assert!(program.engine().compiled > 900, "{:?}", program.engine());
         assert!(differences(&plain, &program).iter().all(|off| *off < 1e-11));
@@ -88,7 +89,7 @@ fn remainders_are_those_of_plain_steps() {
     });
     let times = linspace(0.0, 5.0, 2001);
     let plain = system.run_both(&times).expect("runs");
-    let program = system.run_with(&times, &compiled()).expect("runs");
+    let program = system.solver().options(compiled()).run(&times).expect("runs");
     // 1 and 2 of whole numbers, 0.7 and 1.4, 0.9 and 1.8. Each of them is met at a time of the
     // grid, where rounding alone chooses: neither does a block reach it nor begin there.
     assert_eq!(program.engine().handed_back, 12, "{:?}", program.engine());
@@ -103,8 +104,9 @@ fn what_plain_steps_cannot_follow_no_program_can() {
     });
     let times = linspace(0.0, 2.0, 2001);
     let _ = system.run_both(&times);
-    let ends = [Options { engine: kin::Engine::Plain, ..Options::default() }, compiled()]
-        .map(|options| system.run_with(&times, &options).map(|motion| motion.len()));
+    let ends = [SolverOptions::new().engine(kin::Engine::StepByStep), compiled()].map(|options| {
+        system.solver().options(options.clone()).run(&times).map(|motion| motion.len())
+    });
     match ends {
         [Ok(plain), Ok(program)] => assert_eq!(plain, program),
         [Err(plain), Err(program)] => assert_eq!(plain.to_string(), program.to_string()),
@@ -119,9 +121,8 @@ fn the_geneva_drive_is_handed_back_where_its_pin_enters_and_leaves() {
     let mut all = crate::gallery::mechanisms().into_iter();
     let (_, system) = all.find(|(name, _)| name.starts_with("20_")).expect("the Geneva drive");
     let times = linspace(0.0, 4.0, 4001);
-    let plain =
-        system.run_both_with(&times, &Options { jerk: true, ..Options::default() }).expect("runs");
-    let program = system.run_with(&times, &compiled()).expect("runs");
+    let plain = system.run_both_with(&times, &SolverOptions::new().jerk(true)).expect("runs");
+    let program = system.solver().options(compiled()).run(&times).expect("runs");
     let counts = program.engine();
     assert!(counts.handed_back > 1 && 100 * counts.handed_back < times.len(), "{counts:?}");
     assert!(10 * counts.compiled > 9 * times.len(), "{counts:?}");
@@ -136,7 +137,7 @@ fn times_after_a_jump_are_led_by_times_after_it() {
         let system = driven(Law::ramp(1.0), |m, x, y| {
             m.add("stairs", stairs(x, y, s)).expect("adds");
         });
-        system.run_with(linspace(0.05, 4.0, 1001), &compiled()).expect("runs")
+        system.solver().options(compiled()).run(linspace(0.05, 4.0, 1001)).expect("runs")
     };
     let motion = by(0.4);
     let counts = motion.engine();
@@ -172,7 +173,7 @@ fn steps_are_judged_by_the_pivot_at_their_own_times() {
     let system = crate::four_bar([1.0, 3.0, 2.0003, 4.0], |m, crank, _| {
         m.add("motor", drive_angle(crank, Law::linear(1.5, 1.0))).expect("adds");
     });
-    let motion = system.run_with(linspace(0.0, 4.0, 120), &compiled()).expect("runs");
+    let motion = system.solver().options(compiled()).run(linspace(0.0, 4.0, 120)).expect("runs");
     assert!(motion.engine().handed_back >= 4, "{:?}", motion.engine());
 }
 
@@ -191,9 +192,11 @@ fn a_coordinate_may_rest_on_a_step() {
             m.add("z", stair(x, z, 2.0, r)).expect("adds");
         });
         let times = linspace(0.0, 1.0, n);
-        let plain =
-            system.run_with(&times, &Options { engine: kin::Engine::Plain, ..Options::default() });
-        let program = system.run_with(&times, &compiled()).expect("runs");
+        let plain = system
+            .solver()
+            .options(SolverOptions::new().engine(kin::Engine::StepByStep))
+            .run(&times);
+        let program = system.solver().options(compiled()).run(&times).expect("runs");
         let plain = plain.expect("runs");
         assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
         assert!((plain.q(n - 1)[0] - (0.5 + 0.05 * r)).abs() < 1e-12, "{}", plain.q(n - 1)[0]);
@@ -223,9 +226,12 @@ fn a_motion_at_rest_on_a_kink_does_not_pass_it() {
             m.add("away", away(x, y)).expect("adds");
         });
         let times = linspace(0.0, 1.0, n);
-        for engine in [kin::Engine::Plain, kin::Engine::Compiled] {
-            let motion =
-                system.run_with(&times, &Options { engine, ..Options::default() }).expect("runs");
+        for engine in [kin::Engine::StepByStep, kin::Engine::Compiled] {
+            let motion = system
+                .solver()
+                .options(SolverOptions::new().engine(engine))
+                .run(&times)
+                .expect("runs");
             let kinks =
                 motion.events().iter().filter(|event| event.kind == EventKind::Kink).count();
             assert_eq!(

@@ -15,7 +15,7 @@ mod summary;
 mod told;
 
 use kin::prelude::*;
-use kin::{Engine, Options};
+use kin::{Engine, SolverOptions};
 
 #[path = "../data/engines.rs"]
 mod engines;
@@ -25,8 +25,8 @@ mod families;
 mod steps;
 
 /// The defaults, compiled.
-pub fn compiled() -> Options {
-    Options { engine: Engine::Compiled, ..Options::default() }
+pub fn compiled() -> SolverOptions {
+    SolverOptions::new().engine(Engine::Compiled)
 }
 
 /// Lengths of crank, coupler, rocker and ground of the four-bar that most tests take.

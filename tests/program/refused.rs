@@ -1,6 +1,6 @@
 //! A mechanism that cannot be compiled is told by its name, and runs as it always did.
 
-use kin::by_dual;
+use kin::extend::by_dual;
 use kin::prelude::*;
 
 use crate::compiled;
@@ -17,7 +17,7 @@ fn refused(m: Mechanism) -> String {
     let system = m.build().expect("builds");
     assert!(system.run(linspace(0.0, 1.0, 11)).is_ok());
     let alone = system.compile().expect_err("refused");
-    let run = system.run_with(linspace(0.0, 1.0, 11), &compiled()).expect_err("refused");
+    let run = system.solver().options(compiled()).run(linspace(0.0, 1.0, 11)).expect_err("refused");
     assert_eq!(alone.to_string(), run.to_string());
     alone.to_string()
 }
@@ -43,7 +43,7 @@ fn redundant_equations_are_told() {
 }
 
 /// √x by a library that rustc alone can read.
-fn root<D: kin::Dual>(x: kin::Real<D>) -> kin::Real<D> {
+fn root<D: kin::extend::Dual>(x: kin::extend::Real<D>) -> kin::extend::Real<D> {
     x.sqrt()
 }
 
@@ -67,7 +67,8 @@ fn options_that_a_program_does_not_know_are_told() {
     let (mut m, crank) = crank();
     m.add("motor", drive_angle(crank, Law::ramp(2.0))).expect("adds");
     let system = m.build().expect("builds");
-    let options = kin::Options { predict: false, ..compiled() };
-    let error = system.run_with(linspace(0.0, 1.0, 11), &options).expect_err("refused");
+    let options = compiled().predict(false);
+    let error =
+        system.solver().options(options.clone()).run(linspace(0.0, 1.0, 11)).expect_err("refused");
     assert!(error.to_string().contains("Engine::Auto"), "{error}");
 }

@@ -2,13 +2,15 @@
 //! looked for.
 
 use kin::prelude::*;
-use kin::{Engine, Options, Solution, Stop};
+use kin::results::Solution;
+use kin::solver::Stop;
+use kin::{Engine, SolverOptions};
 
 use crate::gallery::mechanisms;
 use crate::{USUAL, four_bar};
 
-fn plain() -> Options {
-    Options { engine: Engine::Plain, ..Options::default() }
+fn plain() -> SolverOptions {
+    SolverOptions::new().engine(Engine::StepByStep)
 }
 
 /// The largest differences of q, q̇ and q̈, by 1 and the size of the number.
@@ -38,7 +40,10 @@ fn positions_of_the_gallery_are_those_of_plain_steps() {
                 let t = motion.times()[k];
                 let beside = |q: &f64| q + off * (2.0 * random.f64() - 1.0);
                 let start: Vec<f64> = motion.q(k - 1).iter().map(beside).collect();
-                match (system.solve_at(t, &start), system.solve_at_with(t, &start, &plain())) {
+                match (
+                    system.solve_at(t, &start),
+                    system.solver().options(plain()).solve_at(t, &start),
+                ) {
                     (Ok(found), Ok(plain)) => {
                         let own = apart(&plain, &found);
                         let case = format!("{name} at {t}, {off} off");
@@ -69,11 +74,14 @@ fn a_loose_tolerance_gives_rates_of_its_own_position_each_time() {
     });
     system.compile().expect("compiles");
     let q = system.position(0.0).expect("solves").q;
-    let loose = Options { stop: Stop::Converged { tolerance: 1e-4 }, ..Options::default() };
-    let exact = system.solve_at_with(0.02, &q, &plain()).expect("solves");
-    let first = system.solve_at_with(0.02, &q, &loose).expect("solves");
+    let loose = SolverOptions::new().stop(Stop::Converged { tolerance: 1e-4 });
+    let exact = system.solver().options(plain()).solve_at(0.02, &q).expect("solves");
+    let first = system.solver().options(loose.clone()).solve_at(0.02, &q).expect("solves");
     assert!(first.report.compiled && apart(&exact, &first).iter().all(|off| *off < 1e-11));
     for _ in 0..70 {
-        assert_eq!(system.solve_at_with(0.02, &q, &loose).expect("solves"), first);
+        assert_eq!(
+            system.solver().options(loose.clone()).solve_at(0.02, &q).expect("solves"),
+            first
+        );
     }
 }

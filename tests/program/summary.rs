@@ -35,7 +35,7 @@ fn parameters_that_are_set_count_in_the_next_run() {
     for x in [-0.5, -0.4] {
         system.set("O.u_j.x", x).expect("is set");
         let plain = system.run(&times).expect("runs");
-        let program = system.run_with(&times, &compiled()).expect("runs");
+        let program = system.solver().options(compiled()).run(&times).expect("runs");
         assert!(program.engine().compiled > 480, "{:?}", program.engine());
         assert!(differences(&plain, &program).iter().all(|off| *off < 1e-10));
     }
@@ -48,14 +48,14 @@ fn breaks_and_jumps_of_laws_are_told_by_both() {
     let times = linspace(0.0, 2.0, 801);
     let system = four_bar(Law::harmonic_rise(1.0, 1.1));
     let plain = system.run(&times).expect("runs");
-    let program = system.run_with(&times, &compiled()).expect("runs");
+    let program = system.solver().options(compiled()).run(&times).expect("runs");
     assert!(!plain.breaks().is_empty() && plain.breaks() == program.breaks());
     assert!(program.engine().compiled > 700, "{:?}", program.engine());
     // A corner: a jump of speed.
     let system =
         four_bar(Law::sequence(0.0, [(0.7, Law::ramp(1.0)), (2.0, Law::linear(0.7, -0.5))]));
     let plain = system.run(&times).expect_err("jumps");
-    let program = system.run_with(&times, &compiled()).expect_err("jumps");
+    let program = system.solver().options(compiled()).run(&times).expect_err("jumps");
     assert_eq!(plain.to_string(), program.to_string());
     let lengths = [plain, program].map(|error| error.motion().map(|motion| motion.len()));
     assert_eq!(lengths[0], lengths[1]);

@@ -1,13 +1,13 @@
 //! All that is told of a motion, and of a run that ends early, is the same whichever engine ran.
 
 use kin::prelude::*;
-use kin::{Engine, Error, Options};
+use kin::{Engine, Error, SolverOptions};
 
 use crate::{USUAL, compiled};
 
 fn both(system: &System, times: &[f64]) -> [kin::Result<Motion>; 2] {
-    let plain = Options { engine: Engine::Plain, ..Options::default() };
-    [plain, compiled()].map(|options| system.run_with(times, &options))
+    let plain = SolverOptions::new().engine(Engine::StepByStep);
+    [plain, compiled()].map(|options| system.solver().options(options.clone()).run(times))
 }
 
 fn motions(system: &System, times: &[f64]) -> [Motion; 2] {

@@ -2,7 +2,7 @@
 //! it can be made.
 
 use kin::prelude::*;
-use kin::{Doubt, Proof};
+use kin::results::{Proof, Unproved};
 
 use crate::engines::Engines;
 
@@ -74,7 +74,7 @@ pub fn lengths<const N: usize>(
 }
 
 /// The obstacle to a proof of the first step, or of the only position.
-pub fn doubt(proof: &Proof, what: &str) -> Doubt {
+pub fn doubt(proof: &Proof, what: &str) -> Unproved {
     assert!(!proof.is_complete(), "{what}: {proof}");
     let step = proof.first_unproved().and_then(|step| step.tube.clone().err());
     step.unwrap_or_else(|| panic!("{what}: {proof}"))

@@ -1,7 +1,8 @@
 //! Random four-bars against their closed form: what is proved is true.
 
 use kin::prelude::*;
-use kin::{Follow, Options, StepProof, Tube};
+use kin::results::{StepProof, Tube};
+use kin::{Follow, SolverOptions};
 
 use crate::engines::Engines;
 use crate::hermite::interpolated;
@@ -178,8 +179,7 @@ fn a_change_of_assembly_is_found() {
 /// whatever assembly: steps that change it are never proved.
 #[test]
 fn careless_runs_are_not_proved_where_they_jump() {
-    let careless =
-        Options { follow: Follow::Unchecked, predict: false, rescue: false, ..Options::default() };
+    let careless = SolverOptions::new().follow(Follow::Unchecked).predict(false).rescue(false);
     let mut random = fastrand::Rng::with_seed(9);
     let mut jumps = 0;
     let mut stays = 0;
@@ -189,7 +189,7 @@ fn careless_runs_are_not_proved_where_they_jump() {
         let system = case.system();
         let times = linspace(0.0, 2.0, 2 * points + 1);
         // The position that such a run comes to hangs on the last digits: one engine is enough.
-        let Ok(motion) = system.run_with(times, &careless) else { continue };
+        let Ok(motion) = system.solver().options(careless.clone()).run(times) else { continue };
         let side = |k: usize| {
             if case.bar.error(motion.q(k), case.side) < 1e-6 { case.side } else { -case.side }
         };

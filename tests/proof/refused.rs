@@ -1,8 +1,10 @@
 //! Motions that cannot be proved, by name, and the obstacles of their steps.
 
+use kin::Error;
+use kin::extend::Series;
+use kin::extend::{LawFunction, by_dual};
 use kin::prelude::*;
-use kin::proof::Series;
-use kin::{DoubtReason, Error, LawFunction, by_dual};
+use kin::results::UnprovedReason;
 
 use crate::engines::Engines;
 
@@ -196,8 +198,8 @@ impl LawFunction for Kinked {
     fn jet(&self, x: f64) -> [f64; 4] {
         [x.abs(), if x >= 0.0 { 1.0 } else { -1.0 }, 0.0, 0.0]
     }
-    fn breaks(&self, from: f64, to: f64) -> Vec<kin::Break> {
-        if from <= 0.0 && to >= 0.0 { vec![kin::Break { x: 0.0, order: 1 }] } else { vec![] }
+    fn breaks(&self, from: f64, to: f64) -> Vec<kin::law::Break> {
+        if from <= 0.0 && to >= 0.0 { vec![kin::law::Break { x: 0.0, order: 1 }] } else { vec![] }
     }
     fn over(&self, x: &Series) -> Option<Series> {
         let [lo, hi] = x.abs().values();
@@ -239,7 +241,7 @@ fn corners_and_branches() {
     let proof = over(&slider(|m, x| m.add("motor", stairs(x)).map(|_| ())));
     assert_eq!(proof.steps().len() - proof.proved(), 1, "{proof}");
     let doubt = proof.first_unproved().unwrap().tube.as_ref().unwrap_err();
-    let DoubtReason::Unbounded { equation, expression, source } = &doubt.reason else {
+    let UnprovedReason::Unbounded { equation, expression, source } = &doubt.reason else {
         panic!("{proof}")
     };
     assert!(equation == "motor" && (doubt.t - 1.0).abs() < 1e-3, "{proof}");

@@ -1,14 +1,15 @@
 //! Singular positions: no step over one is proved.
 
 use kin::prelude::*;
-use kin::{DoubtReason, Follow, Options};
+use kin::results::UnprovedReason;
+use kin::{Follow, SolverOptions};
 
 use crate::engines::Engines;
 
 use crate::models::{FourBar, slider_crank};
 
 /// The steps that were not proved.
-fn unproved(proof: &kin::Proof) -> Vec<usize> {
+fn unproved(proof: &kin::results::Proof) -> Vec<usize> {
     proof.steps().iter().filter(|step| step.tube.is_err()).map(|step| step.step).collect()
 }
 
@@ -27,11 +28,10 @@ fn change_points() {
     let flat = (PI - 1.0) / TAU;
     for (follow, grid) in [
         (Follow::Smooth, linspace(0.0, 0.6, 61)),
-        (Follow::Turning(vec![0]), linspace(0.0, 0.6, 61)),
+        (Follow::OtherBranchAt(vec![0]), linspace(0.0, 0.6, 61)),
         (Follow::Smooth, linspace(0.0, 2.0 * flat, 41)),
     ] {
-        let motion =
-            system.run_both_with(&grid, &Options { follow, ..Options::default() }).unwrap();
+        let motion = system.run_both_with(&grid, &SolverOptions::new().follow(follow)).unwrap();
         let proof = system.prove(&motion).unwrap();
         let expected = around(&motion, flat);
         let found = unproved(&proof);
@@ -42,7 +42,8 @@ fn change_points() {
         assert!(found.len() <= expected.len() + 4, "{expected:?} {found:?}");
         let doubt = proof.first_unproved().unwrap().tube.as_ref().unwrap_err();
         assert!(
-            (doubt.t - flat).abs() < 0.02 && matches!(&doubt.reason, DoubtReason::Singular { .. }),
+            (doubt.t - flat).abs() < 0.02
+                && matches!(&doubt.reason, UnprovedReason::Singular { .. }),
             "{proof}"
         );
         println!("{proof}");
@@ -93,7 +94,7 @@ fn a_gap_without_positions_is_not_proved() {
     let law = Law::polynomial(&[0.5, 2.0 * (top - 0.5), 0.5 - top]);
     let (system, _) = bar.system(law, 0.5, 1.0).unwrap();
     let times = [0.0, 0.2, 0.4, 0.6, 0.8, 1.2, 1.4, 1.6, 1.8, 2.0];
-    let careless = Options { follow: Follow::Unchecked, ..Options::default() };
+    let careless = SolverOptions::new().follow(Follow::Unchecked);
     let motion = system.run_both_with(times, &careless).unwrap();
     let found = unproved(&system.prove(&motion).unwrap());
     assert_eq!(found, [4]);

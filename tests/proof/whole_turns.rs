@@ -1,6 +1,6 @@
 //! The examples' mechanisms, proved for as long as they run.
 
-use kin::Registry;
+use kin::data::Registry;
 use kin::prelude::*;
 
 use crate::engines::Engines;

@@ -1,7 +1,7 @@
 //! Cases of sweeps of random mechanisms with steps and kinks: each is what a run of its own system
 //! is.
 
-use kin::{Engine, Options};
+use kin::{Engine, SolverOptions};
 
 use crate::steps::{Case, difference, random};
 
@@ -37,7 +37,7 @@ fn cases_of_random_mechanisms_with_steps_are_single_runs() {
             let mut own = system.clone();
             own.set(&name, case[0]).expect("sets");
             let single =
-                own.run_with(&times, &Options { engine: Engine::Plain, ..Options::default() });
+                own.solver().options(SolverOptions::new().engine(Engine::StepByStep)).run(&times);
             let differ = difference(&single, &swept, loose);
             wrong.extend(differ.map(|what| format!("{words}\n    {name} = {}: {what}", case[0])));
         }

@@ -1,9 +1,10 @@
 //! Sweeps by one program: what differs from case to case is left free in it, whatever it is, and
 //! each case is what its own system does.
 
+use kin::extend::Lanes;
 use kin::joints::spatial;
 use kin::prelude::*;
-use kin::{Engine, Lanes, Options};
+use kin::{Engine, SolverOptions};
 
 use crate::{far, numbers};
 
@@ -76,16 +77,16 @@ fn motions(
     system: &System,
     names: &[&str],
     cases: &[Vec<f64>],
-    options: &Options,
+    options: &SolverOptions,
 ) -> [Vec<Motion>; 2] {
     let times = linspace(0.0, 2.0, 301);
     let swept = system.sweep(names).unwrap().options(options.clone());
     let swept = swept.run(cases, &times, |_, motion| motion.unwrap()).unwrap();
-    let plain = Options { engine: Engine::Plain, ..options.clone() };
+    let plain = options.clone().engine(Engine::StepByStep);
     let own = |case: &Vec<f64>| {
         let mut own = system.clone();
         names.iter().zip(case).for_each(|(name, value)| own.set(name, *value).unwrap());
-        own.run_with(&times, &plain).unwrap()
+        own.solver().options(plain.clone()).run(&times).unwrap()
     };
     [swept, cases.iter().map(own).collect()]
 }
@@ -93,7 +94,7 @@ fn motions(
 /// Asserts that all cases are computed by a program, and are what their own systems do.
 fn assert_same(system: &System, names: &[&str], cases: &[Vec<f64>]) {
     for jerk in [false, true] {
-        let options = Options { jerk, ..Options::default() };
+        let options = SolverOptions::new().jerk(jerk);
         let [swept, own] = motions(system, names, cases, &options);
         for (k, (swept, own)) in swept.iter().zip(&own).enumerate() {
             let engine = swept.engine();

@@ -12,8 +12,9 @@ mod steps;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use kin::extend::Lanes;
 use kin::prelude::*;
-use kin::{Error, Lanes, Options};
+use kin::{Error, SolverOptions};
 
 use crate::engines::Engines;
 
@@ -150,7 +151,7 @@ fn mistakes_are_told_by_name_before_anything_is_computed() {
     let sweep = system
         .sweep(NAMES)
         .unwrap()
-        .options(Options { stop: kin::Stop::ResidualOnly(-1.0), ..Options::default() });
+        .options(SolverOptions::new().stop(kin::solver::Stop::ResidualOnly(-1.0)));
     assert!(matches!(
         sweep.run(&[case([1.0, 3.5, 3.0, 4.0])], [0.0], none),
         Err(Error::InvalidOptions { .. })
@@ -224,7 +225,7 @@ fn kinds_of_machine() -> usize {
 fn with_lanes(
     system: &System,
     cases: &[[f64; 8]],
-    options: &Options,
+    options: &SolverOptions,
     lanes: Lanes,
 ) -> Option<Vec<Result<Vec<f64>, String>>> {
     let sweep = system.sweep(NAMES).unwrap().options(options.clone()).lanes(lanes);
@@ -250,9 +251,8 @@ fn lanes_change_results_by_rounding_only_and_failing_lanes_not_at_all() {
     // Two that lock, one of them in the last, incomplete group.
     (links[3], links[11]) = ([2.0, 2.5, 2.2, 4.0], [2.2, 2.5, 2.2, 4.0]);
     let cases: Vec<[f64; 8]> = links.into_iter().map(case).collect();
-    let protocol =
-        Options { stop: kin::Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
-    for (options, tolerance) in [(Options::default(), 1e-10), (protocol, 1e-8)] {
+    let protocol = SolverOptions::new().stop(kin::solver::Stop::ResidualOnly(1e-10)).predict(false);
+    for (options, tolerance) in [(SolverOptions::default(), 1e-10), (protocol, 1e-8)] {
         let alone = with_lanes(&system, &cases, &options, Lanes::Off).unwrap();
         assert!(alone.iter().enumerate().all(|(k, found)| found.is_err() == [3, 11].contains(&k)));
         let mut tried = 0;
@@ -285,7 +285,7 @@ fn company_does_not_matter() {
     let shuffled: Vec<usize> = (0..24).map(|k| (7 * k + 5) % 24).collect();
     let other: Vec<[f64; 8]> = shuffled.iter().map(|k| cases[*k]).collect();
     let [one, two] = [&cases, &other]
-        .map(|cases| with_lanes(&system, cases, &Options::default(), Lanes::Best).unwrap());
+        .map(|cases| with_lanes(&system, cases, &SolverOptions::default(), Lanes::Best).unwrap());
     for (place, k) in shuffled.into_iter().enumerate() {
         let a = one[k].as_ref().unwrap();
         let b = two[place].as_ref().unwrap();

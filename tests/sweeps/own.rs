@@ -1,7 +1,8 @@
 //! Sweeps over constraints of one's own, over spatial bodies, and over cases that fail.
 
+use kin::extend::Lanes;
 use kin::prelude::*;
-use kin::{Error, Lanes, Options, vec3};
+use kin::{Error, SolverOptions, vec3};
 
 use crate::engines::Engines;
 use crate::{NAMES, case, far, four_bar, kinds_of_machine, links, numbers, times};
@@ -151,7 +152,7 @@ fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
             .unwrap()
             .lanes(lanes)
             .threads(threads)
-            .options(Options { memory, ..Options::default() });
+            .options(SolverOptions::new().memory(memory));
         sweep.run(&cases, times(), |_, motion| motion.is_ok())
     };
     assert!(run(Lanes::Off, 1, one).is_ok_and(|all| all.iter().all(|ok| *ok)));
@@ -164,7 +165,7 @@ fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
     let text = run(Lanes::Off, 2, one).unwrap_err().to_string();
     assert!(
         text.contains(
-            "2 motions at once of 61 times of 9 coordinates need 29.3 kB; `Options::memory` allows 14.6 kB"
+            "2 motions at once of 61 times of 9 coordinates need 29.3 kB; `SolverOptions::memory` allows 14.6 kB"
         ),
         "{text}"
     );

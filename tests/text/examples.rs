@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use kin::data::{Describer, MechanismData};
+use kin::extend::Parameters;
 use kin::prelude::*;
-use kin::{Engine, Options, Parameters};
+use kin::{Engine, SolverOptions};
 use kin_text::{Equation, registry};
 use quote::ToTokens;
 use syn::{File, Item, ItemFn, Visibility};
@@ -66,8 +67,8 @@ fn largest(compiled: &dyn Constraint, read: &kin_text::ReadConstraint) -> f64 {
 
 #[test]
 fn every_constraint_of_the_examples_is_the_compiled_one() {
-    let c = kin::any_coord;
-    let p = kin::any_planar;
+    let c = kin::check::any_coord;
+    let p = kin::check::any_planar;
     let u = vec2(0.06, 0.01);
     let compiled: [Box<dyn Constraint>; 4] = [
         Box::new(own::slider_crank(c(), c(), 0.1, 0.25, 0.02, TAU)),
@@ -107,7 +108,8 @@ fn every_constraint_of_the_examples_is_the_compiled_one() {
 
 #[test]
 fn demands_of_an_example_are_those_of_its_text() {
-    let broken = own::geneva(kin::any_planar(), kin::any_planar(), vec2(0.05, 0.0), 2.5);
+    let broken =
+        own::geneva(kin::check::any_planar(), kin::check::any_planar(), vec2(0.05, 0.0), 2.5);
     let (_, text) = of_examples().into_iter().find(|(name, _)| name == "geneva").expect("a text");
     let mut m = Mechanism::new("wheel");
     let driver = m.planar("driver", pose(0.0, 0.0, 0.0));
@@ -134,15 +136,20 @@ fn a_joint_from_text_among_compiled_ones_changes_no_number() {
     let joint = with_text.constraints.iter_mut().find(|one| one.name == "A").expect("the joint");
     assert_eq!(std::mem::replace(&mut joint.kind, "pin".to_owned()), "revolute");
     with_text.equations.push(PIN.to_owned());
-    for engine in [Engine::Plain, Engine::Auto, Engine::Compiled] {
-        let options = Options { engine, ..Options::default() };
+    for engine in [Engine::StepByStep, Engine::Auto, Engine::Compiled] {
+        let options = SolverOptions::new().engine(engine);
         let [all, one] = [&data, &with_text].map(|data| {
             let system =
                 Mechanism::from_data(data, &registry()).and_then(|m| m.build()).expect("builds");
-            system.run_with(linspace(0.0, 24.0, 1201), &options).expect("runs")
+            system.solver().options(options.clone()).run(linspace(0.0, 24.0, 1201)).expect("runs")
         });
         assert_eq!(all.engine().compiled, one.engine().compiled);
-        assert_eq!(one.engine().compiled > 1000, engine != Engine::Plain, "{:?}", one.engine());
+        assert_eq!(
+            one.engine().compiled > 1000,
+            engine != Engine::StepByStep,
+            "{:?}",
+            one.engine()
+        );
         for k in 0..all.len() {
             let [all, one] =
                 [&all, &one].map(|motion| [motion.q(k), motion.qd(k), motion.qdd(k)].concat());

@@ -1,7 +1,7 @@
 //! Mechanism files that carry their equations.
 
-use kin::Registry;
 use kin::data::MechanismData;
+use kin::data::Registry;
 use kin::prelude::*;
 use kin_text::{Equation, registry};
 
@@ -66,9 +66,9 @@ fn a_constraint_from_text_moves_as_the_compiled_one() {
 
 #[test]
 fn the_engine_compiles_it() {
-    let options = kin::Options { engine: kin::Engine::Compiled, ..kin::Options::default() };
+    let options = kin::SolverOptions::new().engine(kin::Engine::Compiled);
     let system = mechanism(2.0).build().unwrap();
-    let motion = system.run_with(linspace(0.0, 6.0, 601), &options).unwrap();
+    let motion = system.solver().options(options.clone()).run(linspace(0.0, 6.0, 601)).unwrap();
     let plain = system.run_both(linspace(0.0, 6.0, 601)).unwrap();
     assert!(motion.engine().compiled > 500, "{:?}", motion.engine());
     for k in 0..601 {

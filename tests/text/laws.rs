@@ -1,9 +1,10 @@
 //! Laws from text: the same numbers as a compiled law, files that carry them, and mistakes at their
 //! place.
 
+use kin::data::Registry;
 use kin::data::{LawData, MechanismData};
 use kin::prelude::*;
-use kin::{Law, Mechanism, Registry, check, law};
+use kin::{Law, Mechanism, check, law};
 use kin_text::{LawText, registry};
 
 use crate::engines::Engines;
@@ -134,12 +135,18 @@ fn files_carry_laws_and_give_the_same_motion_by_either_engine() {
         let again =
             Mechanism::read_json(&path, &registry()).unwrap_or_else(|error| panic!("{error}"));
         let run = |m: &Mechanism, engine| {
-            let options = kin::Options { engine, ..kin::Options::default() };
-            m.clone().build().unwrap().run_with(linspace(0.0, 1.4, 141), &options).unwrap()
+            let options = kin::SolverOptions::new().engine(engine);
+            m.clone()
+                .build()
+                .unwrap()
+                .solver()
+                .options(options.clone())
+                .run(linspace(0.0, 1.4, 141))
+                .unwrap()
         };
         let motions = [
-            run(&slider(law), kin::Engine::Plain),
-            run(&again, kin::Engine::Plain),
+            run(&slider(law), kin::Engine::StepByStep),
+            run(&again, kin::Engine::StepByStep),
             run(&again, kin::Engine::Compiled),
         ];
         assert!(motions[2].engine().compiled > 100, "{:?}", motions[2].engine());

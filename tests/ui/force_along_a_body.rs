@@ -7,5 +7,5 @@ fn brake(x: Coord, i: Planar, c: f64) -> f64 {
 
 fn main() {
     let m = Mechanism::new("door");
-    let _ = brake(kin::loads::turn(m.ground(), kin::any_planar()), 1.0, 2.0);
+    let _ = brake(kin::loads::turn(m.ground(), kin::check::any_planar()), 1.0, 2.0);
 }

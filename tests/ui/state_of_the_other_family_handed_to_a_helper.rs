@@ -1,6 +1,6 @@
 use kin::prelude::*;
 
-fn height(body: kin::state::SpatialState) -> f64 {
+fn height(body: kin::extend::state::SpatialState) -> f64 {
     body.r.z
 }
 

@@ -1,6 +1,7 @@
 //! Questions about a mechanism and its motion.
 
-use kin::{Feature, Motion, Samples, Sampling, System};
+use kin::design::{Feature, Samples, Sampling};
+use kin::{Motion, System};
 
 use crate::arguments::{
     Asked, Assemblies, Check, Diagnose, Distribution, Measure, Prove, Sensitivities, Tolerance,
@@ -13,7 +14,10 @@ use crate::say::Say;
 /// Reads, builds and assembles.
 pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
-    let found = system.position_with(asked.at, &kin::Options::closure(asked.closure.share))?;
+    let found = system
+        .solver()
+        .options(kin::SolverOptions::new().allowed_misfit(asked.misfit.share))
+        .position(asked.at)?;
     say.note(&format!(
         "{}: {} coordinates, {} equations; at t = {} {} it is assembled, |C| ≤ {:.0e}",
         system.name(),
@@ -240,9 +244,9 @@ fn samples(
     of: Feature,
 ) -> Result<Samples, Fault> {
     let distribution = match asked.distribution {
-        Distribution::Normal => kin::Distribution::Normal,
-        Distribution::TruncatedNormal => kin::Distribution::TruncatedNormal,
-        Distribution::Uniform => kin::Distribution::Uniform,
+        Distribution::Normal => kin::design::Distribution::Normal,
+        Distribution::TruncatedNormal => kin::design::Distribution::TruncatedNormal,
+        Distribution::Uniform => kin::design::Distribution::Uniform,
     };
     let sampling = Sampling { count, seed: asked.seed, distribution };
     system.samples(motion, asked.name.as_str(), of, &sampling).map_err(Fault::asked)

@@ -1,6 +1,8 @@
 //! `kin forces`: what drives must give and joints hold, as tables, words and pictures.
 
-use kin::{Sharing, System};
+use kin::SolverOptions;
+use kin::System;
+use kin::forces::LoadSharing;
 use kin_view::{Figure, Scene};
 
 use crate::arguments::Forces;
@@ -13,8 +15,9 @@ use crate::say::Say;
 pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
-    let sharing = if asked.least_norm { Sharing::LeastNorm } else { Sharing::NotGiven };
-    let forces = system.forces_with(&motion, &sharing)?;
+    let sharing = if asked.least_norm { LoadSharing::LeastNorm } else { LoadSharing::NotGiven };
+    let forces =
+        system.solver().options(SolverOptions::new().sharing(sharing.clone())).forces(&motion)?;
     for name in forces.drives() {
         match forces.drive(name) {
             Ok(drive) => {
@@ -41,7 +44,7 @@ pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
 fn pictures(
     asked: &Forces,
     system: &System,
-    forces: &kin::Forces<'_>,
+    forces: &kin::forces::Forces<'_>,
     why: &str,
 ) -> Result<(), Fault> {
     let motion = forces.motion();
@@ -66,7 +69,7 @@ fn pictures(
 }
 
 /// The time at which the first drive gives most, or the first time.
-fn hardest(forces: &kin::Forces<'_>) -> f64 {
+fn hardest(forces: &kin::forces::Forces<'_>) -> f64 {
     let drives = forces.drives();
     let peak = drives.first().and_then(|name| forces.drive(name).ok()).map(|drive| drive.peak().t);
     peak.or(forces.motion().times().first().copied()).unwrap_or(0.0)

@@ -3,7 +3,7 @@
 //! Each case is run by itself, as `kin run` with its numbers set does it, so that its row does not
 //! depend on other cases, on threads or on the part of the whole that is asked for.
 
-use kin::{Options, System};
+use kin::{SolverOptions, System};
 use rayon::prelude::*;
 
 use crate::arguments::Sweep;
@@ -127,7 +127,7 @@ struct Job<'a> {
     names: &'a [String],
     keep: &'a [String],
     times: &'a [f64],
-    options: &'a Options,
+    options: &'a SolverOptions,
 }
 
 impl Job<'_> {
@@ -170,7 +170,7 @@ impl Job<'_> {
         for (name, (_, value)) in self.names.iter().zip(case) {
             model::set(&mut system, &Setting { name: name.clone(), value: *value })?;
         }
-        let motion = system.run_with(self.times, self.options)?;
+        let motion = system.solver().options(self.options.clone()).run(self.times)?;
         let of_motion = of_motion(&system);
         let has_forces = self.keep.iter().any(|name| !of_motion.contains(name));
         let forces = has_forces.then(|| system.forces(&motion)).transpose()?;

@@ -3,8 +3,9 @@
 
 use std::collections::BTreeSet;
 
+use kin::Load;
+use kin::loads::Friction;
 use kin::prelude::*;
-use kin::{Friction, Load};
 use serde_json::{Value, json};
 
 use crate::{SLOT, code, done, example, file, four_bar, words};

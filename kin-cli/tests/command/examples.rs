@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use kin::{Follow, Motion, Options, Registry, linspace, mechanism::Mechanism};
+use kin::data::Registry;
+use kin::{Follow, Mechanism, Motion, SolverOptions, linspace};
 
 use crate::own;
 use crate::{SLOT, data, example, place};
@@ -56,12 +57,18 @@ fn own_equations_as_text_are_the_compiled_ones() {
         .with::<own::geneva>();
     for (name, [from, to], count) in OWN {
         let mechanism = Mechanism::read_json(example(name), &registry).expect("reads");
-        let options = Options { engine: kin::Engine::Plain, ..Options::default() };
+        let options = SolverOptions::new().engine(kin::Engine::StepByStep);
         let times = linspace(from, to, count);
-        let motion = mechanism.build().expect("builds").run_with(times, &options).expect("runs");
+        let motion = mechanism
+            .build()
+            .expect("builds")
+            .solver()
+            .options(options.clone())
+            .run(times)
+            .expect("runs");
         let compiled = numbers(&String::from_utf8(written(&motion, name)).expect("text"));
         let times = format!("{from}:{to}:{count}");
-        let asked = ["--times", &times, "--engine", "plain", "--csv", "-"];
+        let asked = ["--times", &times, "--engine", "step-by-step", "--csv", "-"];
         let read = numbers(&data(&[&["run", &example(name)][..], &asked].concat()));
         assert_eq!(read.len(), count);
         let columns = compiled[0].len();
@@ -85,15 +92,16 @@ fn written(motion: &Motion, name: &str) -> Vec<u8> {
 fn file_to_command_to_csv_is_the_program_bit_for_bit() {
     for (name, [from, to], count, turning) in EXAMPLES {
         let mechanism = Mechanism::read_json(example(name), &Registry::new()).expect("reads");
-        let mut options = Options::default();
+        let mut options = SolverOptions::default();
         if !turning.is_empty() {
-            options.follow = Follow::Turning(turning.to_vec());
+            options.follow = Follow::OtherBranchAt(turning.to_vec());
         }
         let system = mechanism.build().expect("builds");
-        let motion = system.run_with(linspace(from, to, count), &options).expect("runs");
+        let motion =
+            system.solver().options(options.clone()).run(linspace(from, to, count)).expect("runs");
         let times = format!("{from}:{to}:{count}");
         let turns: Vec<String> = turning.iter().map(usize::to_string).collect();
-        let turns = format!("--turning={}", turns.join(","));
+        let turns = format!("--other-branch-at={}", turns.join(","));
         let file = example(name);
         let mut arguments = vec!["run", &file, "--times", &times, "--csv", "-"];
         if !turning.is_empty() {
@@ -107,8 +115,9 @@ fn file_to_command_to_csv_is_the_program_bit_for_bit() {
 fn points_measures_and_the_jerk_are_those_of_a_program() {
     let mechanism = Mechanism::read_json(example("04_four_bar"), &Registry::new()).expect("reads");
     let system = mechanism.build().expect("builds");
-    let options = Options { jerk: true, ..Options::default() };
-    let mut motion = system.run_with(linspace(0.0, 1.0, 31), &options).expect("runs");
+    let options = SolverOptions::new().jerk(true);
+    let mut motion =
+        system.solver().options(options.clone()).run(linspace(0.0, 1.0, 31)).expect("runs");
     let coupler = motion.planar_named("coupler").expect("a body");
     motion.add_point("P", coupler, kin::vec2(0.2, 1.4)).expect("a point");
     let angle = system.measure(&motion, "A.angle").expect("a measure");

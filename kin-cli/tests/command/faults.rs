@@ -57,14 +57,14 @@ fn a_command_line_that_makes_no_sense_is_usage() {
     fails(&["sensitivities", m, "--times", "0:1:3", "--by", "O.u_k.x"], 2, "O.u_k.x");
     fails(&["watch", "-", "--times", "0:1:3"], 2, "give a file to watch");
     let turning = |file: &str, numbers: &str, told: &str| {
-        fails(&["run", file, "--times", "0:2:241", "--turning", numbers], 2, told);
-        fails(&["forces", file, "--times", "0:2:241", "--turning", numbers], 2, told);
+        fails(&["run", file, "--times", "0:2:241", "--other-branch-at", numbers], 2, told);
+        fails(&["forces", file, "--times", "0:2:241", "--other-branch-at", numbers], 2, told);
     };
-    turning(m, "99", "`--turning 99`: the motion passes no change point");
+    turning(m, "99", "`--other-branch-at 99`: the motion passes no change point");
     turning(
         &example("16_change_points"),
         "0,99",
-        "`--turning 99`: the motion passes 4 change points, numbers 0 to 3",
+        "`--other-branch-at 99`: the motion passes 4 change points, numbers 0 to 3",
     );
     turning(m, "a", "`a` is no number of a change point: they are counted 0, 1, 2");
     fails(&["manual", "rum"], 2, "no command `rum`");

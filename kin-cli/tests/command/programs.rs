@@ -37,7 +37,7 @@ const EXAMPLES: [Example; 26] = [
     ),
     ("13_stewart_platform", Bits, &["centre=plate:0,0,0"], &["head.", "tilt"]),
     ("15_windscreen_wiper", Bits, &["--jerk", "tip=arm:0.45,0"], &["transmission angle"]),
-    ("16_change_points", Bits, &["--turning=0,2", "A=crank:0.5,0", "B=rocker:0.5,0"], &[]),
+    ("16_change_points", Bits, &["--other-branch-at=0,2", "A=crank:0.5,0", "B=rocker:0.5,0"], &[]),
     (
         "17_double_wishbone",
         Bits,

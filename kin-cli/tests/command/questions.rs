@@ -318,9 +318,9 @@ fn closure_is_allowed_by_a_flag() {
     let file = crate::file("door.json", &text);
     let refused = done(&["run", &file, "--times", "0:1:11"]);
     let said = words(&refused);
-    let flag = said.split("`--closure ").nth(1).and_then(|rest| rest.split('`').next());
+    let flag = said.split("`--allowed-misfit ").nth(1).and_then(|rest| rest.split('`').next());
     let flag = flag.unwrap_or_else(|| panic!("{said}"));
-    assert!(code(&refused) != 0 && !said.contains("Options::"), "{said}");
-    data(&["run", &file, "--times", "0:1:11", "--closure", flag, "--csv", "-"]);
-    data(&["check", &file, "--closure", flag]);
+    assert!(code(&refused) != 0 && !said.contains("SolverOptions::"), "{said}");
+    data(&["run", &file, "--times", "0:1:11", "--allowed-misfit", flag, "--csv", "-"]);
+    data(&["check", &file, "--allowed-misfit", flag]);
 }

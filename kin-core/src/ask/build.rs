@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::ask::solver::At;
 use crate::joints::spatial;
 use crate::model::coordinates::SpatialBody;
 use crate::model::error::{Error, Result};
@@ -30,21 +31,15 @@ impl Mechanism {
         Ok(system)
     }
 
-    /// Diagnoses the mechanism at time t, assembled from its guess, whether it can be driven or
-    /// not: counts, rank, dependencies between equations and freedoms by name.
+    /// Diagnoses the mechanism at a time, whether it can be driven or not: counts, rank,
+    /// dependencies between equations and freedoms by name. It is assembled from its guess; with a
+    /// pose, `diagnose((t, &q))`, from that pose (length n, in the order in which coordinates were
+    /// declared).   \[m, rad\]
     ///
-    /// Errors: those of [`Mechanism::build`] but for the count; t not finite, nothing finite near
-    /// the guess.
-    pub fn diagnose(&self, t: f64) -> Result<Diagnosis> {
-        self.clone().system()?.diagnose(t)
-    }
-
-    /// The same at a pose q (length n, in the order in which coordinates were declared), brought
-    /// onto C = 0 first where it is off.   \[m, rad\]
-    ///
-    /// Errors: those of [`Mechanism::diagnose`]; wrong length, not finite.
-    pub fn diagnose_at(&self, t: f64, q: &[f64]) -> Result<Diagnosis> {
-        self.clone().system()?.diagnose_at(t, q)
+    /// Errors: those of [`Mechanism::build`] but for the count; t not finite, a pose of the wrong
+    /// length, nothing finite nearby.
+    pub fn diagnose<'q>(&self, at: impl Into<At<'q>>) -> Result<Diagnosis> {
+        self.clone().system()?.diagnose(at)
     }
 
     /// Holds every turn that moves nothing else, such as that of a rod between two balls about its

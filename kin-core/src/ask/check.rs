@@ -10,7 +10,7 @@
 //!     s.y - k * s.x * s.x
 //! }
 //!
-//! let (i, j) = (kin::any_planar(), kin::any_planar());
+//! let (i, j) = (kin::check::any_planar(), kin::check::any_planar());
 //! kin::check::derivatives(parabolic_slot(i, j, vec2(0.1, 0.0), 2.0));
 //! kin::check::law(&Law::sine(2.0, 3.0, 0.5), 0.0, 4.0);
 //! ```
@@ -21,6 +21,7 @@ mod entries;
 mod law;
 mod promises;
 
+pub use crate::model::coordinates::{any_coord, any_planar, any_spatial};
 pub use crate::model::mismatch::{Disagreement, Mismatch};
 pub use law::{LawMismatch, compare_law, law};
 

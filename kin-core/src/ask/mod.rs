@@ -8,3 +8,4 @@ pub mod diagnosis;
 pub mod measure;
 pub mod proof;
 mod rates;
+pub(crate) mod solver;

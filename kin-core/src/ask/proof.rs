@@ -67,7 +67,6 @@ use crate::model::blame::Source;
 use crate::model::error::{Error, Result};
 use crate::model::units::Unit;
 use crate::model::units::Units;
-pub use crate::numbers::enclosure::Series;
 use crate::solve::motion::Motion;
 use crate::system::{System, scale};
 pub(crate) use bounds::{Bounds, Column, Entry, Part, Unknown};
@@ -85,7 +84,7 @@ pub struct Proof {
     name: String,
     units: Vec<Unit>,
     words: Units,
-    positions: Vec<std::result::Result<Tube, Doubt>>,
+    positions: Vec<std::result::Result<Tube, Unproved>>,
     steps: Vec<StepProof>,
     trusted: Vec<String>,
 }
@@ -102,7 +101,7 @@ pub struct StepProof {
     pub to: f64,
     /// The tube around it in which the motion is the only solution, or what stands in the way of
     /// showing that.
-    pub tube: std::result::Result<Tube, Doubt>,
+    pub tube: std::result::Result<Tube, Unproved>,
 }
 
 /// How near the solution is, and how far away the next one at least: one number for each
@@ -120,19 +119,19 @@ pub struct Tube {
 /// An obstacle to a proof, and its time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Doubt {
+pub struct Unproved {
     /// Where in the step.   \[s\]
     pub t: f64,
     /// Names of the units of length and time.
     pub units: Units,
     /// The obstacle.
-    pub reason: DoubtReason,
+    pub reason: UnprovedReason,
 }
 
 /// The obstacles to a proof.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum DoubtReason {
+pub enum UnprovedReason {
     /// C_q may be singular: two solutions may meet.
     Singular {
         /// The coordinate that can move most while everything else is nearly met.
@@ -240,24 +239,24 @@ impl System {
         scale::sizes(self.layout(), self.equations(), &values, (first, t), self.links())
     }
 
-    fn doubt(&self, (t, fault): Failure, sizes: &[f64]) -> Doubt {
+    fn doubt(&self, (t, fault): Failure, sizes: &[f64]) -> Unproved {
         let reason = match fault {
             Fault::Unknown(unknown) => {
                 let (expression, source) = unknown.expression.unzip();
-                DoubtReason::Unbounded {
+                UnprovedReason::Unbounded {
                     equation: self.equations().equation(unknown.row),
                     expression,
                     source: source.flatten(),
                 }
             }
             Fault::Apart(row, by) => {
-                DoubtReason::Apart { equation: self.equations().equation(row), by }
+                UnprovedReason::Apart { equation: self.equations().equation(row), by }
             }
             Fault::Singular(q, t) => {
-                DoubtReason::Singular { coordinate: self.loosest(&q, t, sizes) }
+                UnprovedReason::Singular { coordinate: self.loosest(&q, t, sizes) }
             }
         };
-        Doubt { t, units: self.unit_words().clone(), reason }
+        Unproved { t, units: self.unit_words().clone(), reason }
     }
 
     /// The coordinate that moves most, in its characteristic size, along what C_q nearly leaves

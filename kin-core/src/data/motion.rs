@@ -71,7 +71,7 @@ pub struct MotionData {
     pub engine: EngineCounts,
     /// Why all of it was computed by plain steps, where a program would have paid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub why_plain: Option<String>,
+    pub why_not_compiled: Option<String>,
     /// Derived quantities.
     pub outputs: Vec<OutputData>,
 }
@@ -141,7 +141,7 @@ impl Motion {
             beyond_a_turn: self.beyond_a_turn.clone(),
             misfit: self.misfit,
             engine: self.engine,
-            why_plain: self.plain.as_deref().map(str::to_string),
+            why_not_compiled: self.plain.as_deref().map(str::to_string),
             outputs: self.outputs().iter().map(output).collect(),
         }
     }
@@ -205,7 +205,7 @@ impl Motion {
             beyond_a_turn: data.beyond_a_turn.clone(),
             misfit: data.misfit,
             engine: data.engine,
-            plain: data.why_plain.as_deref().map(Into::into),
+            plain: data.why_not_compiled.as_deref().map(Into::into),
             outputs: Vec::new(),
         };
         for output in &data.outputs {

@@ -9,7 +9,7 @@ use super::{FORMAT, Registry};
 /// demanded: a file brings constraints of its own, and a program its laws.
 ///
 /// ```
-/// let schema = kin::data::schema(&kin::Registry::new());
+/// let schema = kin::data::schema(&kin::data::Registry::new());
 /// assert_eq!(schema["properties"]["bodies"]["type"], "array");
 /// ```
 pub fn schema(registry: &Registry) -> Value {

@@ -4,7 +4,7 @@ use super::agreement::{self, Agreement};
 use super::along::{Along, Prepared};
 use super::measured::refuse_own;
 use super::partials::partials;
-use super::solver::Solver;
+use super::solver::SlopeSolver;
 use super::{smooth, variation};
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
@@ -29,7 +29,7 @@ impl System {
     /// many independent rows as there are coordinates; that the other equations agree is checked
     /// for all parameters at once.
     ///
-    /// Errors: those of [`System::sensitivities`] and [`crate::Sensitivities::of`].
+    /// Errors: those of [`System::sensitivities`] and [`crate::design::Sensitivities::of`].
     pub fn gradient(
         &self,
         motion: &Motion,
@@ -93,7 +93,7 @@ fn terms(
             if system.is_redundant() { Agreement::along(prepared, motion, names)? } else { None };
         left = variation::adjoint(prepared, agreement.as_ref(), motion, weights, &mut gradient);
     }
-    let mut solver = Solver::new(system);
+    let mut solver = SlopeSolver::new(system);
     for k in left.unwrap_or_else(|| (0..motion.len()).collect()) {
         let t = motion.times()[k];
         let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
@@ -114,7 +114,7 @@ fn terms(
 
 /// λ₀, λ₁ and λ₂. `fixed` is λ₂ in rows that are not in use, and zero in the others.
 pub(super) fn adjoint(
-    solver: &Solver<'_>,
+    solver: &SlopeSolver<'_>,
     along: &Along,
     fixed: Vec<f64>,
     [mut w0, mut w1, mut w2]: Weights,

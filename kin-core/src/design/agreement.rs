@@ -9,7 +9,7 @@
 
 use super::adjoint::adjoint;
 use super::along::{Along, Prepared};
-use super::solver::{CONSISTENT, ROUNDED, Solver};
+use super::solver::{CONSISTENT, ROUNDED, SlopeSolver};
 use crate::model::error::Result;
 use crate::numbers::random::Random;
 use crate::solve::motion::Motion;
@@ -36,7 +36,7 @@ impl Agreement {
         motion: &Motion,
         names: &[String],
     ) -> Result<Option<Agreement>> {
-        let mut solver = Solver::new(prepared.system);
+        let mut solver = SlopeSolver::new(prepared.system);
         let mut found = None;
         for k in fastest(motion) {
             let t = motion.times()[k];
@@ -65,7 +65,7 @@ impl Agreement {
 /// An error by name where a change of a parameter makes the equations contradict one another at the
 /// time of the solver.
 pub(super) fn check(
-    solver: &mut Solver<'_>,
+    solver: &mut SlopeSolver<'_>,
     prepared: &Prepared<'_>,
     along: &Along,
     names: &[String],
@@ -81,7 +81,7 @@ pub(super) fn check(
 
 /// ν in the superfluous rows, in which it may be anything, and 0 in the others; `None` where no
 /// equation is superfluous.
-fn shares(solver: &Solver<'_>) -> Option<Vec<f64>> {
+fn shares(solver: &SlopeSolver<'_>) -> Option<Vec<f64>> {
     let (rows, norms) = solver.in_use()?;
     let mut random = Random::new(1);
     let share = |(row, norm): (usize, &f64)| {
@@ -93,7 +93,7 @@ fn shares(solver: &Solver<'_>) -> Option<Vec<f64>> {
 }
 
 /// The numbers of the names of which g, ġ or g̈ are more than a small share of their terms.
-fn doubtful(solver: &Solver<'_>, along: &Along, shares: Vec<f64>) -> Vec<usize> {
+fn doubtful(solver: &SlopeSolver<'_>, along: &Along, shares: Vec<f64>) -> Vec<usize> {
     let none = [(); 3].map(|()| vec![0.0; solver.columns()]);
     let nu = adjoint(solver, along, shares, none);
     let is_doubtful = |by_p: &Vec<(usize, [f64; 3])>| {

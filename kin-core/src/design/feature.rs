@@ -7,7 +7,7 @@ use super::measured;
 use crate::ask::measure::{Extreme, Extremes, Measure};
 use crate::model::error::Result;
 use crate::solve::motion::Motion;
-use crate::solve::newton::Options;
+use crate::solve::newton::SolverOptions;
 use crate::system::System;
 
 /// Steps of time in which an extreme is followed to where it has moved.
@@ -214,8 +214,12 @@ impl<'a, M: Measure> Followed<'a, M> {
 
     /// The extreme of the same kind that is next in time, of a whole run.
     fn searched(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
-        let motion =
-            other.guessed(self.motion.q(0)).run_with(self.motion.times(), &unrescued()).ok()?;
+        let motion = other
+            .guessed(self.motion.q(0))
+            .solver()
+            .options(unrescued())
+            .run(self.motion.times())
+            .ok()?;
         let extremes =
             other.extremes(&motion, |motion: &Motion| self.what.of(other, motion)).ok()?;
         let same = extremes.all().iter().filter(|extreme| extreme.is_max == is_max);
@@ -233,8 +237,8 @@ pub(super) fn orientation(system: &System, t: f64, q: &[f64]) -> Option<bool> {
 }
 
 /// No search of the whole space where there is no position next to the guess.
-pub(super) fn unrescued() -> Options {
-    Options { rescue: false, ..Options::default() }
+pub(super) fn unrescued() -> SolverOptions {
+    SolverOptions::new().rescue(false)
 }
 
 pub(super) fn first(all: &[f64]) -> f64 {

@@ -32,10 +32,11 @@ mod toggle;
 mod tolerance;
 mod variation;
 
+pub use crate::model::dimension::Distribution;
 pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use objective::Objective;
 pub use sensitivities::{Sensitivities, Sensitivity};
 pub use tolerance::{
-    Contribution, LookedAt, Off, Proved, Samples, Sampling, SecondOrder, Tolerance,
+    Contribution, Off, Proved, Samples, Sampling, Searched, SecondOrder, Tolerance,
 };

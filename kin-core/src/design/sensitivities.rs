@@ -1,7 +1,7 @@
 //! Derivatives of q, q̇ and q̈ by parameters: one solve with the factors of C_q for each order.
 
 use super::along::Prepared;
-use super::solver::Solver;
+use super::solver::SlopeSolver;
 use super::{smooth, variation};
 use crate::model::error::{Error, Result};
 use crate::solve::motion::Motion;
@@ -76,7 +76,7 @@ impl System {
         let left = variation::pays(motion).then(|| variation::forward(&prepared, motion, lists));
         let left = left.flatten().unwrap_or_else(|| (0..motion.len()).collect());
         let compiled = motion.len() - left.len();
-        let mut solver = Solver::new(self);
+        let mut solver = SlopeSolver::new(self);
         for k in left {
             let t = motion.times()[k];
             let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];

@@ -9,7 +9,7 @@ use crate::model::error::Result;
 use crate::model::no_derivative::NoDerivative;
 use crate::numbers::rounded::Rounded;
 use crate::solve::explain::Start;
-use crate::solve::newton::Options;
+use crate::solve::newton::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Measures;
 
@@ -20,7 +20,7 @@ pub(super) const CONSISTENT: f64 = 1e-8;
 pub(super) const ROUNDED: f64 = 16.0;
 
 /// C_q at one time after the other, factored.
-pub(super) struct Solver<'a> {
+pub(super) struct SlopeSolver<'a> {
     system: &'a System,
     t: f64,
     /// q, q̇ and q̈ there.
@@ -46,10 +46,10 @@ struct Redundant {
     residual: f64,
 }
 
-impl<'a> Solver<'a> {
+impl<'a> SlopeSolver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
         let kind = if system.is_redundant() { Kind::Redundant(None) } else { Kind::Square(None) };
-        Solver { system, t: f64::NAN, orders: [&[]; 3], bounded: OnceCell::new(), kind }
+        SlopeSolver { system, t: f64::NAN, orders: [&[]; 3], bounded: OnceCell::new(), kind }
     }
 
     /// To the time t of a motion with these q, q̇ and q̈. Errors: a singular position.
@@ -185,7 +185,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-impl Solver<'_> {
+impl SlopeSolver<'_> {
     /// How far rounding may bring the equations of order `last` apart, as a share of their norms,
     /// with these solutions by the name of that number; 0 where no equation is superfluous.   \[-\]
     pub(super) fn rounding(
@@ -237,7 +237,7 @@ impl Redundant {
         {
             return Ok(());
         }
-        Err((EXPLAIN.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()))
+        Err((EXPLAIN.cannot_be_driven)(model, Start::Pose(q), t, &SolverOptions::default()))
     }
 
     fn solved(&mut self, rhs: &[f64]) -> Vec<f64> {

@@ -22,7 +22,9 @@ pub use crate::model::blame::{Asked, Blame, Source};
 pub use crate::model::constraint::{
     Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Written,
 };
-pub use crate::model::coordinates::{Argument, Target, Trig};
+pub use crate::model::coordinates::{
+    Argument, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Target, Trig,
+};
 pub use crate::model::dimension::{Bindings, IntoNumber, IntoParameter};
 pub use crate::model::dual_route::{ArgumentKind, Equation};
 pub use crate::model::law::LawFunction;
@@ -78,7 +80,7 @@ pub fn parameter<T>(given: impl IntoParameter<T>, name: &str, bindings: &mut Bin
 }
 
 /// An axis from what a constructor takes for one; what hangs on dimensions is noted.
-pub fn axis(given: impl crate::IntoAxis, name: &str, bindings: &mut Bindings) -> Axis {
+pub fn axis(given: impl IntoAxis, name: &str, bindings: &mut Bindings) -> Axis {
     given.into_axis(name, bindings)
 }
 

@@ -6,7 +6,7 @@ use super::calls::Forces;
 use super::multipliers::LOOSE;
 use super::wrench::{Stand, Wrench};
 use crate::model::error::{Error, Result};
-use crate::model::loads::Turning;
+use crate::model::loads::HasTorque;
 use crate::model::motion::Series;
 use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
@@ -18,7 +18,7 @@ use crate::numbers::algebra::Vec3;
 /// A component that is not unique, because equations are redundant, is not given as a number:
 /// methods that would give it have an error by name.
 #[derive(Clone)]
-pub struct Acted<'f, V: Turning> {
+pub struct BodyWrench<'f, V: HasTorque> {
     pub(super) forces: &'f Forces<'f>,
     pub(super) name: String,
     pub(super) on: String,
@@ -32,7 +32,7 @@ pub struct Acted<'f, V: Turning> {
     pub(super) kind: PhantomData<V>,
 }
 
-impl<'f, V: Turning> Acted<'f, V> {
+impl<'f, V: HasTorque> BodyWrench<'f, V> {
     /// The same about another point of the body, ū: the force's moment is moved too. On the ground
     /// this is a global point.   \[m\]
     #[must_use]

@@ -8,10 +8,10 @@ use super::effort::{self, Drive};
 use super::friction::Frictions;
 use super::growth;
 use super::inverse;
-use super::multipliers::{AllMultipliers, Solver};
+use super::multipliers::{AllMultipliers, TransposedSolver};
 use super::reaction::{Reaction, Source};
-use super::sharing::Sharing;
 use super::sum::{Sum, not_finite};
+use crate::ask::solver::Solver;
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::solve::motion::{EngineCounts, Motion};
@@ -51,19 +51,23 @@ impl System {
     ///
     /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system;
     /// a singular position, where forces have no bound; a load that is not finite; a mechanism that
-    /// is jammed by friction ([`crate::Jammed`]), friction on a force that is not unique.
+    /// is jammed by friction ([`crate::error::Jammed`]), friction on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
-        self.forces_by(motion, Engine::Auto)
+        self.solver().forces(motion)
     }
+}
 
-    /// The same by an engine: [`Engine::Plain`] assembles and solves time by time;
-    /// [`Engine::Compiled`] makes one program of masses, loads and the transposed solve, and
-    /// replays it over several times at once; [`Engine::Auto`] does that where it pays. Numbers
-    /// differ in the last digits.
+impl<'a> Solver<'a> {
+    /// Computes the forces of a motion of this system ([`System::forces`]) by the engine of the
+    /// options and with their rule for redundant constraints ([`crate::SolverOptions::sharing`]).
+    ///
+    /// [`Engine::StepByStep`] assembles and solves time by time. [`Engine::Compiled`] makes one
+    /// program of masses, loads and the transposed solve, and replays it over several times at
+    /// once. [`Engine::Auto`] does that where it pays. Numbers differ in the last digits.
     ///
     /// ```
     /// # use kin::prelude::*;
-    /// # use kin::Engine;
+    /// # use kin::{Engine, SolverOptions};
     /// # fn main() -> kin::Result<()> {
     /// # let mut m = Mechanism::new("arm");
     /// # let arm = m.link("arm", 0.5)?;
@@ -73,38 +77,34 @@ impl System {
     /// # m.add("motor", drive_angle(arm, Law::ramp(2.0)))?;
     /// # let system = m.build()?;
     /// let motion = system.run(linspace(0.0, 1.0, 101))?;
-    /// let forces = system.forces_by(&motion, Engine::Plain)?;
-    /// assert_eq!(forces.engine().compiled, 0);
+    /// let solver = system.solver().options(SolverOptions::new().engine(Engine::StepByStep));
+    /// assert_eq!(solver.forces(&motion)?.engine().compiled, 0);
     /// # Ok(())
     /// # }
     /// ```
     ///
-    /// Errors: those of [`System::forces`]; asked for by [`Engine::Compiled`], what stands in the
-    /// way of a program, by name: friction, redundant equations, a load that is a closure, a
-    /// constraint that is not known as a formula.
-    pub fn forces_by<'a>(&'a self, motion: &'a Motion, engine: Engine) -> Result<Forces<'a>> {
-        self.own_as_it_is(motion)?;
-        if !self.has_forces() {
+    /// Errors: those of [`System::forces`]; equations that cannot carry no force, by name; with
+    /// [`Engine::Compiled`], what prevents a program, by name: friction, redundant equations, a
+    /// load that is a closure, a constraint that is not known as a formula.
+    pub fn forces(&self, motion: &'a Motion) -> Result<Forces<'a>> {
+        let system = self.system;
+        system.own_as_it_is(motion)?;
+        if !system.has_forces() {
             return Err(Error::InvalidParameters {
-                constraint: self.name().to_string(),
+                constraint: system.name().to_string(),
                 kind: "forces".to_string(),
-                reason: "nothing has mass and nothing acts: give its bodies mass or let loads act, in a file under \
-                         `masses` and `loads`, in a program by `m.mass(…)` and `m.load(…)`"
-                    .to_string(),
+                reason: NOTHING_ACTS.to_string(),
             });
         }
-        Walk::new(self, motion)?.by(engine)
-    }
-
-    /// The same as [`System::forces`], where redundant constraints share forces by a rule.
-    ///
-    /// Errors: those of [`System::forces`]; equations that cannot be left out, by name.
-    pub fn forces_with<'a>(&'a self, motion: &'a Motion, sharing: &Sharing) -> Result<Forces<'a>> {
-        let mut forces = self.forces(motion)?;
-        forces.share(sharing)?;
+        let mut forces = Walk::new(system, motion)?.by(self.options.engine)?;
+        forces.share(&self.options.sharing)?;
         Ok(forces)
     }
 }
+
+/// Why a mechanism without loads has no forces.
+const NOTHING_ACTS: &str = "nothing has mass and nothing acts: give its bodies mass or let loads act, in a file under \
+     `masses` and `loads`, in a program by `m.mass(…)` and `m.load(…)`";
 
 /// The λ of a program and of the walk differ by less than this share of the largest one.   \[-\]
 const SAME: f64 = 1e-8;
@@ -200,7 +200,7 @@ impl<'a> Walk<'a> {
         let system = self.system;
         let motion = self.motion;
         let points = Beside::points(self.system);
-        let mut solver = Solver::new(system);
+        let mut solver = TransposedSolver::new(system);
         let mut sum = Sum::new(system, &self.loads, &points);
         for &k in times {
             let t = motion.times()[k];
@@ -244,7 +244,7 @@ impl<'a> Forces<'a> {
 
     /// Why all times were computed one by one, where a program would have paid: what stands in the
     /// way, by name. `None` where a program was used or not looked for.
-    pub fn why_plain(&self) -> Option<&str> {
+    pub fn why_not_compiled(&self) -> Option<&str> {
         self.plain.as_deref()
     }
 

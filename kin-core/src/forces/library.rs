@@ -216,7 +216,8 @@ pub fn force_along(q: impl IntoCoordinate, force: Law) -> Load {
 /// pressures times the area of its piston: positive pushes the points apart.   \[N\]
 ///
 /// ```
-/// use kin::{Ends, Law, loads};
+/// use kin::law::Ends;
+/// use kin::{Law, loads};
 /// # use kin::prelude::*;
 /// # fn main() -> kin::Result<()> {
 /// # let mut m = Mechanism::new("engine");

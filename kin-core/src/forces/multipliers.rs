@@ -116,7 +116,7 @@ impl AllMultipliers {
 
 /// Solves C_qᵀ λ = Q at one time after the other: the elimination of the time before is tried
 /// first.
-pub(super) struct Solver<'a> {
+pub(super) struct TransposedSolver<'a> {
     system: &'a System,
     instant: Instant,
     kind: Kind,
@@ -128,7 +128,7 @@ enum Kind {
     Redundant { rows: Box<Independent>, values: Vec<f64>, measures: Option<Measures> },
 }
 
-impl<'a> Solver<'a> {
+impl<'a> TransposedSolver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
         let equations = system.equations();
         let m = system.n_equations();
@@ -142,7 +142,7 @@ impl<'a> Solver<'a> {
             equations.set_constants(linear.values_mut());
             Kind::Square(Box::new(linear))
         };
-        Solver { system, instant: equations.instant(), kind, c: vec![0.0; m] }
+        TransposedSolver { system, instant: equations.instant(), kind, c: vec![0.0; m] }
     }
 
     /// The system whose forces these are.

@@ -1,6 +1,6 @@
 //! Force and torque of constraints and loads on a body over time.
 
-use super::acted::Acted;
+use super::acted::BodyWrench;
 use super::acting::Now;
 use super::calls::Forces;
 use super::wrench::{Stand, Wrench};
@@ -9,7 +9,7 @@ use crate::model::constraint::Attached;
 use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Place};
-use crate::model::loads::Turning;
+use crate::model::loads::HasTorque;
 use crate::model::motion::Series;
 use crate::numbers::algebra::Vec3;
 
@@ -38,9 +38,9 @@ impl<'f> Reaction<'f> {
     /// `SpatialBody::from(ground)`, and takes the opposite of all that is put on bodies.
     ///
     /// Errors: a body of another mechanism, one that it does not act on.
-    pub fn on<B: Body>(&self, body: B) -> Result<Acted<'f, B::Vector>>
+    pub fn on<B: Body>(&self, body: B) -> Result<BodyWrench<'f, B::Vector>>
     where
-        B::Vector: Turning,
+        B::Vector: HasTorque,
     {
         let forces = self.forces;
         let target = body.target();
@@ -92,7 +92,7 @@ impl<'f> Reaction<'f> {
         }
         let name = self.name.clone();
         let kind = Default::default();
-        Ok(Acted { forces, name, on, wrenches, open, stands, points, fixed: false, kind })
+        Ok(BodyWrench { forces, name, on, wrenches, open, stands, points, fixed: false, kind })
     }
 
     /// The power that it puts into the mechanism: Q · q̇.   \[W\]

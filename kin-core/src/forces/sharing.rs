@@ -1,67 +1,24 @@
-//! Forces that redundant constraints share, made one by a rule that is asked for.
+//! Forces that redundant constraints share, made unique by a rule.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::calls::Forces;
 use super::reaction::{Reaction, Source};
 use crate::model::error::{Error, Result};
-
-/// The rule by which redundant constraints share forces that no balance decides.
-///
-/// ```
-/// # use kin::prelude::*;
-/// # use kin::Sharing;
-/// # fn main() -> kin::Result<()> {
-/// let mut m = Mechanism::new("door");
-/// let door = m.spatial("door", SpatialPose::at(vec3(0.5, 0.0, 1.0)))?;
-/// let (ground, z) = (m.ground(), vec3(0.0, 0.0, 1.0));
-/// for (name, height) in [("hinge 1", 0.3), ("hinge 2", 1.7)] {
-///     let (u, p) = (vec3(-0.5, 0.0, height - 1.0), vec3(0.0, 0.0, height));
-///     m.add(name, spatial::revolute(door, ground, u, p, z, z))?;
-/// }
-/// m.add("hand", spatial::drive_turn(door, ground, z, z, Law::ramp(0.5)))?;
-/// m.mass(door, 20.0, vec3(0.0, 0.0, 0.0), [[8.0, 0.0, 0.0], [0.0, 7.0, 0.0], [0.0, 0.0, 2.0]])?;
-/// m.gravity(vec3(0.0, 0.0, -9.81));
-/// let system = m.build()?;
-/// let motion = system.run([0.0, 0.5])?;
-///
-/// let forces = system.forces(&motion)?;
-/// // Which hinge carries the door?
-/// assert!(forces.reaction("hinge 1")?.on(door)?.component("F_z").is_err());
-/// let both = forces.sum(["hinge 1", "hinge 2"])?.on(door)?.component("F_z")?;
-/// assert!((both.max() - 196.2).abs() < 1e-9);
-///
-/// let forces = system.forces_with(&motion, &Sharing::LeastNorm)?;
-/// assert!((forces.reaction("hinge 1")?.on(door)?.component("F_z")?.max() - 98.1).abs() < 1e-9);
-/// # Ok(())
-/// # }
-/// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Sharing {
-    /// No number is given for what is not unique.
-    #[default]
-    NotGiven,
-    /// The sum of the squares of the forces and torques of all constraints, each about its own
-    /// point, is least: one newton counts as one newton metre, in the units of the mechanism.
-    LeastNorm,
-    /// These equations, by name (`hinge 2.z`), hold nothing. There must be as many of them as are
-    /// redundant, and the others must still be independent.
-    LeftOut(Vec<String>),
-}
+use crate::model::loads::LoadSharing;
 
 /// Entries of the null space below this share of the largest one are rounding.   \[-\]
 const NOTHING: f64 = 1e-10;
 
 impl Forces<'_> {
     /// Makes forces unique by a rule. Errors: equations that cannot be left out, by name.
-    pub(super) fn share(&mut self, sharing: &Sharing) -> Result<()> {
-        if *sharing == Sharing::NotGiven {
+    pub(super) fn share(&mut self, sharing: &LoadSharing) -> Result<()> {
+        if *sharing == LoadSharing::NotGiven {
             return Ok(());
         }
         let found: Result<Vec<DVector<f64>>> = (0..self.motion.len())
             .map(|k| match sharing {
-                Sharing::LeftOut(rows) => self.left_out(rows, k),
+                LoadSharing::Without(rows) => self.left_out(rows, k),
                 _ => self.least(k),
             })
             .collect();

@@ -6,7 +6,7 @@ use crate::model::units::Units;
 use crate::model::words;
 
 /// How the force or torque of one constraint grows towards a singular position of a motion: as |t −
-/// t*| to a power below zero ([`crate::Forces::growth`]).
+/// t*| to a power below zero ([`crate::forces::Forces::growth`]).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Growth {

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use super::newton::{Newton, Options, compiled, first_position};
+use super::newton::{Newton, SolverOptions, compiled, first_position};
 use crate::model::error::Result;
 use crate::system::System;
 
@@ -33,14 +33,15 @@ impl System {
     /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and
     /// tells what came of it. The program is kept: runs that begin there are computed by it from 32
     /// times on, and positions that [`System::solve_at`] looks for from near by, unless
-    /// [`Options::engine`] is [`crate::Engine::Plain`], until anything is set in the system.
+    /// [`SolverOptions::engine`] is [`crate::Engine::StepByStep`], until anything is set in the
+    /// system.
     ///
     /// So a loop that asks for one position after the other, as controllers do, is begun by this
     /// call.
     ///
     /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
-        let options = Options::default();
+        let options = SolverOptions::default();
         compiled::can_be(self).map_err(|refusal| compiled::refused(&refusal))?;
         let mut newton = Newton::new(self, &options);
         first_position::assemble(&mut newton, 0.0)?;

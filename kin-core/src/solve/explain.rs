@@ -1,7 +1,7 @@
 //! The diagnosis of a failed run lives in a room above; solvers carry it as functions.
 
 use crate::model::error::Error;
-use crate::solve::newton::Options;
+use crate::solve::newton::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Model;
 
@@ -18,8 +18,8 @@ pub(crate) enum Start<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct Explain {
     /// The error of a mechanism that cannot be driven at a time, with its diagnosis.
-    pub cannot_be_driven: fn(Model<'_>, Start<'_>, f64, &Options) -> Error,
+    pub cannot_be_driven: fn(Model<'_>, Start<'_>, f64, &SolverOptions) -> Error,
     /// An error of a run with what is wrong with the mechanism at that time, as far as the size of
     /// the system allows to look for it.
-    pub explained: fn(Error, &System, &Options) -> Error,
+    pub explained: fn(Error, &System, &SolverOptions) -> Error,
 }

@@ -1,6 +1,9 @@
 //! Positions, velocities and accelerations: Newton's method, runs that stay on their branch,
 //! assembly from afar, sweeps, and the motion that comes out.
 
+#[macro_use]
+mod setters;
+
 pub(crate) mod assembly;
 pub(crate) mod compile;
 pub(crate) mod explain;

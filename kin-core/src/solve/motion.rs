@@ -16,7 +16,7 @@ pub use planar::Line;
 pub use point::PointMotion;
 pub use quantity::{Quantity, QuantityValues};
 pub use rotation::RotationMotion;
-pub use summary::Displaced;
+pub use summary::Displacement;
 
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::error::{Error, Result};

@@ -20,7 +20,7 @@ mod stepper;
 
 pub use crate::model::motion::CrossedBreak;
 pub use crate::system::Report;
-pub use options::{Engine, Follow, Options, Stop};
+pub use options::{Engine, Follow, SolverOptions, Stop};
 
 use crate::linear::{Linear, RANK};
 use crate::numbers::padded::{self, Padded};
@@ -81,7 +81,7 @@ pub(crate) enum Steps {
 /// The point in hand and the space to work in; stepping allocates nothing.
 pub(crate) struct Newton<'a> {
     pub system: &'a System,
-    pub options: &'a Options,
+    pub options: &'a SolverOptions,
     pub q: Padded,
     pub qd: Padded,
     pub qdd: Padded,
@@ -111,7 +111,7 @@ pub(crate) struct Newton<'a> {
 }
 
 impl<'a> Newton<'a> {
-    pub(crate) fn new(system: &'a System, options: &'a Options) -> Self {
+    pub(crate) fn new(system: &'a System, options: &'a SolverOptions) -> Self {
         let n = system.n_coordinates();
         let equations = system.equations();
         Newton {

@@ -11,7 +11,7 @@ use crate::numbers::lanes::Lanes;
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
 use crate::solve::newton::compiled::{Cases, Varied};
-use crate::solve::newton::{self, Options};
+use crate::solve::newton::{self, SolverOptions};
 use crate::system::System;
 use crate::system::parameters::CasePlace;
 
@@ -59,7 +59,7 @@ pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
     places: Vec<CasePlace>,
-    options: Options,
+    options: SolverOptions,
     lanes: Lanes,
     noted: Noted,
     pub(crate) explain: Option<Explain>,
@@ -86,7 +86,7 @@ impl<'a> Sweep<'a> {
         let places = system.places(&names)?;
         let lanes = Lanes::default();
         let progress = Mutex::new(None);
-        let options = Options::default();
+        let options = SolverOptions::default();
         Ok(Sweep {
             system,
             names,
@@ -101,9 +101,9 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Other options than [`Options::default`].
+    /// Other options than [`SolverOptions::default`].
     #[must_use]
-    pub fn options(mut self, options: Options) -> Self {
+    pub fn options(mut self, options: SolverOptions) -> Self {
         self.options = options;
         self
     }

@@ -27,7 +27,7 @@ pub(crate) struct Model<'a> {
     pub preferred: &'a [(usize, f64)],
     pub links: &'a [f64],
     /// By how much of their norms rows may be off and count as met, beyond rounding.   \[-\]
-    pub closure: f64,
+    pub misfit: f64,
     /// The work that searches may spend on it; none where their own limits are all.
     pub work: Option<&'a Work>,
 }
@@ -251,7 +251,7 @@ impl Model<'_> {
         rows
     }
 
-    /// True if C = 0 holds, but for rounding and the closure error that is allowed.
+    /// True if C = 0 holds, but for rounding and the misfit that is allowed.
     pub(crate) fn met(
         &self,
         point: &Point,
@@ -259,7 +259,7 @@ impl Model<'_> {
         measures: &Measures,
         active: &dyn Fn(usize) -> bool,
     ) -> bool {
-        let tolerance = TOLERANCE.max(self.closure);
+        let tolerance = TOLERANCE.max(self.misfit);
         // As a rule rounding needs no allowance of its own.
         if point.c.iter().zip(&measures.norms).all(|(c, norm)| c.abs() <= tolerance * norm) {
             return true;

@@ -8,7 +8,7 @@ use crate::model::coordinates::Ground;
 use crate::model::error::Error;
 use crate::model::mechanism::{Mechanism, linspace};
 use crate::numbers::algebra::Vec2;
-use crate::solve::newton::{Follow, Options};
+use crate::solve::newton::{Follow, SolverOptions};
 use crate::system::System;
 
 /// Two points at a fixed distance: |r_P − r_Q| − l = 0.   \[m\]
@@ -53,7 +53,9 @@ fn flat_parallelogram_ends_a_run_that_is_not_checked() {
     let system = parallelogram(Law::linear(0.0, 1.0));
     let times = [0.3, 0.2, 0.1, 0.0];
     let error = system
-        .run_with(times, &Options { follow: Follow::Unchecked, ..Options::default() })
+        .solver()
+        .options(SolverOptions::new().follow(Follow::Unchecked))
+        .run(times)
         .unwrap_err();
     assert!(matches!(error, Error::SingularAt { t: 0.0, .. }), "{error}");
     assert_eq!(error.motion().unwrap().times(), [0.3, 0.2, 0.1]);
@@ -75,10 +77,9 @@ fn toggle_has_its_time() {
     assert_eq!(error.motion().unwrap().len(), 10);
     // Unchecked, the end is where no step succeeds any more.
     let error = system
-        .run_with(
-            linspace(0.0, 2.0, 21),
-            &Options { follow: Follow::Unchecked, ..Options::default() },
-        )
+        .solver()
+        .options(SolverOptions::new().follow(Follow::Unchecked))
+        .run(linspace(0.0, 2.0, 21))
         .unwrap_err();
     let Error::NoConvergence { constraint, row, last: Some(last), .. } = &error else {
         panic!("{error}")
@@ -195,7 +196,7 @@ fn not_finite_names_the_constraint_and_keeps_the_motion() {
 fn a_regular_position_is_not_told_as_singular() {
     use crate::solve::newton::{Failure, Newton, Steps};
     let system = parallelogram(Law::linear(0.4, 1.0));
-    let options = Options::default();
+    let options = SolverOptions::default();
     let pose = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         [0.5 * cos, 0.5 * sin, angle, 1.5 + cos, sin, 0.0, 3.0 + 0.5 * cos, 0.5 * sin, angle]

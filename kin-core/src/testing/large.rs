@@ -5,7 +5,7 @@ use super::*;
 use crate::joints::planar;
 use crate::model::coordinates::Ground;
 use crate::model::mechanism::{Mechanism, pose};
-use crate::solve::newton::{Newton, Options, first_position};
+use crate::solve::newton::{Newton, SolverOptions, first_position};
 use crate::system::System;
 
 /// θ_j − θ_i − f(t) = 0.   \[rad\]
@@ -68,7 +68,7 @@ fn chain(n: usize, off: f64) -> System {
 fn chain_of_30_000_coordinates_is_the_recursion() {
     let n = 10_000;
     let system = chain(n, 0.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     let mut newton = Newton::new(&system, &options);
     first_position::assemble(&mut newton, 0.02).unwrap();
     let exact = poses(n, 0.02);

@@ -5,7 +5,7 @@ use super::*;
 use crate::model::coordinates::{Ground, any_planar};
 use crate::model::error::Error;
 use crate::model::mechanism::{Mechanism, SpatialPose, pose};
-use crate::solve::newton::{Options, Stop};
+use crate::solve::newton::{SolverOptions, Stop};
 use crate::system::System;
 
 #[test]
@@ -101,8 +101,11 @@ fn times_and_options_are_checked() {
     {
         assert!(matches!(system.run(&times), Err(Error::InvalidTimes { .. })), "{times:?}");
     }
-    let options = Options { stop: Stop::Converged { tolerance: f64::NAN }, ..Options::default() };
-    assert!(matches!(system.run_with([0.0], &options), Err(Error::InvalidOptions { .. })));
+    let options = SolverOptions::new().stop(Stop::Converged { tolerance: f64::NAN });
+    assert!(matches!(
+        system.solver().options(options.clone()).run([0.0]),
+        Err(Error::InvalidOptions { .. })
+    ));
     assert!(matches!(
         system.residual(&[0.0], 0.0),
         Err(Error::WrongLength { expected: 9, found: 1, .. })

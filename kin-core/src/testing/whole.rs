@@ -7,7 +7,7 @@ use super::*;
 use crate::joints::{drivers, planar};
 use crate::model::coordinates::{Ground, any_planar};
 use crate::model::mechanism::{Mechanism, SpatialPose, linspace, pose};
-use crate::solve::newton::{Options, Stop};
+use crate::solve::newton::{SolverOptions, Stop};
 
 /// R3, its velocity and its acceleration in closed form.
 fn two_link_exact(t: f64) -> [[f64; 2]; 3] {
@@ -105,8 +105,9 @@ fn backwards_is_the_same_motion() {
 
 #[test]
 fn published_protocol_takes_two_steps_a_time() {
-    let options = Options { stop: Stop::ResidualOnly(1e-10), predict: false, ..Options::default() };
-    let motion = two_link(1.0).run_with(linspace(0.0, 1.0, 101), &options).unwrap();
+    let options = SolverOptions::new().stop(Stop::ResidualOnly(1e-10)).predict(false);
+    let motion =
+        two_link(1.0).solver().options(options.clone()).run(linspace(0.0, 1.0, 101)).unwrap();
     assert!(motion.iterations()[1..].iter().all(|n| *n == 2), "{:?}", motion.iterations());
 }
 

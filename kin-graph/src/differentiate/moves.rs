@@ -9,7 +9,7 @@
 //! the value is made of parameters and constants alone, or what is taken of `max`, `min`, `clamp`,
 //! `if` and `match` is. Then every term that has it for a factor is zero. Everywhere else zero is a
 //! number like any other. The dual route keeps to the same rule by a mark in each number
-//! (`kin_core::real`), the search for what is to blame too.
+//! (`kin_core::extend::real`), the search for what is to blame too.
 //!
 //! Here the condition under which a value moves is a node like any other. It is built for values
 //! that choose only, so that nothing else pays.

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use kin::{Axis, Vec3, spatial};
+use kin::joints::spatial;
+use kin::{Axis, Vec3};
 
 use super::parts::Marker;
 use super::{Reading, refused};

@@ -1,6 +1,8 @@
 //! Joints, and limits of what they measure.
 
-use kin::{Axis, IntoConstraint, SpatialBody, Vec3, spatial};
+use kin::joints::spatial;
+use kin::mechanism::IntoConstraint;
+use kin::{Axis, SpatialBody, Vec3};
 
 use super::parts::Marker;
 use super::{Reading, refused};

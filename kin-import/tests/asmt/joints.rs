@@ -1,7 +1,8 @@
 //! Each kind of joint by what it lets move: a part is displaced along and about the axes of marker
 //! I.
 
-use kin::{EulerParameters, Ground, Mat3, Vec3, spatial, vec3};
+use kin::joints::spatial;
+use kin::{EulerParameters, Ground, Mat3, Vec3, vec3};
 
 use crate::own::{SAME, frame, joint, marker, part};
 

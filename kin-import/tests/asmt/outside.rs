@@ -4,7 +4,9 @@
 
 use std::path::PathBuf;
 
-use kin::{Axis, Forces, Mechanism, Motion, Sharing, SpatialBody, System, Vec3};
+use kin::SolverOptions;
+use kin::forces::{Forces, LoadSharing};
+use kin::{Axis, Mechanism, Motion, SpatialBody, System, Vec3};
 use serde_json::Value;
 
 use crate::written::written;
@@ -207,12 +209,18 @@ impl Model {
         let dropped = self.forces["dropped_by_source"].as_array().expect("rows").iter();
         let mut dropped: Vec<String> = dropped.map(|row| self.dropped(row)).collect();
         // Of the two bending moments of a cylindrical joint that one which is redundant.
-        let mut forces = system.forces_with(&motion, &Sharing::LeftOut(dropped.clone()));
+        let mut forces = system
+            .solver()
+            .options(SolverOptions::new().sharing(LoadSharing::Without(dropped.clone())))
+            .forces(&motion);
         if forces.is_err()
             && let Some(row) = dropped.iter_mut().find(|row| row.ends_with(".1"))
         {
             *row = row.replace(".1", ".2");
-            forces = system.forces_with(&motion, &Sharing::LeftOut(dropped));
+            forces = system
+                .solver()
+                .options(SolverOptions::new().sharing(LoadSharing::Without(dropped)))
+                .forces(&motion);
         }
         let forces = forces.expect("forces");
         self.reactions(&forces, true, tolerance, |_| true);

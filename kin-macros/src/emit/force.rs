@@ -16,7 +16,7 @@ fn parameters(source: &ConstraintFn) -> Vec<&Argument> {
 pub fn inputs(source: &ConstraintFn) -> Vec<TokenStream> {
     let others =
         parameters(source).into_iter().map(|argument| super::constructor_input(argument).0);
-    std::iter::once(quote!(impl ::kin::IntoAlong)).chain(others).collect()
+    std::iter::once(quote!(impl ::kin::loads::IntoAlong)).chain(others).collect()
 }
 
 /// The body of the constructor is `prepared`, then the load that is made of x and this struct.
@@ -40,7 +40,7 @@ pub fn constructor(
         let name = &argument.name;
         match argument.kind.slots() {
             0 => super::constructor_input(argument).1,
-            _ => quote!(#name: ::kin::any_coord()),
+            _ => quote!(#name: ::kin::check::any_coord()),
         }
     });
     quote! {

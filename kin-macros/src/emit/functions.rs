@@ -148,19 +148,19 @@ pub fn laws(arguments: &[Argument], lowered: &Lowered) -> TokenStream {
 pub fn dual() -> TokenStream {
     quote! {
         fn residual(&self, at: &::kin::emitted::At<'_>, c: &mut [f64]) {
-            ::kin::dual_route::residual(self, at, c);
+            ::kin::extend::dual_route::residual(self, at, c);
         }
         fn jacobian(&self, at: &::kin::emitted::At<'_>, c_q: &mut [f64]) {
-            ::kin::dual_route::jacobian(self, at, c_q);
+            ::kin::extend::dual_route::jacobian(self, at, c_q);
         }
         fn velocity_rhs(&self, at: &::kin::emitted::At<'_>, rhs: &mut [f64]) {
-            ::kin::dual_route::velocity_rhs(self, at, rhs);
+            ::kin::extend::dual_route::velocity_rhs(self, at, rhs);
         }
         fn acceleration_rhs(&self, at: &::kin::emitted::At<'_>, qd: &::kin::emitted::Rates<'_>, t_dot: f64, q_d: &mut [f64]) {
-            ::kin::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
+            ::kin::extend::dual_route::acceleration_rhs(self, at, qd, t_dot, q_d);
         }
         fn jerk_rhs(&self, at: &::kin::emitted::At<'_>, qd: &::kin::emitted::Rates<'_>, qdd: &::kin::emitted::Rates<'_>, rhs: &mut [f64]) -> bool {
-            ::kin::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
+            ::kin::extend::dual_route::jerk_rhs(self, at, qd, qdd, rhs)
         }
     }
 }

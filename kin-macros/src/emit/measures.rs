@@ -53,7 +53,7 @@ pub fn measure(source: &ConstraintFn) -> TokenStream {
     quote! {
         #[cold]
         fn measure(&self, k: usize, at: &::kin::emitted::At<'_>, rates: &[::kin::emitted::Rates<'_>; 3]) -> [f64; 4] {
-            ::kin::dual_route::measure(self, k, at, rates)
+            ::kin::extend::dual_route::measure(self, k, at, rates)
         }
     }
 }

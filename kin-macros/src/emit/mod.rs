@@ -63,13 +63,16 @@ fn constructor_input(argument: &Argument) -> (TokenStream, TokenStream) {
             proc_macro2::Span::call_site().located_at(syn::spanned::Spanned::span(&argument.ty));
         let word = proc_macro2::Ident::new(word, at);
         let method = own(method);
-        (quote_spanned!(at=> impl ::kin::#word), quote!(#name: ::kin::#word::#method(#name)))
+        (
+            quote_spanned!(at=> impl ::kin::emitted::#word),
+            quote!(#name: ::kin::emitted::#word::#method(#name)),
+        )
     };
     let several = |word: &str, method: &str, n: usize| {
         let one = given(word, method).0;
         let method = own(method);
         let word = proc_macro2::Ident::new(word, proc_macro2::Span::call_site());
-        (array(&one, n), quote!(#name: #name.map(::kin::#word::#method)))
+        (array(&one, n), quote!(#name: #name.map(::kin::emitted::#word::#method)))
     };
     match argument.kind {
         Kind::Planars(n) => several("IntoPlanarBody", "into_planar_body", n),

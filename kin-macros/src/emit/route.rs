@@ -33,13 +33,13 @@ pub fn read(lowered: &Lowered) -> TokenStream {
         }
     });
     if outside.is_empty() {
-        return quote!(::kin::RouteReason::Read);
+        return quote!(::kin::extend::RouteReason::Read);
     }
     let outside = outside.iter().map(|(name, span)| {
         let source = place(*span);
         quote!((#name, #source))
     });
-    quote!(::kin::RouteReason::ReadBut { outside: &[#(#outside),*] })
+    quote!(::kin::extend::RouteReason::ReadBut { outside: &[#(#outside),*] })
 }
 
 impl DualReason<'_> {
@@ -48,11 +48,11 @@ impl DualReason<'_> {
         match self {
             DualReason::Asked(span) => {
                 let source = place(*span);
-                quote!(::kin::RouteReason::Asked { source: ::core::option::Option::Some(#source) })
+                quote!(::kin::extend::RouteReason::Asked { source: ::core::option::Option::Some(#source) })
             }
             DualReason::Unread(Unreadable { span, what }) => {
                 let source = place(*span);
-                quote!(::kin::RouteReason::Unread { what: #what, source: #source })
+                quote!(::kin::extend::RouteReason::Unread { what: #what, source: #source })
             }
         }
     }
@@ -86,7 +86,7 @@ impl DualReason<'_> {
     }
 }
 
-/// A [`kin::blame::Source`].
+/// A [`kin::extend::blame::Source`].
 fn place(span: Span) -> TokenStream {
     let at = span.start();
     let line = Literal::usize_unsuffixed(at.line);

@@ -30,11 +30,13 @@ fn message(expansion: &str) -> Option<String> {
 }
 
 fn is_symbolic(expansion: &str) -> bool {
-    message(expansion).is_none() && expansion.contains("reason : :: kin :: RouteReason :: Read")
+    message(expansion).is_none()
+        && expansion.contains("reason : :: kin :: extend :: RouteReason :: Read")
 }
 
 fn is_dual(expansion: &str) -> bool {
-    message(expansion).is_none() && expansion.contains("reason : :: kin :: RouteReason :: Unread")
+    message(expansion).is_none()
+        && expansion.contains("reason : :: kin :: extend :: RouteReason :: Unread")
 }
 
 /// Bodies of growing depth and length: how often something is repeated in each.

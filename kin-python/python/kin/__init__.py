@@ -20,15 +20,15 @@ from ._design import (
     Extreme,
     Extremes,
     ExtremeSensitivity,
-    LookedAt,
     Proved,
     Samples,
+    Searched,
     SecondOrder,
     Sensitivities,
     Sensitivity,
     Tolerance,
 )
-from ._forces import Acted, Balance, Drive, Energy, Forces, Growth, Reaction
+from ._forces import Balance, BodyWrench, Drive, Energy, Forces, Growth, Reaction
 from ._friction import Friction
 from ._functions import (
     acos,
@@ -74,7 +74,7 @@ from ._joint import Joint
 from ._law import Law, LawRange
 from ._load import Force, Load, Potential, force, potential
 from ._mechanism import Mechanism, Terms
-from ._motion import Break, Displaced, Event, Motion, Peak, Point, Quantity, Rotation
+from ._motion import Break, Displacement, Event, Motion, Peak, Point, Quantity, Rotation
 from ._scalars import Scalar
 from ._solid import Solid
 from ._states import Coord, Planar, Rate, Spatial, Time
@@ -91,12 +91,12 @@ deg = radians
 __all__ = [
     *_ERRORS,
     *_LIBRARY,
-    "Acted",
     "Assemblies",
     "Assembly",
     "Axis",
     "Balance",
     "Batch",
+    "BodyWrench",
     "Break",
     "Compiled",
     "Constraint",
@@ -105,15 +105,15 @@ __all__ = [
     "Coordinate",
     "Diagnosis",
     "Dimension",
-    "Displaced",
+    "Displacement",
     "Drive",
     "Energy",
     "Equation",
     "EulerParameters",
     "Event",
     "Extreme",
-    "ExtremeSensitivity",
     "Extremes",
+    "ExtremeSensitivity",
     "Force",
     "Forces",
     "Friction",
@@ -124,7 +124,6 @@ __all__ = [
     "LawRange",
     "Link",
     "Load",
-    "LookedAt",
     "Mat2",
     "Mat3",
     "Mechanism",
@@ -146,6 +145,7 @@ __all__ = [
     "Rows",
     "Samples",
     "Scalar",
+    "Searched",
     "SecondOrder",
     "Sensitivities",
     "Sensitivity",

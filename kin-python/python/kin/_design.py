@@ -153,7 +153,7 @@ class Proved:
 
 @short
 @dataclass(frozen=True)
-class LookedAt:
+class Searched:
     """Where in the box of tolerances the mechanism itself was looked at: how many `corners`, whether those are `all_corners`,
     how many places on faces and `inside`; by how much each dimension is off at the `lowest` and the `highest` value (empty: none),
     and at a place where the mechanism cannot be assembled (`unassembled`, `None` if it can wherever it was looked at)."""
@@ -171,7 +171,7 @@ class Tolerance:
     """How far a measure may be off at one time, and by which dimensions: `worst_case` Σ |s| T, `rss` √(Σ s² T²), `sigma` √(Σ s² σ²),
     the least and the largest value that the mechanism itself has at the worst `corners` and inside of the box (both `None` where a
     part of it cannot be assembled: then there is no worst case), how far off the one that is farther is (`attained`), where it was
-    `looked_at`, how far the stack is `misled` (`None` where that cannot be said), the `second_order` term, and what is `proved`
+    `searched`, how far the stack is `misled` (`None` where that cannot be said), the `second_order` term, and what is `proved`
     (`system.tolerance_proved`). `print` shows the table."""
 
     name: str
@@ -184,7 +184,7 @@ class Tolerance:
     misled: Optional[float]
     attained: Optional[float]
     corners: tuple[Optional[float], Optional[float]]
-    looked_at: LookedAt
+    searched: Searched
     contributions: list[Contribution]
     second_order: Optional[SecondOrder]
     proved: Optional[Proved]
@@ -194,14 +194,14 @@ class Tolerance:
     def _of(found: dict[str, Any]) -> "Tolerance":
         shares = [Contribution(*names, *values) for names, values in found.pop("contributions")]
         second, proved = found.pop("second_order"), found.pop("proved")
-        counts, *places = found.pop("looked_at")
+        counts, *places = found.pop("searched")
         if second is not None:
             names, hessian, shift, sigma = second
             second = SecondOrder(names, np.array(hessian), shift, sigma)
         return Tolerance(
             **found,
             contributions=shares,
-            looked_at=LookedAt(*counts, *places),
+            searched=Searched(*counts, *places),
             second_order=second,
             proved=None if proved is None else Proved(*proved),
         )
@@ -260,6 +260,6 @@ class Samples:
 
 
 __all__ = [
-    "Contribution", "Extreme", "ExtremeSensitivity", "Extremes", "LookedAt", "Of", "Proved", "Samples", "SecondOrder", "Sensitivities",
+    "Contribution", "Extreme", "ExtremeSensitivity", "Extremes", "Searched", "Of", "Proved", "Samples", "SecondOrder", "Sensitivities",
     "Sensitivity", "Tolerance",
 ]  # fmt: skip

@@ -101,9 +101,9 @@ class Forces:
         return self._native.engine()
 
     @property
-    def why_plain(self) -> Optional[str]:
+    def why_not_compiled(self) -> Optional[str]:
         """Why all times were computed one by one, where a program would have paid: what stands in the way, by name."""
-        return self._native.why_plain()
+        return self._native.why_not_compiled()
 
     @property
     def loads(self) -> list[str]:
@@ -200,7 +200,7 @@ class Reaction:
     forces: Forces
     _sources: tuple[str, tuple[str, ...]]
 
-    def on(self, body: Union[PlanarBody, SpatialBody, Ground]) -> "Acted":
+    def on(self, body: Union[PlanarBody, SpatialBody, Ground]) -> "BodyWrench":
         """Force and torque on one body; the ground takes the opposite of all that is put on bodies.
 
         Raises an error by name: a body of another mechanism, one that it does not act on.
@@ -208,10 +208,10 @@ class Reaction:
         if not isinstance(body, (PlanarBody, SpatialBody, Ground)):
             raise TypeError(f"`on` takes a body, not {body!r}")
         if isinstance(body, Ground):
-            return Acted(self, (self._in_plane(), None), ())
+            return BodyWrench(self, (self._in_plane(), None), ())
         if body._of != self.forces._token:
             raise foreign("on", "body", self.forces._mechanism)
-        return Acted(self, (isinstance(body, PlanarBody), body.name), ())
+        return BodyWrench(self, (isinstance(body, PlanarBody), body.name), ())
 
     def _in_plane(self) -> bool:
         return not any(name.endswith(".e0") for name in self.forces.motion.names)
@@ -223,7 +223,7 @@ class Reaction:
 
 
 @dataclass(frozen=True)
-class Acted:
+class BodyWrench:
     """Force and torque on a body over time, first about the constraint's point on that body and in global axes. A component that
     is not unique, because equations are redundant, is not given as a number: asking for it is an error by name."""
 
@@ -231,18 +231,18 @@ class Acted:
     _body: tuple[bool, Any]
     _ways: tuple[tuple[str, list[float]], ...]
 
-    def _moved(self, way: str, point: Any) -> "Acted":
-        return Acted(self._reaction, self._body, (*self._ways, (way, point)))
+    def _moved(self, way: str, point: Any) -> "BodyWrench":
+        return BodyWrench(self._reaction, self._body, (*self._ways, (way, point)))
 
-    def at(self, u: VectorLike) -> "Acted":
+    def at(self, u: VectorLike) -> "BodyWrench":
         """The same about another point of the body, ū; on the ground about a global one.   [m]"""
         return self._moved("at", flat(u))
 
-    def about(self, point: VectorLike) -> "Acted":
+    def about(self, point: VectorLike) -> "BodyWrench":
         """The same about a global point that stays where it is.   [m]"""
         return self._moved("about", flat(point))
 
-    def in_body(self) -> "Acted":
+    def in_body(self) -> "BodyWrench":
         """The same by components in the axes of the body."""
         return self._moved("in_body", [])
 

@@ -207,7 +207,7 @@ class Break:
 
 
 @dataclass(frozen=True)
-class Displaced:
+class Displacement:
     """How far the first position of a body or angle is from its guess; `None` where nobody has said where it is. `hint` is the
     likely cause, where that is farther than assembly leads as a rule.   [m, rad]"""
 
@@ -368,13 +368,13 @@ class Motion:
 
     @property
     def misfit(self) -> float:
-        """By how much of their norms redundant equations contradict one another, where that was allowed (`closure`).   [-]"""
+        """By how much of their norms redundant equations contradict one another, where that was allowed (`allowed_misfit`).   [-]"""
         return self._native.facts()[2]
 
     @property
-    def displaced(self) -> list[Displaced]:
+    def displaced(self) -> list[Displacement]:
         """How far each body and bare angle is at the first time from its guess, the worst first."""
-        return [Displaced(*one) for one in self._native.displaced()]
+        return [Displacement(*one) for one in self._native.displaced()]
 
     @property
     def breaks(self) -> list[Break]:
@@ -398,7 +398,7 @@ class Motion:
         return self._native.engine()
 
     @property
-    def why_plain(self) -> Optional[str]:
+    def why_not_compiled(self) -> Optional[str]:
         """Why all of it was computed by plain steps, where a program would have paid, by the name of the constraint in the way."""
         return self._native.facts()[0]
 

@@ -104,8 +104,8 @@ class System:
     def run(self, times: Any, *, progress: Progress = None, **options: Any) -> Motion:
         """Position, velocity and acceleration at each of the times, which only increase or only decrease.   [s]
 
-        Options: `tolerance`, `jerk`, `engine` ("auto", "plain" or "compiled"), `follow` ("smooth" or "unchecked"), `turning`
-        (numbers of change points), `closure`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
+        Options: `tolerance`, `jerk`, `engine` ("auto", "step-by-step" or "compiled"), `follow` ("smooth" or "unchecked"), `other_branch_at`
+        (numbers of change points), `allowed_misfit`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
         `effort`, `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
 
         Warns (`warnings.warn`) where the run goes beyond the table of a law, where that is a straight line; `motion.events` says so

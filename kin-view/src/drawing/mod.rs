@@ -9,7 +9,8 @@ mod track;
 mod turns;
 mod wheels;
 
-use kin::{Motion, Result, Units, Vec3};
+use kin::results::Units;
+use kin::{Motion, Result, Vec3};
 
 use crate::color::PALETTE;
 use crate::scene::{Look, Outline, OutlineKind, Scene};

@@ -1,6 +1,6 @@
 //! Where bodies and points stand over time.
 
-use kin::state::{PlanarState, SpatialState};
+use kin::extend::state::{PlanarState, SpatialState};
 use kin::{Coordinate, Mat3, Motion, Result, Vec3};
 
 use crate::scene::{Body, Kind};

@@ -11,7 +11,7 @@ use super::track::Track;
 use crate::scene::{Body, Kind, Scene};
 
 /// Between two poses that are farther apart nothing is drawn: a straight way between them would
-/// take bodies apart that a joint holds together. [rad]
+/// take bodies apart that a joint holds together.      [rad]
 pub(crate) const LEAP: f64 = 0.6;
 /// A body that turns about its own length by less shows no mark.   [rad]
 const SEEN: f64 = 0.05;

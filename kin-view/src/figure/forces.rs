@@ -1,6 +1,7 @@
 //! Charts of forces: what drives must give, and what joints hold.
 
-use kin::{Forces, Series};
+use kin::forces::Forces;
+use kin::results::Series;
 
 use super::{Figure, Panel};
 use crate::color::PALETTE;

@@ -8,7 +8,8 @@ mod thin;
 
 use std::path::Path;
 
-use kin::{Quantity, Result};
+use kin::Result;
+use kin::results::Quantity;
 
 pub(crate) use forces::groups;
 pub use panel::Panel;

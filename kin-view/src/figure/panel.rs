@@ -1,6 +1,7 @@
 //! One pair of axes with lines in it.
 
-use kin::{Series, Units, Vec2, vec2};
+use kin::results::{Series, Units};
+use kin::{Vec2, vec2};
 
 use super::measure::{Measure, SANE};
 use super::thin::thinned;

@@ -7,7 +7,9 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use kin::{Forces, Motion, Quantity, Result, Series, Vec3};
+use kin::forces::Forces;
+use kin::results::{Quantity, Series};
+use kin::{Motion, Result, Vec3};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 

@@ -1,6 +1,9 @@
 //! Forces and torques of a motion, to be drawn as arrows.
 
-use kin::{Acted, Forces, Reaction, Turning, Units, Vec2, Vec3};
+use kin::forces::{BodyWrench, Forces, Reaction};
+use kin::loads::HasTorque;
+use kin::results::Units;
+use kin::{Vec2, Vec3};
 
 use super::{Body, Kind, Scene};
 
@@ -118,9 +121,9 @@ struct Source<'a> {
 }
 
 impl Source<'_> {
-    fn arrows<V: Turning>(
+    fn arrows<V: HasTorque>(
         &self,
-        acted: &Acted<'_, V>,
+        acted: &BodyWrench<'_, V>,
         vector: fn(V) -> Vec3,
         torque: fn(V::Torque) -> Vec3,
     ) -> Vec<Arrow> {

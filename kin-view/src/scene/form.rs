@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use kin::extend::Target;
-use kin::state::{At, Offsets};
+use kin::extend::state::{At, Offsets};
 use kin::{Constraint, Law, Vec2, vec2};
 
 use super::outline::polar;
@@ -50,8 +50,9 @@ impl Form {
     /// The shape of a planar joint of the library; `None` of all others, and where a parameter
     /// makes no sense.
     pub fn of(constraint: &dyn Constraint) -> Option<Form> {
-        let planar =
-            |argument: &kin::coordinates::Argument| matches!(argument.target, Target::Planar(_));
+        let planar = |argument: &kin::extend::coordinates::Argument| {
+            matches!(argument.target, Target::Planar(_))
+        };
         if !constraint.arguments().first().is_some_and(planar) {
             return None;
         }

@@ -6,7 +6,8 @@ mod form;
 mod outline;
 
 use kin::extend::Attached;
-use kin::{Marker, System, Vec3};
+use kin::mechanism::Marker;
+use kin::{System, Vec3};
 
 pub(crate) use arrow::{Acting, Arrow};
 pub(crate) use body::Kind;
@@ -168,7 +169,7 @@ impl Scene {
     }
 
     /// Shows the path of a marker, under its name.
-    pub fn marker<B: kin::motion::Body + Into<Body> + Copy>(self, marker: &Marker<B>) -> Scene
+    pub fn marker<B: kin::mechanism::Body + Into<Body> + Copy>(self, marker: &Marker<B>) -> Scene
     where
         B::Vector: Into<Point>,
     {

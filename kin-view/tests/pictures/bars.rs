@@ -5,11 +5,11 @@ use kin::{Law, Mechanism};
 use kin_view::Bars;
 
 /// Contributions of known sizes: x = a − 3 b + c² / 2 + d at c = 4, off by 0.5, 0.2, 0.05 and 0.1.
-fn tolerance() -> kin::Result<kin::Tolerance> {
+fn tolerance() -> kin::Result<kin::design::Tolerance> {
     let mut m = Mechanism::new("stack");
     let [a, b, c, d] = [("a", 1.0, 0.5), ("b < b", 2.0, 0.2), ("c", 4.0, 0.05), ("d", 1.0, 0.1)]
         .map(|(name, value, off)| m.dimension(name, value).map(|one| one.tolerance(off)));
-    let d = d?.distributed(kin::Distribution::Uniform);
+    let d = d?.distributed(kin::design::Distribution::Uniform);
     let x = m.length("x", 0.0)?;
     let c = c?;
     m.add("motor", drive(x, Law::constant(a? - 3.0 * b? + c * c / 2.0 + d)))?;

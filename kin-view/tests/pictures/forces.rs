@@ -1,7 +1,9 @@
 //! Forces in pictures: arrows against the numbers that they stand for.
 
+use kin::forces::LoadSharing;
 use kin::joints::drivers::drive_angle;
 use kin::joints::planar::revolute;
+use kin::joints::spatial;
 use kin::*;
 use kin_view::{Figure, Scene};
 
@@ -158,10 +160,13 @@ fn forces_that_are_not_unique_have_no_arrows() -> Result<()> {
     let system = m.build()?;
     let motion = system.run([0.0, 0.5])?;
     for (sharing, shown) in [
-        (Sharing::NotGiven, vec!["hand on door"]),
-        (Sharing::LeastNorm, vec!["hinge 1 on door", "hinge 2 on door", "hand on door"]),
+        (LoadSharing::NotGiven, vec!["hand on door"]),
+        (LoadSharing::LeastNorm, vec!["hinge 1 on door", "hinge 2 on door", "hand on door"]),
     ] {
-        let forces = system.forces_with(&motion, &sharing)?;
+        let forces = system
+            .solver()
+            .options(SolverOptions::new().sharing(sharing.clone()))
+            .forces(&motion)?;
         let scene = Scene::new(&system).forces(&forces);
         parsed(scene.pose(&motion, 0.5)?.svg());
         let page = data(&scene.page(&motion)?.html());

@@ -8,6 +8,7 @@ use std::f64::consts::{PI, TAU};
 use kin::extend::Target;
 use kin::joints::drivers::{drive, drive_angle};
 use kin::joints::planar::*;
+use kin::joints::spatial;
 use kin::law::Ends;
 use kin::*;
 use kin_view::Scene;

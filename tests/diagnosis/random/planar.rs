@@ -11,7 +11,7 @@ fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, k: f64) -> f64 {
 }
 
 /// The angles of three bodies add up, written as a loop rather than a formula: runs on dual
-/// numbers. [rad]
+/// numbers.      [rad]
 #[constraint]
 fn summed(bodies: [Coord; 2], factors: [f64; 2], sum: f64) -> f64 {
     let mut total = 0.0 * bodies[0];

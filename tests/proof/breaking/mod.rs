@@ -14,7 +14,7 @@ mod scales;
 mod seams;
 
 use kin::prelude::*;
-use kin::{StepProof, Tube};
+use kin::results::{StepProof, Tube};
 
 use crate::engines::Engines;
 use crate::wide::{Wide, w};

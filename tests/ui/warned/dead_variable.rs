@@ -7,5 +7,5 @@ fn offset(i: Spatial, k: f64) -> f64 {
 }
 
 fn main() {
-    let _ = offset(kin::any_spatial(), 1.0);
+    let _ = offset(kin::check::any_spatial(), 1.0);
 }

@@ -12,5 +12,5 @@ fn series(x: Coord, h: f64) -> f64 {
 }
 
 fn main() {
-    let _ = series(kin::any_coord(), 1.0);
+    let _ = series(kin::check::any_coord(), 1.0);
 }

@@ -16,5 +16,5 @@ fn read(x: Coord, h: f64) -> f64 {
 }
 
 fn main() {
-    let _ = (series(kin::any_coord(), 1.0), read(kin::any_coord(), 1.0));
+    let _ = (series(kin::check::any_coord(), 1.0), read(kin::check::any_coord(), 1.0));
 }

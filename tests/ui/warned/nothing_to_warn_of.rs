@@ -72,7 +72,7 @@ fn rise(x: f64, h: f64, beta: f64) -> f64 {
 }
 
 fn main() {
-    let (i, x) = (kin::any_planar(), kin::any_coord());
+    let (i, x) = (kin::check::any_planar(), kin::check::any_coord());
     let _ = (slot(i, i, vec2(0.0, 0.0), 1.0, 1.0, 1.0), own(i, Gains { k: 1.0 }, 0.0), counted(x, 1.0, 3));
     let _ = (by_name(x, 1.0), allowed(x, 1.0), rise(1.0, 1.0));
 }

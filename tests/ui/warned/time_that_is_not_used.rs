@@ -6,5 +6,5 @@ fn offset(i: Planar, t: Time, k: f64) -> f64 {
 }
 
 fn main() {
-    let _ = offset(kin::any_planar(), 1.0);
+    let _ = offset(kin::check::any_planar(), 1.0);
 }

@@ -7,13 +7,14 @@ use super::cure::slips::{self, Slip};
 use super::cure::trial::Trial;
 use super::gap::gap;
 use super::nearest::nearest;
-use super::options::{DiagnosisOptions, Search};
 use super::order;
+use super::search_under_way::Search;
 use crate::linear::LeastSquares;
 use crate::model::error::{Error, Result};
 use crate::model::units::Unit;
 use crate::model::verdict::{Change, Gap, Size};
 use crate::numbers::random::Random;
+use crate::solve::assembly::SearchOptions;
 use crate::solve::assembly::search::{self, Found};
 use crate::solve::explain::Start;
 use crate::system::scaled::{Measures, Model, Point};
@@ -36,13 +37,13 @@ pub(super) fn place(
     model: Model<'_>,
     start: Start<'_>,
     t: f64,
-    options: &DiagnosisOptions,
+    options: &SearchOptions,
 ) -> Result<Placed> {
     let all = |_: usize| true;
-    let clock = options.search.clock();
+    let clock = options.clock();
     let found = match start {
-        Start::Guess(q) => search::search(model, q, t, &all, &options.search),
-        Start::Pose(q) => search::descend(model, q, t, &all, false, options.search.steps),
+        Start::Guess(q) => search::search(model, q, t, &all, options),
+        Start::Pose(q) => search::descend(model, q, t, &all, false, options.steps),
     };
     let (q, drawn) = match start {
         Start::Guess(q) => (q, Some(q)),
@@ -87,14 +88,9 @@ impl Search<'_> {
                 .zip(sizes)
                 .map(|(q, size)| q + BESIDE * size * random.number())
                 .collect();
-            let Some(next) = search::descend(
-                self.model,
-                &beside,
-                self.t,
-                &|_| true,
-                false,
-                self.options.search.steps,
-            ) else {
+            let Some(next) =
+                search::descend(self.model, &beside, self.t, &|_| true, false, self.options.steps)
+            else {
                 continue;
             };
             if next.met || next.place.merit < LOWER * best.place.merit {
@@ -147,8 +143,8 @@ impl Search<'_> {
     /// Finds the culprit, in the order in which a designer asks: a slip of the pen, a length out of
     /// scale, a driver, a length, a joint.
     fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
-        if let Some(closure) = self.allowance(&found) {
-            return Placed { cures: vec![Change::Allow { closure }], ..self.let_go(found, &[]) };
+        if let Some(misfit) = self.allowance(&found) {
+            return Placed { cures: vec![Change::Allow { misfit }], ..self.release(found, &[]) };
         }
         let part: Vec<usize> = culprits(&self.model, &found, &[]).collect();
         let length = self
@@ -160,7 +156,7 @@ impl Search<'_> {
             .map_or(1.0, |k| found.measures.sizes[k]);
         let slip = drawn.and_then(|drawn| slips::find(self, drawn, length));
         if let Some(Slip { change, block }) = slip {
-            return Placed { cures: vec![change], ..self.let_go(found, &[block]) };
+            return Placed { cures: vec![change], ..self.release(found, &[block]) };
         }
         let fits = lengths::that_fit(self, &found, &part, &[], true);
         if !fits.is_empty() {
@@ -171,10 +167,10 @@ impl Search<'_> {
                 .collect();
             return Placed {
                 cures: vec![Change::Resize { any: fits }],
-                ..self.let_go(found, &joints)
+                ..self.release(found, &joints)
             };
         }
-        let placed = self.let_go(found.clone(), &[]);
+        let placed = self.release(found.clone(), &[]);
         let drivers_alone =
             placed.gaps.iter().all(|gap| gap.rows.iter().all(|row| self.model.drives(*row)));
         // A run that has come so far has the lengths it needs; a driver leads it to where it cannot
@@ -192,7 +188,7 @@ impl Search<'_> {
         Placed { cures, ..placed }
     }
 
-    /// The closure error that would have to be allowed of redundant equations that contradict one
+    /// The misfit that would have to be allowed of redundant equations that contradict one
     /// another by no more than parts of ordinary accuracy do: three times their error at this pose,
     /// because it is larger at others, to one digit.
     fn allowance(&self, found: &Found) -> Option<f64> {
@@ -207,11 +203,11 @@ impl Search<'_> {
 
     /// Lets constraints go, one after the other, until the rest can be met; then brings them as
     /// near as the rest allows. Those named go first.
-    fn let_go(&self, found: Found, first: &[usize]) -> Placed {
+    fn release(&self, found: Found, first: &[usize]) -> Placed {
         let starts = found.starts;
         let mut found = found;
         let mut open: Vec<usize> = Vec::new();
-        while !found.met && open.len() < self.options.let_go && !self.is_up() {
+        while !found.met && open.len() < self.options.released && !self.is_up() {
             let Some((block, next)) = self.most_telling(&found, &open, first) else { break };
             open.push(block);
             found = next;
@@ -220,7 +216,7 @@ impl Search<'_> {
             // Nothing that may be let go helps enough: what is off at the nearest place found is
             // told all the same.
             let rest: Vec<usize> =
-                culprits(&self.model, &found, &open).take(self.options.let_go.max(1)).collect();
+                culprits(&self.model, &found, &open).take(self.options.released.max(1)).collect();
             open.extend(rest);
         }
         let gaps =
@@ -276,7 +272,7 @@ impl Search<'_> {
         drivers: impl Iterator<Item = usize>,
     ) -> Option<(usize, Found)> {
         let equations = self.model.equations;
-        let let_go = |block: usize| {
+        let released = |block: usize| {
             open.iter().copied().chain([block]).flat_map(|block| equations.blocks[block].rows())
         };
         let mut best: Option<(usize, Found)> = None;
@@ -284,12 +280,12 @@ impl Search<'_> {
             if self.is_up() {
                 break;
             }
-            let without: Vec<usize> = let_go(block).collect();
+            let without: Vec<usize> = released(block).collect();
             let trial = Trial {
                 model: self.model,
                 t: self.t,
                 without: &without,
-                steps: self.options.search.steps,
+                steps: self.options.steps,
             };
             let own: Vec<usize> = equations.blocks[block].rows().collect();
             let Some(next) = self.without(found, open, block) else { continue };
@@ -360,7 +356,7 @@ impl Search<'_> {
     fn without(&self, found: &Found, open: &[usize], block: usize) -> Option<Found> {
         let model = self.model;
         let t = self.t;
-        let steps = self.options.search.steps;
+        let steps = self.options.steps;
         let rows: Vec<usize> = open
             .iter()
             .chain([&block])

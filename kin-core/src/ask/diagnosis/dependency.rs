@@ -94,7 +94,7 @@ fn class(
         (Level::Acceleration, &rates.acceleration, fastest / examined.measures().time),
     ] {
         // A run allows the same, so that both have one opinion.
-        let share = CONSISTENT.max(ALLOWED * examined.model().closure);
+        let share = CONSISTENT.max(ALLOWED * examined.model().misfit);
         let residual = beyond(rhs, combination, size, share);
         if residual != 0.0 {
             return Class::Contradictory { level, residual };

@@ -3,12 +3,12 @@
 use super::cure::change;
 use super::examined::{Examined, Side, acting};
 use super::generic::{Nearby, Walk};
-use super::options::DiagnosisOptions;
 use super::rank::{Orders, ranked};
 use super::{contradiction, dependency, elsewhere, freedom};
 use crate::linear::Echelon;
 use crate::model::error::Result;
 use crate::model::verdict::{Dependency, Diagnosis, Freedom, Gap, Persistence};
+use crate::solve::assembly::SearchOptions;
 use crate::solve::explain::Start;
 use crate::system::scaled::Model;
 
@@ -17,7 +17,7 @@ pub(crate) fn diagnose(
     model: Model<'_>,
     start: Start<'_>,
     t: f64,
-    options: &DiagnosisOptions,
+    options: &SearchOptions,
 ) -> Result<Diagnosis> {
     options.check()?;
     let place = contradiction::place(model, start, t, options)?;
@@ -27,8 +27,7 @@ pub(crate) fn diagnose(
     // The open rows are those of the reported gaps: at a smallest gap other coefficients are known
     // to fewer digits.
     let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
-    let walk =
-        Walk { model: &model, measures, open: &open, without: &[], steps: options.search.steps };
+    let walk = Walk { model: &model, measures, open: &open, without: &[], steps: options.steps };
     let orders = Orders::new(&model).after(&open, &[]);
     let here = ranked(&model, &point.values, measures, &orders, walk.least());
     let full = here.rank == model.n().min(model.m());

@@ -1,9 +1,9 @@
 //! The diagnosis that the error of a failed run carries.
 
-use super::{Diagnosis, DiagnosisOptions, diagnose};
+use super::{Diagnosis, diagnose};
 use crate::model::error::Error;
 use crate::solve::explain::{Explain, Start};
-use crate::solve::newton::Options;
+use crate::solve::newton::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::{Model, Work};
 
@@ -17,14 +17,9 @@ pub(crate) const EXPLAIN: Explain = Explain { cannot_be_driven, explained };
 /// Values of C_q that the diagnosis of a failed run may compute and factor: some seconds' worth.
 const WORK: f64 = 2e8;
 
-fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &Options) -> Error {
+fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &SolverOptions) -> Error {
     let work = Work::new(WORK * options.effort);
-    let found = diagnose(
-        Model { work: Some(&work), ..model },
-        start,
-        t,
-        &DiagnosisOptions::searching(&options.search),
-    );
+    let found = diagnose(Model { work: Some(&work), ..model }, start, t, &options.search);
     match found {
         // Of a search that was not brought to its end nothing is reported.
         Ok(_) if work.is_spent() => unsolved(model, start, t, None),
@@ -59,7 +54,7 @@ fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Option<Diagno
     }
 }
 
-pub(crate) fn explained(mut error: Error, system: &System, options: &Options) -> Error {
+pub(crate) fn explained(mut error: Error, system: &System, options: &SolverOptions) -> Error {
     if let Error::SingularAt { t, diagnosis, motion, .. }
     | Error::NoConvergence { t, diagnosis, motion, .. }
     | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut error
@@ -69,7 +64,7 @@ pub(crate) fn explained(mut error: Error, system: &System, options: &Options) ->
         let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
         let work = Work::new(WORK * options.effort);
         let model = Model { work: Some(&work), ..system.model() };
-        let found = diagnose(model, start, *t, &DiagnosisOptions::searching(&options.search));
+        let found = diagnose(model, start, *t, &options.search);
         // Of a search that was not brought to its end nothing is reported.
         *diagnosis = found.ok().filter(|_| !work.is_spent()).map(Box::new);
     }

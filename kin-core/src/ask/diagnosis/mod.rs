@@ -21,12 +21,11 @@ mod freedom;
 mod gap;
 mod generic;
 mod nearest;
-mod options;
 mod order;
 mod rank;
+mod search_under_way;
 
 pub(crate) use examine::diagnose;
-pub use options::DiagnosisOptions;
 
 pub use crate::model::verdict::{
     Against, Asks, BodyMotion, Change, Class, Dependency, Diagnosis, Elsewhere, Freedom, Gap,

@@ -6,7 +6,7 @@ use crate::model::error::Result;
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
-use crate::solve::newton::{Options, Outcome};
+use crate::solve::newton::{Outcome, SolverOptions};
 use crate::system::System;
 
 /// Nothing moves by more than this between a change point and the poses that its branches give. A
@@ -141,7 +141,7 @@ impl Change {
         };
         let left = self.sense * (self.t - from.times()[0]);
         let t = self.t - self.sense * long.min(0.5 * left);
-        let options = Options::default();
+        let options = SolverOptions::default();
         let mut pose = Motion::new(system, 1);
         Run::new(system, &options, None).ok()?.go_from(&from, 0, t, &mut pose).ok()?;
         Some(pose)

@@ -44,7 +44,7 @@ const SAME_TIME: f64 = 1e-9;
 
 impl Extreme {
     /// A maximum that was found before, by its time and value. What takes an extreme, such as
-    /// [`crate::Sensitivities::extreme`], finds it on the motion by its time and kind.
+    /// [`crate::design::Sensitivities::extreme`], finds it on the motion by its time and kind.
     pub fn maximum(t: f64, value: f64) -> Extreme {
         Extreme { t, value, is_max: true }
     }

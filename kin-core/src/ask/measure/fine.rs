@@ -20,7 +20,7 @@ use crate::model::units::Unit;
 use crate::solve::follow::REACH;
 use crate::solve::motion::{EventKind, Motion, Quantity};
 use crate::solve::newton::run::Run;
-use crate::solve::newton::{Options, Outcome};
+use crate::solve::newton::{Outcome, SolverOptions};
 use crate::system::System;
 use clock::Clock;
 use quintic::Quintic;
@@ -58,7 +58,7 @@ impl System {
     ///
     /// Errors: those of the measure and of a run; too many times.
     pub(super) fn fine(&self, motion: &Motion, what: Option<&dyn Measure>) -> Result<Fine> {
-        let options = Options { jerk: motion.has_jerk(), ..Options::default() };
+        let options = SolverOptions::new().jerk(motion.has_jerk());
         let mut refining = Refining::new(self, motion, what, &options)?;
         let mut fine = Motion::new(self, motion.len());
         for k in 0..motion.len() {
@@ -111,7 +111,7 @@ impl<'a> Refining<'a> {
         system: &'a System,
         motion: &'a Motion,
         what: Option<&'a dyn Measure>,
-        options: &'a Options,
+        options: &'a SolverOptions,
     ) -> Result<Self> {
         let grid = what.map(|what| what.of(system, motion)).transpose()?;
         let mut refining = Refining {

@@ -9,7 +9,7 @@ use crate::model::formula::{Outside, Table};
 use crate::numbers::enclosure::interval::Interval;
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::solve::motion::{Event, EventKind, Motion};
-use crate::solve::newton::{Engine, Options};
+use crate::solve::newton::{Engine, SolverOptions};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
@@ -88,7 +88,7 @@ impl Watched<'_> {
         let at = |q: &[f64], t: f64| self.sides(&switches, &local(q, &radii), t);
         let mut all = Vec::new();
         let times = motion.times();
-        let by_steps = Options { engine: Engine::Plain, ..Options::default() };
+        let by_steps = SolverOptions::new().engine(Engine::StepByStep);
         let Some(&first) = times.first() else { return all };
         // The last side that each switch was known to be on.
         let mut last: Vec<Option<bool>> = at(motion.q(0), first).into_iter().map(known).collect();
@@ -111,7 +111,12 @@ impl Watched<'_> {
                 if u == 1.0 {
                     Some(along(u))
                 } else {
-                    self.system.solve_at_with(t, &pose(u), &by_steps).ok().map(|own| at(&own.q, t))
+                    self.system
+                        .solver()
+                        .options(by_steps.clone())
+                        .solve_at(t, &pose(u))
+                        .ok()
+                        .map(|own| at(&own.q, t))
                 }
             };
             let margins = |u: f64| {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Doubt, DoubtReason, Proof, Tube};
+use super::{Proof, Tube, Unproved, UnprovedReason};
 use crate::model::units::Unit;
 use crate::model::words::{count, time};
 use crate::numbers::enclosure::interval::down;
@@ -118,23 +118,23 @@ fn rounded(x: f64, sense: f64) -> String {
     if is_beyond(&text) { text } else { format!("{:.1e}", x + sense * 0.05 * 10_f64.powi(power)) }
 }
 
-impl fmt::Display for Doubt {
+impl fmt::Display for Unproved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let t = time(self.t);
         let s = self.units.time();
         match &self.reason {
-            DoubtReason::Singular { coordinate } => {
+            UnprovedReason::Singular { coordinate } => {
                 write!(
                     f,
                     "near t = {t} {s} C_q may be singular; what is loosest there is `{coordinate}`."
                 )
             }
-            DoubtReason::Apart { equation, by } => write!(
+            UnprovedReason::Apart { equation, by } => write!(
                 f,
                 "near t = {t} {s} the positions between both ends miss `{equation}` by {by:.1e}: the ends may be on different branches, or the step is too \
                  large."
             ),
-            DoubtReason::Unbounded { equation, expression, source } => {
+            UnprovedReason::Unbounded { equation, expression, source } => {
                 write!(f, "near t = {t} {s} no bounds of `{equation}` are known")?;
                 if let Some(expression) = expression {
                     write!(f, ": `{expression}` jumps there, or has no value or slope")?;
@@ -157,13 +157,13 @@ mod tests {
         Tube { radius: radius.to_vec(), alone: alone.to_vec() }
     }
 
-    fn doubt(t: f64, reason: DoubtReason) -> Doubt {
-        Doubt { t, units: Units::default(), reason }
+    fn doubt(t: f64, reason: UnprovedReason) -> Unproved {
+        Unproved { t, units: Units::default(), reason }
     }
 
     fn proof_of(
-        steps: Vec<Result<Tube, Doubt>>,
-        positions: Vec<Result<Tube, Doubt>>,
+        steps: Vec<Result<Tube, Unproved>>,
+        positions: Vec<Result<Tube, Unproved>>,
         trusted: &[&str],
     ) -> String {
         let step = |(k, tube)| StepProof { step: k, from: k as f64, to: k as f64 + 1.0, tube };
@@ -201,7 +201,10 @@ mod tests {
                 && !single.contains("trust")
         );
         let failed = proof_of(
-            vec![Ok(one), Err(doubt(1.5, DoubtReason::Singular { coordinate: "x".to_string() }))],
+            vec![
+                Ok(one),
+                Err(doubt(1.5, UnprovedReason::Singular { coordinate: "x".to_string() })),
+            ],
             vec![Ok(position.clone()); 3],
             &[],
         );
@@ -216,7 +219,7 @@ mod tests {
             vec![],
             vec![
                 Ok(position),
-                Err(doubt(0.0, DoubtReason::Apart { equation: "rod".to_string(), by: 0.1 })),
+                Err(doubt(0.0, UnprovedReason::Apart { equation: "rod".to_string(), by: 0.1 })),
             ],
             &[],
         );
@@ -238,8 +241,11 @@ mod tests {
     fn an_equation_without_bounds_in_words() {
         let unbounded = |expression: Option<&str>, source| {
             let expression = expression.map(str::to_string);
-            doubt(0.5, DoubtReason::Unbounded { equation: "cam".to_string(), expression, source })
-                .to_string()
+            doubt(
+                0.5,
+                UnprovedReason::Unbounded { equation: "cam".to_string(), expression, source },
+            )
+            .to_string()
         };
         assert_eq!(unbounded(None, None), "near t = 0.5 s no bounds of `cam` are known.");
         let source = Source { file: "cam.rs", line: 3, column: 5 };

@@ -13,7 +13,7 @@ pub use proved::Proved;
 pub use samples::{Samples, Sampling};
 pub use second::SecondOrder;
 pub use source::Contribution;
-pub use worst::{LookedAt, Off};
+pub use worst::{Off, Searched};
 
 use super::feature::{Feature, Followed};
 use crate::ask::measure::Measure;
@@ -42,11 +42,11 @@ pub struct Tolerance {
     pub contributions: Vec<Contribution>,
     /// The least and the largest value that the mechanism itself has in the box of tolerances,
     /// wherever it was looked at: at its centre, at corners, and where the second order has an
-    /// extreme on a face or inside ([`LookedAt`]). Both are `None` where it cannot be assembled at
+    /// extreme on a face or inside ([`Searched`]). Both are `None` where it cannot be assembled at
     /// one of these places: then there is no worst case.
     pub corners: [Option<f64>; 2],
     /// Where in the box the mechanism was looked at, and where it is worst.
-    pub looked_at: LookedAt,
+    pub searched: Searched,
     /// The second-order term; `None` where the mechanism cannot be assembled beside its dimensions.
     pub second_order: Option<SecondOrder>,
     /// Bounds over all mechanisms within the tolerances, where a proof was asked for
@@ -95,7 +95,7 @@ impl System {
     /// ```
     ///
     /// Errors: no dimension that has a tolerance; those of [`System::sensitivities`] and
-    /// [`crate::Sensitivities::of`].
+    /// [`crate::design::Sensitivities::of`].
     pub fn tolerance(&self, motion: &Motion, what: impl Measure) -> Result<Tolerance> {
         let (sources, names) = self.sources_of_error(None)?;
         let by = self.sensitivities(motion, &names)?.each(&what)?;
@@ -152,7 +152,7 @@ impl System {
         let proved =
             proof.then(|| proved::proved(&followed, &sources, &names, &slopes)).transpose()?;
         let second_order = second::order(&followed, &sources, &names, &slopes)?;
-        let (corners, looked_at) =
+        let (corners, searched) =
             worst::worst(&followed, &sources, &names, &slopes, second_order.as_ref());
         let mut contributions: Vec<Contribution> =
             sources.into_iter().map(|source| source.contribution(&slopes)).collect();
@@ -168,7 +168,7 @@ impl System {
             nominal,
             contributions,
             corners,
-            looked_at,
+            searched,
             second_order,
             proved,
             units,

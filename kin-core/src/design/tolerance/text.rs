@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::super::feature::Feature;
-use super::{LookedAt, Off, Tolerance};
+use super::{Off, Searched, Tolerance};
 
 /// Beyond this share the corners are told to differ from the stack.   \[-\]
 const MISLED: f64 = 0.05;
@@ -85,7 +85,7 @@ impl Tolerance {
     /// "± 0.00041 worst case,"; where the stack does not say how far the measure is off, both sides
     /// of it; none where a part of the box cannot be assembled.
     fn headline(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(place) = &self.looked_at.unassembled {
+        if let Some(place) = &self.searched.unassembled {
             return write!(
                 f,
                 "no worst case, because the mechanism cannot be assembled where {};",
@@ -145,7 +145,7 @@ impl Tolerance {
 
     /// "Looked at all 8 corners of the box of tolerances and 3 places inside."
     fn looked(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let LookedAt { corners, all_corners, inside, unassembled, .. } = &self.looked_at;
+        let Searched { corners, all_corners, inside, unassembled, .. } = &self.searched;
         let of = self.contributions.len();
         match (all_corners, unassembled) {
             (true, _) => write!(f, "\n  Looked at all {corners} corners of the box of tolerances")?,

@@ -38,7 +38,7 @@ pub struct Off {
 /// Where in the box of tolerances the mechanism itself was looked at, beside its centre.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct LookedAt {
+pub struct Searched {
     /// How many corners. Of a clearance each direction counts.
     pub corners: usize,
     /// True if those are all corners, of clearances in eight directions. Else they are those to
@@ -64,7 +64,7 @@ pub(super) fn worst<M: Measure>(
     names: &[String],
     slopes: &[f64],
     second: Option<&SecondOrder>,
-) -> ([Option<f64>; 2], LookedAt) {
+) -> ([Option<f64>; 2], Searched) {
     let n = names.len();
     let bent = second.map(|second| second.hessian.clone());
     let centre = || Deviation { off: vec![0.0; n], value: followed.nominal };
@@ -271,13 +271,13 @@ impl<M: Measure> Walk<'_, M> {
         }
     }
 
-    fn report(self, all_corners: bool) -> ([Option<f64>; 2], LookedAt) {
+    fn report(self, all_corners: bool) -> ([Option<f64>; 2], Searched) {
         let off = |off: &Vec<f64>| -> Vec<Off> {
             let moved = self.names.iter().zip(off).filter(|(_, by)| **by != 0.0);
             moved.map(|(name, by)| Off { name: name.clone(), by: *by }).collect()
         };
         let [low, high] = &self.worst;
-        let looked_at = LookedAt {
+        let searched = Searched {
             corners: self.corners,
             all_corners: all_corners && self.unassembled.is_none(),
             inside: self.seen.len() - 1 - self.corners,
@@ -286,7 +286,7 @@ impl<M: Measure> Walk<'_, M> {
             unassembled: self.unassembled.as_ref().map(off),
         };
         let closes = self.unassembled.is_none();
-        ([low.value, high.value].map(|value| closes.then_some(value)), looked_at)
+        ([low.value, high.value].map(|value| closes.then_some(value)), searched)
     }
 }
 

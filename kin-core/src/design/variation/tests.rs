@@ -4,7 +4,7 @@
 use super::{adjoint, backward, forward};
 use crate::design::adjoint::{Weights, adjoint as walked};
 use crate::design::along::Prepared;
-use crate::design::solver::Solver;
+use crate::design::solver::SlopeSolver;
 use crate::numbers::random::Random;
 use crate::program::schedule;
 use crate::program::tests::{models::systems, reduced::compiled};
@@ -31,7 +31,7 @@ fn apart(system: &System, motion: &Motion, names: &[String]) -> Option<([f64; 3]
         let t = motion.times()[k];
         let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
         let along = prepared.at(t, orders);
-        let mut solver = Solver::new(system);
+        let mut solver = SlopeSolver::new(system);
         solver.go_to(t, orders).expect("factored");
         for (number, name) in names.iter().enumerate() {
             let orders = solver.forward(&prepared, &along, (number, name)).expect("solved");
@@ -62,7 +62,7 @@ fn adjoints_apart(system: &System, motion: &Motion, names: &[String]) -> Option<
         let t = motion.times()[k];
         let orders = [motion.q(k), motion.qd(k), motion.qdd(k)];
         let along = prepared.at(t, orders);
-        let mut solver = Solver::new(system);
+        let mut solver = SlopeSolver::new(system);
         solver.go_to(t, orders).expect("factored");
         let own = weights.each_ref().map(|all| all[k * n..][..n].to_vec());
         let lambda = walked(&solver, &along, vec![0.0; system.n_equations()], own);

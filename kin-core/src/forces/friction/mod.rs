@@ -11,7 +11,7 @@ mod rubbing;
 use nalgebra::{DMatrix, DVector};
 
 use super::acting::Now;
-use super::multipliers::{LOOSE, Multipliers, Solver};
+use super::multipliers::{LOOSE, Multipliers, TransposedSolver};
 use crate::model::error::{Error, Result};
 use crate::model::jammed::Jammed;
 use crate::model::loads::Friction;
@@ -54,7 +54,7 @@ impl Frictions {
     /// Errors: a reaction that is not unique, by name; a mechanism that is jammed.
     pub(super) fn add(
         &self,
-        solver: &Solver<'_>,
+        solver: &TransposedSolver<'_>,
         now: Now<'_>,
         found: &mut Multipliers,
     ) -> Result<()> {
@@ -101,7 +101,12 @@ impl Frictions {
     }
 
     /// Normal forces at all contacts by λ.
-    fn contacts(&self, rubs: &[Rub], solver: &Solver<'_>, lambda: &[f64]) -> DVector<f64> {
+    fn contacts(
+        &self,
+        rubs: &[Rub],
+        solver: &TransposedSolver<'_>,
+        lambda: &[f64],
+    ) -> DVector<f64> {
         let mut all = Vec::new();
         for (rubbing, rub) in self.all.iter().zip(rubs) {
             let wrench = rub.held(&solver.by_block(rubbing.block, lambda));
@@ -111,7 +116,12 @@ impl Frictions {
     }
 
     /// Errors: contacts to which something can be added that no balance notices.
-    fn unique(&self, rubs: &[Rub], solver: &Solver<'_>, found: &Multipliers) -> Result<()> {
+    fn unique(
+        &self,
+        rubs: &[Rub],
+        solver: &TransposedSolver<'_>,
+        found: &Multipliers,
+    ) -> Result<()> {
         for (number, open) in found.beside.open.iter().enumerate() {
             for (rubbing, rub) in self.all.iter().zip(rubs) {
                 let wrench = rub.held(&solver.by_block(rubbing.block, open));
@@ -126,7 +136,7 @@ impl Frictions {
         Ok(())
     }
 
-    fn jammed(&self, solver: &Solver<'_>, t: f64, held: Held<'_>) -> Error {
+    fn jammed(&self, solver: &TransposedSolver<'_>, t: f64, held: Held<'_>) -> Error {
         let system = solver.system();
         let blocks = &solver.system().equations().blocks;
         let mut lambda = vec![0.0; system.n_equations()];

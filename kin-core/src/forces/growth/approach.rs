@@ -1,13 +1,13 @@
 //! The way of a motion towards one of its singular positions, and the forces on it.
 
 use super::super::acting::Now;
-use super::super::multipliers::Solver;
+use super::super::multipliers::TransposedSolver;
 use super::Acting;
 use crate::model::error::Result;
 use crate::solve::follow::{SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
-use crate::solve::newton::{Options, Outcome};
+use crate::solve::newton::{Outcome, SolverOptions};
 use crate::system::System;
 use crate::system::scaled::Measures;
 
@@ -68,7 +68,7 @@ impl Approach {
             shares.fold(0.0_f64, |most, ((q, at), size)| most.max(((q - at) / size).abs()))
         };
         let Some(start) = start(motion, to.t, side, &way) else { return Ok(None) };
-        let options = Options::default();
+        let options = SolverOptions::default();
         let mut run = Run::new(system, &options, None)?;
         let mut near = Motion::new(system, PLACES);
         let row = [motion.q(start), motion.qd(start), motion.qdd(start), &[]];
@@ -109,7 +109,7 @@ fn sizes(
     parts: &[[f64; 2]],
     acting: Acting<'_>,
 ) -> Result<Vec<Vec<Option<Vec<f64>>>>> {
-    let mut solver = Solver::new(system);
+    let mut solver = TransposedSolver::new(system);
     let blocks = &system.equations().blocks;
     let mut all = vec![vec![Some(Vec::new()); blocks.len()]; parts.len()];
     for k in places {

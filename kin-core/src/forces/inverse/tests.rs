@@ -11,7 +11,7 @@ use crate::model::loads::{Acting, Load, Loads, OnBody, Solid};
 use crate::numbers::algebra::{Mat3, Vec3};
 use crate::program::tests::models::systems;
 use crate::solve::motion::Motion;
-use crate::solve::newton::Engine;
+use crate::solve::newton::{Engine, SolverOptions};
 use crate::{Law, System, linspace};
 use kin_graph::{Graph, Node};
 
@@ -90,9 +90,19 @@ fn tape_and_walk_have_the_same_forces() {
     for (name, system) in systems() {
         let system = massed(system);
         let Ok(motion) = system.run(linspace(0.0, 0.5, 26)) else { continue };
-        let Ok(plain) = system.forces_by(&motion, Engine::Plain) else { continue };
+        let Ok(plain) = system
+            .solver()
+            .options(SolverOptions::new().engine(Engine::StepByStep))
+            .forces(&motion)
+        else {
+            continue;
+        };
         assert_eq!(plain.engine().compiled, 0);
-        let compiled = match system.forces_by(&motion, Engine::Compiled) {
+        let compiled = match system
+            .solver()
+            .options(SolverOptions::new().engine(Engine::Compiled))
+            .forces(&motion)
+        {
             Ok(forces) => forces,
             Err(error) => {
                 without.push(format!("{name}: {error}"));
@@ -136,7 +146,13 @@ fn a_fault_in_a_program_leaves_its_forces_to_the_walk() {
     for (name, system) in systems().filter(|(name, _)| name == "four-bar") {
         let system = massed(system);
         let Ok(motion) = system.run(linspace(0.0, 0.5, 60)) else { continue };
-        let Ok(plain) = system.forces_by(&motion, Engine::Plain) else { continue };
+        let Ok(plain) = system
+            .solver()
+            .options(SolverOptions::new().engine(Engine::StepByStep))
+            .forces(&motion)
+        else {
+            continue;
+        };
         let loads = super::Laid::all(&system, &motion).expect("loads");
         for (spoil, k) in (0..system.n_equations()).flat_map(|k| FAULTS.map(|spoil| (spoil, k))) {
             let begin = super::Begin::of(&system, &motion).expect("times");
@@ -146,7 +162,8 @@ fn a_fault_in_a_program_leaves_its_forces_to_the_walk() {
             let off = apart(&forces, &plain, &motion);
             // A multiplier that is zero has no sign.
             assert!(off < 1e-11, "{name} {k}: {off:e}");
-            (planted, noticed) = (planted + 1, noticed + usize::from(forces.why_plain().is_some()));
+            (planted, noticed) =
+                (planted + 1, noticed + usize::from(forces.why_not_compiled().is_some()));
         }
     }
     assert!(planted > 15 && 10 * noticed > 8 * planted, "{noticed} of {planted}");

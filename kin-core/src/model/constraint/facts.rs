@@ -60,7 +60,7 @@ impl Default for Dependence {
 /// By hand it starts from [`Facts::of`], which promises nothing:
 ///
 /// ```
-/// use kin::constraint::{Entry, Facts};
+/// use kin::extend::{Entry, Facts};
 ///
 /// const FACTS: Facts<'static> = Facts {
 ///     rows: &["height"],

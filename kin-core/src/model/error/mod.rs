@@ -297,7 +297,7 @@ pub enum Error {
         reason: String,
     },
 
-    /// Motions that take more memory than [`crate::Options::memory`] allows; nothing has been
+    /// Motions that take more memory than [`crate::SolverOptions::memory`] allows; nothing has been
     /// computed.
     #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
     NeedsMemory {
@@ -324,8 +324,8 @@ pub enum Error {
         value: f64,
     },
 
-    /// A sweep or run that was told to stop ([`crate::Sweep::stop_when`],
-    /// [`crate::System::run_watched`]).
+    /// A sweep or run that was told to stop ([`crate::solver::Sweep::stop_when`],
+    /// [`crate::Solver::stop_when`]).
     #[error("{}{}", text::stopped([*.done, *.all], .motion), text::computed_before(.motion))]
     Stopped {
         /// Cases or times that were done.
@@ -365,7 +365,7 @@ pub enum Error {
     /// ([`crate::System::sensitivities`]).
     #[error(transparent)]
     NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
-    /// A force that redundant constraints share ([`crate::Forces`]).
+    /// A force that redundant constraints share ([`crate::forces::Forces`]).
     #[error(transparent)]
     NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
     /// A motion of another system, or of this one before something was set.
@@ -374,7 +374,7 @@ pub enum Error {
     /// A mechanism that friction holds fast ([`crate::Mechanism::friction`]).
     #[error(transparent)]
     Jammed(#[from] Box<crate::model::jammed::Jammed>),
-    /// Forces at a singular position, where they have no bound ([`crate::Forces`]).
+    /// Forces at a singular position, where they have no bound ([`crate::forces::Forces`]).
     #[error(transparent)]
     Unbounded(#[from] Box<crate::model::growth::Unbounded>),
     /// A dimension that makes no sense ([`crate::Mechanism::dimension`]).

@@ -8,12 +8,12 @@ use std::sync::atomic::{AtomicU8, Ordering};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Surface {
-    /// Names of the crate, such as `Options::closure(1e-8)`.
+    /// Names of the crate, such as `SolverOptions::new().allowed_misfit(1e-8)`.
     #[default]
     Rust,
-    /// Names of the wheel, such as `closure=1e-8`.
+    /// Names of the wheel, such as `allowed_misfit=1e-8`.
     Python,
-    /// Flags of the command, such as `--closure 1e-8`.
+    /// Flags of the command, such as `--allowed-misfit 1e-8`.
     Command,
 }
 
@@ -35,11 +35,11 @@ impl Surface {
     }
 
     /// How a closure error is allowed.
-    pub(crate) fn closure(self, share: f64) -> String {
+    pub(crate) fn allowed_misfit(self, share: f64) -> String {
         match self {
-            Surface::Rust => format!("`Options::closure({share:e})`"),
-            Surface::Python => format!("`run(times, closure={share:e})`"),
-            Surface::Command => format!("`--closure {share:e}`"),
+            Surface::Rust => format!("`SolverOptions::new().allowed_misfit({share:e})`"),
+            Surface::Python => format!("`run(times, allowed_misfit={share:e})`"),
+            Surface::Command => format!("`--allowed-misfit {share:e}`"),
         }
     }
 
@@ -59,7 +59,7 @@ impl Surface {
     /// The words before the limit of a run's memory, and those after the cure.
     pub(crate) fn memory(self) -> (&'static str, &'static str) {
         match self {
-            Surface::Rust => ("`Options::memory` allows", ", or allow more"),
+            Surface::Rust => ("`SolverOptions::memory` allows", ", or allow more"),
             Surface::Python => ("the option `memory` allows", ", or allow more"),
             Surface::Command => ("a run may take", ""),
         }
@@ -69,7 +69,7 @@ impl Surface {
     pub(crate) fn fewer_times(self) -> &'static str {
         match self {
             Surface::Rust => {
-                "Keep what is wanted of one part after the other (`System::run_in_parts`), ask for fewer times"
+                "Keep what is wanted of one part after the other (`Solver::run_in_parts`), ask for fewer times"
             }
             Surface::Python | Surface::Command => "Ask for fewer times",
         }
@@ -89,7 +89,7 @@ impl Surface {
     pub(crate) fn too_many_steps(self) -> &'static str {
         match self {
             Surface::Rust => {
-                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `Options::effort`"
+                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `SolverOptions::effort`"
             }
             Surface::Python => {
                 "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `effort`"
@@ -103,7 +103,7 @@ impl Surface {
     /// How the engine is left to Kin.
     pub(crate) fn any_engine(self) -> &'static str {
         match self {
-            Surface::Rust => "leave `Options::engine` at `Engine::Auto`",
+            Surface::Rust => "leave `SolverOptions::engine` at `Engine::Auto`",
             Surface::Python => "leave the option `engine` at `\"auto\"`",
             Surface::Command => "leave `--engine` at `auto`",
         }
@@ -141,7 +141,9 @@ impl Surface {
     /// The cures of a constraint whose part of the jerk is not known.
     pub(crate) fn no_jerk(self) -> &'static str {
         match self {
-            Surface::Rust => "implement `Constraint::jerk_rhs`, or run without `Options::jerk`",
+            Surface::Rust => {
+                "implement `Constraint::jerk_rhs`, or run without `SolverOptions::jerk`"
+            }
             Surface::Python => "run without `jerk=True`",
             Surface::Command => "run without `--jerk`",
         }
@@ -163,11 +165,15 @@ mod tests {
 
     #[test]
     fn each_surface_has_its_words() {
-        let words =
-            [Surface::Rust, Surface::Python, Surface::Command].map(|surface| surface.closure(3e-8));
+        let words = [Surface::Rust, Surface::Python, Surface::Command]
+            .map(|surface| surface.allowed_misfit(3e-8));
         assert_eq!(
             words,
-            ["`Options::closure(3e-8)`", "`run(times, closure=3e-8)`", "`--closure 3e-8`"]
+            [
+                "`SolverOptions::new().allowed_misfit(3e-8)`",
+                "`run(times, allowed_misfit=3e-8)`",
+                "`--allowed-misfit 3e-8`"
+            ]
         );
     }
 
@@ -177,7 +183,7 @@ mod tests {
         for surface in [Surface::Rust, Surface::Python, Surface::Command] {
             let (limit, more) = surface.memory();
             let all = [
-                surface.closure(1e-8),
+                surface.allowed_misfit(1e-8),
                 surface.motion_before("1 s"),
                 limit.to_string(),
                 more.to_string(),

@@ -13,7 +13,7 @@ pub struct Break {
 
 /// The arguments that a law is made for: those of a table, of the parts of a sequence. Beyond them
 /// the law goes on as `beyond` says. A run that goes beyond a table, where the law is a straight
-/// line, reports so ([`crate::EventKind::BeyondRange`]).
+/// line, reports so ([`crate::results::EventKind::BeyondRange`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawRange {
     /// The first argument.

@@ -119,7 +119,7 @@ pub trait LawFunction: Send + Sync {
     ///
     /// ```
     /// use kin::prelude::*;
-    /// use kin::{LawFunction, proof::Series};
+    /// use kin::extend::{LawFunction, Series};
     /// /// x²
     /// struct Square;
     /// impl LawFunction for Square {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Along, ByLaws, ForceAlong, IntoAlong, Line, Turning};
+use super::{Along, ByLaws, ForceAlong, HasTorque, IntoAlong, Line};
 use crate::model::body::Body;
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
@@ -234,9 +234,9 @@ impl Load {
 
     /// A torque on a body: in the plane a number or a law, counter-clockwise positive; in space a
     /// vector or three laws, in global components.   \[N m\]
-    pub fn torque<B: Body>(body: B, torque: impl ByLaws<<B::Vector as Turning>::Torque>) -> Load
+    pub fn torque<B: Body>(body: B, torque: impl ByLaws<<B::Vector as HasTorque>::Torque>) -> Load
     where
-        B::Vector: Turning,
+        B::Vector: HasTorque,
     {
         let on = OnBody::new(body, [(); 3].map(|()| 0.0.into()), false);
         Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))
@@ -245,10 +245,10 @@ impl Load {
     /// The same in the axes of the body.   \[N m\]
     pub fn torque_in_body<B: Body>(
         body: B,
-        torque: impl ByLaws<<B::Vector as Turning>::Torque>,
+        torque: impl ByLaws<<B::Vector as HasTorque>::Torque>,
     ) -> Load
     where
-        B::Vector: Turning,
+        B::Vector: HasTorque,
     {
         let on = OnBody::new(body, [(); 3].map(|()| 0.0.into()), true);
         Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))

@@ -6,8 +6,9 @@ mod check;
 mod friction;
 mod load;
 mod numbers;
+mod sharing;
 mod solid;
-mod turning;
+mod torque;
 
 pub use along::{Along, IntoAlong};
 pub(crate) use along::{ForceAlong, Line};
@@ -16,8 +17,9 @@ pub(crate) use friction::{Seat, Shape};
 pub(crate) use load::{Acting, Holding, HungInLoad, OnBody};
 pub use load::{IntoLoad, Load, Potential};
 pub(crate) use numbers::{senseless, sensible_gravity, sensible_point_mass};
-pub use solid::{Massive, Solid};
-pub use turning::{ByLaws, Turning};
+pub use sharing::LoadSharing;
+pub use solid::{HasMass, Solid};
+pub use torque::{ByLaws, HasTorque};
 
 use crate::model::constraint::Constraint;
 

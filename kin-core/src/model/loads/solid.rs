@@ -9,7 +9,7 @@ use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 /// [`Solid::without`]:
 ///
 /// ```
-/// use kin::Solid;
+/// use kin::loads::Solid;
 ///
 /// let rod = Solid::bar(0.4, 0.02, 0.01, Solid::STEEL);
 /// let eye = Solid::disc(0.02, 0.01, Solid::STEEL).at((0.2, 0.0, 0.0));
@@ -142,7 +142,7 @@ impl Solid {
 }
 
 /// A body that can have mass; the prelude need not have it.
-pub trait Massive: Body {
+pub trait HasMass: Body {
     /// Its inertia about the centre: a number in the plane, a tensor in the body's axes in space.
     type Inertia;
 
@@ -154,7 +154,7 @@ pub trait Massive: Body {
 /// A body in the plane takes a number for its inertia.
 macro_rules! planar {
     ($($body:ident $(<$of:ident>)?),*) => {$(
-        impl$(<$of: Scalar>)? Massive for $body$(<$of>)? {
+        impl$(<$of: Scalar>)? HasMass for $body$(<$of>)? {
             type Inertia = f64;
 
             fn solid(mass: f64, centre: Vec3, inertia: f64) -> Solid {
@@ -169,7 +169,7 @@ macro_rules! planar {
 /// A body in space takes a tensor.
 macro_rules! spatial {
     ($($body:ident $(<$of:ident>)?),*) => {$(
-        impl$(<$of: Scalar>)? Massive for $body$(<$of>)? {
+        impl$(<$of: Scalar>)? HasMass for $body$(<$of>)? {
             type Inertia = Mat3;
 
             fn solid(mass: f64, centre: Vec3, inertia: Mat3) -> Solid {

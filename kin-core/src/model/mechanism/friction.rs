@@ -13,7 +13,7 @@ impl Mechanism {
     ///
     /// ```
     /// # use kin::prelude::*;
-    /// # use kin::Friction;
+    /// # use kin::loads::Friction;
     /// # fn main() -> kin::Result<()> {
     /// let mut m = Mechanism::new("drum");
     /// let drum = m.planar("drum", pose(0.0, 0.0, 0.0))?;

@@ -11,7 +11,7 @@ use crate::model::dimension::{
 use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::model::loads::{
-    Acting, Along, ForceAlong, Holding, HungInLoad, IntoLoad, Line, Load, Massive, OnBody, Solid,
+    Acting, Along, ForceAlong, HasMass, Holding, HungInLoad, IntoLoad, Line, Load, OnBody, Solid,
     senseless, sensible_gravity, sensible_point_mass,
 };
 use crate::model::mechanism::IntoConstraint;
@@ -44,7 +44,7 @@ impl Mechanism {
     /// Errors: the ground or a body of another mechanism; a mass that is not above zero, numbers
     /// that are not finite, an inertia that no body can have (not symmetric, a moment below zero, a
     /// principal moment above the sum of the two others).
-    pub fn mass<B: Massive>(
+    pub fn mass<B: HasMass>(
         &mut self,
         body: B,
         mass: impl IntoNumber,
@@ -168,9 +168,10 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Something that acts, under a name: an energy ([`crate::Potential`]), a force along a length
-    /// or an angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`] has the
-    /// library. Its numbers may be [`Dimension`]s, those in a closure not: it knows what they were.
+    /// Something that acts, under a name: an energy ([`crate::loads::Potential`]), a force along a
+    /// length or an angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`]
+    /// has the library. Its numbers may be [`Dimension`]s, those in a closure not: it knows what
+    /// they were.
     ///
     /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense. A
     /// measure that no joint has is told by [`Mechanism::build`]: the joint may be added later.

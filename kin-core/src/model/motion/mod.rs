@@ -71,7 +71,7 @@ impl Motion {
 
     /// Why all of it was computed by plain steps, where a program would have paid: what stands in
     /// the way, by the name of its constraint. `None` where a program was used or not looked for.
-    pub fn why_plain(&self) -> Option<&str> {
+    pub fn why_not_compiled(&self) -> Option<&str> {
         self.plain.as_deref()
     }
 
@@ -159,7 +159,7 @@ impl Motion {
     }
 
     /// q⃛ at time k; empty beyond the last time, and where the run was not asked for the jerk
-    /// ([`crate::Options::jerk`]).   \[m/s³, rad/s³\]
+    /// ([`crate::SolverOptions::jerk`]).   \[m/s³, rad/s³\]
     pub fn qddd(&self, k: usize) -> &[f64] {
         self.row(&self.qddd, k)
     }

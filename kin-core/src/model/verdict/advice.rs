@@ -18,9 +18,9 @@ pub(super) fn cause(change: &Change) -> Option<String> {
             let all: Vec<String> = any.iter().map(|resize| Is(resize).to_string()).collect();
             Some(format!("one of these does not fit: {}.", all.join(", ")))
         }
-        Change::Allow { closure } => Some(format!(
+        Change::Allow { misfit } => Some(format!(
             "nearly consistent: redundant equations contradict one another by no more than parts of ordinary accuracy do; {} allows it.",
-            Surface::chosen().closure(*closure)
+            Surface::chosen().allowed_misfit(*misfit)
         )),
         Change::Pin { bodies: [a, b], .. } => Some(format!(
             "freedoms left: `{a}` and `{b}` are held by one joint each, and nothing drives them."
@@ -152,8 +152,8 @@ impl Display for Change {
                 fit(f, constraint, *missing, or_drop, *of)
             }
             Change::Limit { constraint, asks, or } => limit(f, constraint, asks.as_ref(), or),
-            Change::Allow { closure } => {
-                let call = Surface::chosen().closure(*closure);
+            Change::Allow { misfit } => {
+                let call = Surface::chosen().allowed_misfit(*misfit);
                 write!(f, "allow it by {call}, a share of the mechanism's size")
             }
             Change::Resize { any } => {

@@ -35,10 +35,11 @@ pub enum Change {
         any: Vec<Resize>,
     },
     /// Allow redundant equations to contradict one another by this share of the mechanism's size,
-    /// [`crate::Options::closure`]: they do so by no more than parts of ordinary accuracy.
+    /// [`crate::SolverOptions::allowed_misfit`]: they do so by no more than parts of ordinary
+    /// accuracy.
     Allow {
-        /// The closure error to allow.   \[-\]
-        closure: f64,
+        /// The misfit to allow.   \[-\]
+        misfit: f64,
     },
     /// Two points of a constraint are exchanged: each is a point of the other's body.
     Swap {

@@ -8,7 +8,7 @@ use super::models::systems;
 use crate::program::gather::Refusal;
 use crate::program::stages::{Pose, Program, program};
 use crate::system::scale;
-use crate::{Options, System, linspace};
+use crate::{SolverOptions, System, linspace};
 
 pub(crate) fn compiled(system: &System, t: f64, q: &[f64]) -> Result<Program, Refusal> {
     compiled_with(system, t, q, false)
@@ -83,8 +83,11 @@ fn the_program_has_the_positions_and_rates_of_the_system() {
     let mut compared = 0;
     let mut refused = Vec::new();
     for (name, system) in systems() {
-        let options = Options { jerk: true, ..Options::default() };
-        let Ok(motion) = system.run_with(linspace(0.0, 0.5, 26), &options) else { continue };
+        let options = SolverOptions::new().jerk(true);
+        let Ok(motion) = system.solver().options(options.clone()).run(linspace(0.0, 0.5, 26))
+        else {
+            continue;
+        };
         let program = match compiled_with(&system, 0.0, motion.q(0), true) {
             Ok(program) => program,
             Err(refusal) => {

@@ -15,6 +15,5 @@ pub(crate) mod turned_over;
 
 pub use complete::{Assemblies, Assembly, Complete};
 pub use label::Label;
-pub use modes::AssemblyOptions;
-pub use options::SearchOptions;
+pub use options::{AssemblyOptions, SearchOptions};
 pub(crate) use preferred::{apart, distance};

@@ -9,8 +9,6 @@
 //! C = 0 is Newton's step times 1 / (1 − ∇ln M · Δq). The search ends by a statistical rule
 //! ([`Known::is_settled`]).
 
-use std::time::Duration;
-
 use rayon::prelude::*;
 
 use super::complete::{Account, Assemblies, Assembly};
@@ -19,38 +17,12 @@ use super::groups::{Group, groups};
 use super::known::{Known, OFTEN};
 use super::label::labelled;
 use super::levenberg_marquardt::LevenbergMarquardt;
-use super::options::{Clock, at_least_one};
+use super::options::{AssemblyOptions, Clock, at_least_one};
 use super::{turn, turned_over};
 use crate::model::error::{Error, Result};
 use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::scaled::{Measures, Model};
-
-/// How assemblies are looked for. All fields have defaults: `AssemblyOptions { seed: 7,
-/// ..AssemblyOptions::default() }`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AssemblyOptions {
-    /// Starts at most for a group of up to seven equations that must be solved together, such as a
-    /// platform on six rods; of k > 7 equations (7/k)² times as many, but at least a fifth.
-    /// Default 20000.
-    pub starts: usize,
-    /// The search goes on for at least this many starts in a row that lead to nothing new, and ten
-    /// more for each solution that is known; default 60.
-    pub patience: usize,
-    /// Newton's steps from one start; default 60.
-    pub steps: usize,
-    /// The same seed gives the same assemblies; default 0.
-    pub seed: u64,
-    /// Time after which no other start is begun. With a limit the result can depend on the machine;
-    /// default none.
-    pub time_limit: Option<Duration>,
-}
-
-impl Default for AssemblyOptions {
-    fn default() -> Self {
-        AssemblyOptions { starts: 20_000, patience: 60, steps: 60, seed: 0, time_limit: None }
-    }
-}
 
 /// More solutions of one group than this are no assemblies but poses of something that moves; more
 /// assemblies than this are not listed.

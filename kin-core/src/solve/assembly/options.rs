@@ -4,9 +4,15 @@ use std::time::{Duration, Instant};
 
 use crate::model::error::{Error, Result};
 
-/// How a pose is looked for from a guess that may be poor. All fields have defaults:
-/// `SearchOptions { starts: 50, ..SearchOptions::default() }`.
+/// SolverOptions of the search for a pose from a poor guess, and of the diagnosis where no pose
+/// exists.
+///
+/// ```
+/// let search = kin::solver::SearchOptions::new().starts(50);
+/// assert_eq!(search.starts, 50);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SearchOptions {
     /// Starts that are tried until one leads to a pose: the guess, then others around it, ever
     /// further from it; default 16.
@@ -18,23 +24,100 @@ pub struct SearchOptions {
     /// Time after which no other start is begun. With a limit the result can depend on the machine;
     /// default none.
     pub time_limit: Option<Duration>,
+    /// Constraints that a diagnosis releases at most, where not all can be satisfied; default 6.
+    pub released: usize,
+    /// Nearby poses at most at which a diagnosis computes the rank, where the rank is less than it
+    /// could be; default 3.
+    pub poses: usize,
 }
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        SearchOptions { starts: 16, steps: 200, seed: 0, time_limit: None }
+        SearchOptions { starts: 16, steps: 200, seed: 0, time_limit: None, released: 6, poses: 3 }
     }
 }
 
 impl SearchOptions {
+    /// Returns the defaults.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    setters! {
+        /// Sets [`SearchOptions::starts`].
+        starts: usize,
+        /// Sets [`SearchOptions::steps`].
+        steps: usize,
+        /// Sets [`SearchOptions::seed`].
+        seed: u64,
+        /// Sets [`SearchOptions::time_limit`].
+        time_limit: Option<Duration>,
+        /// Sets [`SearchOptions::released`].
+        released: usize,
+        /// Sets [`SearchOptions::poses`].
+        poses: usize,
+    }
+
     /// An error unless there is something to do.
     pub(crate) fn check(&self) -> Result<()> {
         at_least_one(self.starts, "starts")?;
-        at_least_one(self.steps, "steps")
+        at_least_one(self.steps, "steps")?;
+        at_least_one(self.poses, "nearby poses")
     }
 
     pub(crate) fn clock(&self) -> Clock {
         Clock::new(self.time_limit)
+    }
+}
+
+/// SolverOptions of the search for all assemblies ([`crate::System::assemblies`]).
+///
+/// ```
+/// let options = kin::solver::AssemblyOptions::new().seed(7);
+/// assert_eq!(options.seed, 7);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct AssemblyOptions {
+    /// Starts at most for a group of up to seven equations that must be solved together, such as a
+    /// platform on six rods; of k > 7 equations (7/k)² times as many, but at least a fifth.
+    /// Default 20000.
+    pub starts: usize,
+    /// The search goes on for at least this many starts in a row that lead to nothing new, and ten
+    /// more for each solution that is known; default 60.
+    pub patience: usize,
+    /// Newton's steps from one start; default 60.
+    pub steps: usize,
+    /// The same seed gives the same assemblies; default 0.
+    pub seed: u64,
+    /// Time after which no other start is begun. With a limit the result can depend on the machine;
+    /// default none.
+    pub time_limit: Option<Duration>,
+}
+
+impl Default for AssemblyOptions {
+    fn default() -> Self {
+        AssemblyOptions { starts: 20_000, patience: 60, steps: 60, seed: 0, time_limit: None }
+    }
+}
+
+impl AssemblyOptions {
+    /// Returns the defaults.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    setters! {
+        /// Sets [`AssemblyOptions::starts`].
+        starts: usize,
+        /// Sets [`AssemblyOptions::patience`].
+        patience: usize,
+        /// Sets [`AssemblyOptions::steps`].
+        steps: usize,
+        /// Sets [`AssemblyOptions::seed`].
+        seed: u64,
+        /// Sets [`AssemblyOptions::time_limit`].
+        time_limit: Option<Duration>,
     }
 }
 

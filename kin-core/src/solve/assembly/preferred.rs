@@ -81,11 +81,7 @@ impl System {
         if self.asked.is_empty() || q.is_some_and(|q| self.is_close(q, t)) {
             return None;
         }
-        let options = AssemblyOptions {
-            seed: search.seed,
-            time_limit: search.time_limit,
-            ..AssemblyOptions::default()
-        };
+        let options = AssemblyOptions::new().seed(search.seed).time_limit(search.time_limit);
         let all = modes::all(self.model(), self.initial(), t, &options).ok()?;
         let all = all.into_iter().map(|Assembly { q, .. }| (self.far(&q, t), q));
         let nearest = all.min_by(|a, b| a.0.total_cmp(&b.0));

@@ -5,8 +5,8 @@
 //! t, what is made of them. Over a step h a signal is off its polynomial of second degree at either
 //! end by no more than ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of
 //! these come from the steps of the equation and from the laws in it
-//! ([`crate::LawFunction::over`]), over stretches of many steps. Where the position is led off by
-//! no more than a prediction may miss, there is nothing that the ends do not tell.
+//! ([`crate::extend::LawFunction::over`]), over stretches of many steps. Where the position is led
+//! off by no more than a prediction may miss, there is nothing that the ends do not tell.
 //!
 //! Constraints of which no bounds are known (laws of one's own without any, the dual route, written
 //! by hand) are sampled: C with q held, at the eighths of the step.

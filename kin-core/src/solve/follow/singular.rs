@@ -84,7 +84,7 @@ pub(super) fn time(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::newton::Options;
+    use crate::solve::newton::SolverOptions;
     use crate::{Mechanism, constraint};
 
     /// a x = k t, and y beside it, on which time does less.
@@ -102,7 +102,7 @@ mod tests {
             let [x, y] = ["x", "y"].map(|name| m.length(name, 0.0).expect("a new name"));
             m.add("c", moved(x, y, a, k)).expect("adds");
             let system = m.build().expect("builds");
-            let options = Options::default();
+            let options = SolverOptions::default();
             let mut newton = Newton::new(&system, &options);
             newton.linearize(0.0).expect("is regular");
             (time(&newton, &[0.0, 0.0], 0.0, h), newton.linear.norms().to_vec())
@@ -122,7 +122,7 @@ mod tests {
             m.add("c", crate::joints::drivers::drive(x, crate::Law::constant(1.0))).expect("adds");
             m.build().expect("builds")
         };
-        let options = Options::default();
+        let options = SolverOptions::default();
         let mut newton = Newton::new(&still, &options);
         newton.linearize(0.0).expect("is regular");
         assert_eq!([0.25, -0.25].map(|h| time(&newton, &[1.0], 0.0, h)), [0.25, 0.25]);

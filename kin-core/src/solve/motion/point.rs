@@ -116,7 +116,7 @@ impl<V: Vector> PointMotion<V> {
     }
 
     /// ȧ, global components; empty unless the run was asked for the jerk
-    /// ([`crate::Options::jerk`]).   \[m/s³\]
+    /// ([`crate::SolverOptions::jerk`]).   \[m/s³\]
     pub fn jerk(&self) -> &[V] {
         &self.jerk
     }

@@ -14,8 +14,8 @@ pub struct Quantity {
     pub rate: Series,
     /// ẍ   \[m/s² or rad/s²\]
     pub second_rate: Series,
-    /// x⃛, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[m/s³ or
-    /// rad/s³\]
+    /// x⃛, empty unless the run was asked for the jerk ([`crate::SolverOptions::jerk`]).   \[m/s³
+    /// or rad/s³\]
     pub third_rate: Series,
 }
 
@@ -86,8 +86,8 @@ impl Quantity {
 
 impl Motion {
     /// Makes a quantity of `values` that were computed from this motion, with x in `unit`. It is
-    /// for a measure that is a function of a motion ([`crate::Measure`]). Kin does not check the
-    /// rates.
+    /// for a measure that is a function of a motion ([`crate::results::Measure`]). Kin does not
+    /// check the rates.
     ///
     /// Errors: a list that is not one number a time; a number that is infinite or not a number.
     pub fn quantity(&self, name: &str, unit: &str, values: QuantityValues) -> Result<Quantity> {

@@ -95,7 +95,8 @@ impl RotationMotion {
         &self.alpha
     }
 
-    /// α̇, empty unless the run was asked for the jerk ([`crate::Options::jerk`]).   \[rad/s³\]
+    /// α̇, empty unless the run was asked for the jerk
+    /// ([`crate::SolverOptions::jerk`]).   \[rad/s³\]
     pub fn alpha_rate(&self) -> &[Vec3] {
         &self.alpha_rate
     }

@@ -18,7 +18,7 @@ const THERE: f64 = 1e-3;
 /// How far the first position of a body or angle is from its guess.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Displaced {
+pub struct Displacement {
     /// The body or bare coordinate.
     pub name: String,
     /// How far it has been moved; `None` where nobody has said where it is: a link by its length
@@ -34,9 +34,10 @@ pub struct Displaced {
 impl Motion {
     /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the
     /// largest residual in one line; then the engine, where a program has computed times or there
-    /// could be none ([`Motion::engine`], [`Motion::why_plain`]); then how far the first position
-    /// is from the drawn one, where it is, the worst first ([`Motion::displaced`]), with a hint
-    /// where a slip is likely; and warnings among the events ([`crate::EventKind::is_warning`]).
+    /// could be none ([`Motion::engine`], [`Motion::why_not_compiled`]); then how far the first
+    /// position is from the drawn one, where it is, the worst first ([`Motion::displaced`]), with a
+    /// hint where a slip is likely; and warnings among the events
+    /// ([`crate::results::EventKind::is_warning`]).
     pub fn summary(&self) -> String {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
@@ -60,7 +61,7 @@ impl Motion {
 
     /// The line about the engine; none where nobody looked for a program.
     fn by_engine(&self) -> String {
-        match (self.engine.compiled, self.why_plain()) {
+        match (self.engine.compiled, self.why_not_compiled()) {
             (0, None) => String::new(),
             (0, Some(reason)) => format!("\n  plain steps: {reason}"),
             (compiled, _) => {
@@ -114,29 +115,29 @@ impl Motion {
     }
 
     /// The largest |C| of a motion of redundant equations that were allowed to contradict one
-    /// another ([`crate::Options::closure`]), of the norm of its row: of the mechanism's size where
-    /// the row is a length. 0 where all are met.   \[-\]
+    /// another ([`crate::SolverOptions::allowed_misfit`]), of the norm of its row: of the
+    /// mechanism's size where the row is a length. 0 where all are met.   \[-\]
     pub fn misfit(&self) -> f64 {
         self.misfit
     }
 
     /// How far each body and bare angle is at the first time from its guess, by its share of the
     /// mechanism's size, or by radians, the worst first. Bodies that are there are left out.
-    pub fn displaced(&self) -> Vec<Displaced> {
+    pub fn displaced(&self) -> Vec<Displacement> {
         let guess = &self.guess;
         let first = self.q(0);
         if guess.len() != first.len() {
             return Vec::new();
         }
         let size = self.drawn_size();
-        let mut all: Vec<(f64, Displaced)> =
+        let mut all: Vec<(f64, Displacement)> =
             self.layout.items.iter().filter_map(|item| self.displacement(item, size)).collect();
         all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.name.cmp(&b.1.name)));
         all.into_iter().map(|(_, body)| body).collect()
     }
 
     /// One body with its share of what assembly has to do; `None` where it is as it was guessed.
-    fn displacement(&self, item: &Item, size: f64) -> Option<(f64, Displaced)> {
+    fn displacement(&self, item: &Item, size: f64) -> Option<(f64, Displacement)> {
         let guess = &self.guess[..];
         let first = self.q(0);
         let drawn = is_drawn(item, guess);
@@ -167,7 +168,7 @@ impl Motion {
         }
         let moved = moved.filter(|moved| *moved > THERE * size);
         let hint = hint(item, moved, turned, (size, self.unit_words().length()));
-        Some((share, Displaced { name: item.name.clone(), moved, turned, hint }))
+        Some((share, Displacement { name: item.name.clone(), moved, turned, hint }))
     }
 
     /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is
@@ -190,7 +191,7 @@ impl Motion {
     }
 }
 
-impl Displaced {
+impl Displacement {
     /// "`plate` 2.50 m and 0.30 rad"
     fn sentence(&self, unit: &str) -> Option<String> {
         let length =

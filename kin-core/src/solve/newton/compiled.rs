@@ -17,7 +17,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::run::Run;
-use super::{Engine, Options, Stop};
+use super::{Engine, SolverOptions, Stop};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
@@ -73,7 +73,7 @@ pub(crate) struct Computing {
 impl Computing {
     /// As these options ask for it, for so many times. Errors: options that a program does not
     /// know, where one is asked for.
-    pub(crate) fn new(system: &System, times: usize, options: &Options) -> Result<Self> {
+    pub(crate) fn new(system: &System, times: usize, options: &SolverOptions) -> Result<Self> {
         let (wanted, plain) = wanted(system, times, options)?;
         Ok(Computing {
             wanted,
@@ -91,7 +91,7 @@ impl Computing {
 
     /// The same of a run in parts: numbers must not hang on where parts end, so that a program
     /// computes them only where it is asked for by name.
-    pub(crate) fn in_parts(system: &System, options: &Options) -> Result<Self> {
+    pub(crate) fn in_parts(system: &System, options: &SolverOptions) -> Result<Self> {
         let times = if options.engine == Engine::Compiled { usize::MAX } else { 0 };
         Self::new(system, times, options)
     }
@@ -201,11 +201,11 @@ pub(super) enum Wanted {
 fn wanted(
     system: &System,
     times: usize,
-    options: &Options,
+    options: &SolverOptions,
 ) -> Result<(Wanted, Option<&'static str>)> {
     let stands_in_the_way = (!options.predict).then_some("a program always predicts");
     match (options.engine, stands_in_the_way) {
-        (Engine::Plain, _) => Ok((Wanted::Plain, None)),
+        (Engine::StepByStep, _) => Ok((Wanted::Plain, None)),
         (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
         (Engine::Compiled, Some(reason)) => Err(Error::InvalidOptions {
             reason: format!("{reason}; {} for that", Surface::chosen().any_engine()),
@@ -221,7 +221,7 @@ fn wanted(
 }
 
 /// True if so many times take longer by plain steps than to be compiled and computed by a program.
-fn pays(system: &System, times: usize, options: &Options) -> bool {
+fn pays(system: &System, times: usize, options: &SolverOptions) -> bool {
     if !options.jerk && programs::is_asked(system) {
         return times >= FEWEST;
     }

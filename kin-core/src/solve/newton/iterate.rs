@@ -3,7 +3,7 @@
 mod greater;
 pub(super) mod single;
 
-use super::options::{Options, Stop};
+use super::options::{SolverOptions, Stop};
 use crate::system::stop;
 
 /// The end of an iteration whose correction is within the tolerance.
@@ -58,7 +58,7 @@ pub(super) trait Iterating {
 /// Newton's method; true where it ends at a position, whose matrix is factored then. Corrections
 /// must shrink if the start is `near`.
 #[inline(always)]
-pub(super) fn newton<I: Iterating>(point: &mut I, options: &Options, near: bool) -> bool {
+pub(super) fn newton<I: Iterating>(point: &mut I, options: &SolverOptions, near: bool) -> bool {
     let mut previous = f64::INFINITY;
     // Where only residuals count and steps are taken as they come, nobody asks for corrections.
     let is_asked = options.rescue || matches!(options.stop, Stop::Converged { .. });

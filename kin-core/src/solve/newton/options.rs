@@ -1,8 +1,9 @@
 //! How positions are solved: the stop rule and the means, and the report of what was done.
 
 use crate::model::error::{Error, Result};
+use crate::model::loads::LoadSharing;
 use crate::numbers::lanes::limit;
-use crate::solve::assembly::SearchOptions;
+use crate::solve::assembly::{AssemblyOptions, SearchOptions};
 
 /// When Newton's iteration has converged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,53 +32,64 @@ impl Default for Stop {
     }
 }
 
-/// How a sweep is solved. All fields have defaults:
-/// `Options { predict: false, ..Options::default() }`.
+/// SolverOptions of runs, single positions, sweeps, diagnoses and searches for assemblies.
+///
+/// Every field has a default and a setter of the same name.
+///
+/// ```
+/// use kin::{Engine, SolverOptions};
+///
+/// let options = SolverOptions::new().jerk(true).engine(Engine::StepByStep);
+/// assert!(options.jerk && options.predict);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+#[non_exhaustive]
+pub struct SolverOptions {
     /// Newton steps at one attempt before it is given up; default 50.
     pub max_iterations: usize,
     /// The stop rule.
     pub stop: Stop,
-    /// Start each time from q + h q̇ + ½ h² q̈ of the one before (default), rather than from q;
-    /// after three equal steps from the same made of q̇ and q̈ at all three times, where that has
-    /// been nearer.
+    /// True (default): Newton's iteration starts at each time from q + h q̇ + ½ h² q̈ of the time
+    /// before. After three equal steps it starts from a polynomial through all three times, where
+    /// that has been nearer. False: it starts from q of the time before.
     pub predict: bool,
-    /// Where plain Newton fails, damp it, look for the assembly from other starts (first time), and
-    /// approach in smaller steps of time (later times) before giving up; default true. Without it
-    /// plain Newton steps from the guess are all that is done, but for what [`Options::follow`]
-    /// asks.
+    /// True (default): where Newton's iteration fails, the solver damps it, searches from other
+    /// starts (first time), and approaches in smaller steps of time (later times). False: the run
+    /// fails there, except for what [`SolverOptions::follow`] checks.
     pub rescue: bool,
-    /// Halvings of one step of time at most before the run is given up, where steps are rescued and
-    /// not checked; default 12. Times that rounding hardly tells apart are not halved any more.
+    /// Halvings of one step of time before the run is given up, where steps are rescued and not
+    /// checked; default 12. Times that differ by rounding only are not halved any more.
     pub halvings: u32,
-    /// How the first position is looked for, where that is rescued, and what is wrong where there
-    /// is none.
+    /// The search for the first position, and the diagnosis where there is none.
     pub search: SearchOptions,
-    /// Solve for the jerk q⃛ too, C_q q⃛ = −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with
-    /// the matrix of q̇ and q̈; default false.
+    /// The search for all assemblies ([`crate::System::assemblies`]).
+    pub assemblies: AssemblyOptions,
+    /// True: the run solves for the jerk q⃛ too, C_q q⃛ = −g‴(0) with
+    /// g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈. Default false.
     pub jerk: bool,
-    /// How far redundant equations may contradict one another, of the norm of each: of the
-    /// mechanism's size where a row is a length. 0, the default, allows what rounding makes (1e-10)
-    /// and no more; parts of ordinary accuracy, such as an imported assembly, need more. Positions
-    /// are then those of least squares, and the motion and its summary tell the misfit
-    /// ([`crate::Motion::misfit`]).   \[-\]
-    pub closure: f64,
-    /// The check that each step stays on its branch, and the branch that is taken where branches
+    /// The misfit that redundant equations may have, as a share of the norm of each equation: of
+    /// the mechanism's size where a row is a length. The default 0 allows rounding (1e-10) and no
+    /// more. Parts of ordinary accuracy, such as an imported assembly, need more. Positions are
+    /// then those of least squares, and [`crate::Motion::misfit`] reports the misfit.   \[-\]
+    pub allowed_misfit: f64,
+    /// The check that each step stays on its branch, and the branch that a run takes where branches
     /// cross; default [`Follow::Smooth`].
     pub follow: Follow,
-    /// The engine that computes the times of [`crate::System::run`], and of the cases of a sweep;
-    /// default [`Engine::Auto`]. Runs in parts are plain unless [`Engine::Compiled`] is asked for,
-    /// and single positions unless [`crate::System::compile`] was called.
+    /// The engine that computes the times of a run, the cases of a sweep, and forces; default
+    /// [`Engine::Auto`]. [`crate::Solver::run_in_parts`] goes step by step unless
+    /// [`Engine::Compiled`] is set. Single positions do so unless [`crate::System::compile`] was
+    /// called.
     pub engine: Engine,
+    /// The rule by which redundant constraints share forces; default: none.
+    pub sharing: LoadSharing,
     /// Bytes that the motion of a run may take, three or four numbers a coordinate and time;
     /// default 2³⁰ (1 GiB). A run that needs more is refused before it begins;
-    /// [`crate::System::run_in_parts`] needs the memory of one part.   \[B\]
+    /// [`crate::Solver::run_in_parts`] needs the memory of one part.   \[B\]
     pub memory: usize,
     /// How much work a run may spend on smaller steps of time, which are no results, and after a
-    /// failure on finding out why, as a multiple of the usual; default 1, some seconds' worth. A
-    /// run that needs more ends with [`crate::Error::CannotFollow`]. The work is counted, not
-    /// timed, so that a run ends alike on each machine.   \[-\]
+    /// failure on its diagnosis, as a multiple of the usual; default 1, some seconds' worth. A run
+    /// that needs more ends with [`crate::Error::CannotFollow`]. The work is counted, not timed, so
+    /// a run ends alike on each machine.   \[-\]
     pub effort: f64,
 }
 
@@ -90,18 +102,19 @@ pub enum Engine {
     /// else plain steps. Plain too are runs without prediction, and with [`Stop::ResidualOnly`],
     /// and all runs on a machine without AVX2 and FMA, AVX-512 or Neon. The times of all cases of a
     /// sweep count together, where each has 24 at least. [`crate::Motion::engine`] tells how many
-    /// times a program has computed, [`crate::Motion::why_plain`] what stood in the way of one.
+    /// times a program has computed, [`crate::Motion::why_not_compiled`] what stood in the way of
+    /// one.
     ///
     /// A program is kept for the next run that begins at the same time and position, until anything
     /// is set in the system.
     #[default]
     Auto,
     /// Constraint by constraint, one time after the other.
-    Plain,
+    StepByStep,
     /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is
     /// judged as plain steps are; where there is an objection plain steps go on from the last time
-    /// that was accepted. Numbers agree to the tolerance of [`Options::stop`], not to the last
-    /// digit.
+    /// that was accepted. Numbers agree to the tolerance of [`SolverOptions::stop`], not to the
+    /// last digit.
     ///
     /// Where an equation chooses another side of an `if` of coordinates, or a `floor` of them
     /// jumps, the block of times ends and plain steps go on. A value of time that only rustc can
@@ -123,10 +136,10 @@ pub enum Engine {
 /// they do between those is not seen. A run takes ten million smaller steps times coordinates at
 /// most, some seconds' worth, and twenty for each of its times. Where more would lead to the next
 /// time, the run ends with [`crate::Error::CannotFollow`]: give times that are nearer to one
-/// another, or a larger [`Options::effort`]. A toggle ends the run with [`crate::Error::Toggle`] at
-/// its time; change points are passed, and told by [`crate::Motion::singular_positions`].
-/// Mechanisms with redundant equations are checked by prediction alone: at a singular position
-/// their runs end.
+/// another, or a larger [`SolverOptions::effort`]. A toggle ends the run with
+/// [`crate::Error::Toggle`] at its time; change points are passed, and told by
+/// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by
+/// prediction alone: at a singular position their runs end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
     /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it
@@ -137,40 +150,72 @@ pub enum Follow {
     Smooth,
     /// Checked; at the change points with these numbers, counted from 0 in the order in which the
     /// run meets them, it turns into the other branch.
-    Turning(Vec<usize>),
+    OtherBranchAt(Vec<usize>),
 }
 
 impl Follow {
     /// True if the run turns into the other branch at the change point of that number.
     pub(crate) fn turns(&self, number: usize) -> bool {
-        matches!(self, Follow::Turning(numbers) if numbers.contains(&number))
+        matches!(self, Follow::OtherBranchAt(numbers) if numbers.contains(&number))
     }
 }
 
-impl Default for Options {
+impl Default for SolverOptions {
     fn default() -> Self {
-        Options {
+        SolverOptions {
             max_iterations: 50,
             stop: Stop::default(),
             predict: true,
             rescue: true,
             halvings: 12,
             search: SearchOptions::default(),
+            assemblies: AssemblyOptions::default(),
             jerk: false,
-            closure: 0.0,
+            allowed_misfit: 0.0,
             follow: Follow::default(),
             engine: Engine::default(),
+            sharing: LoadSharing::default(),
             memory: 1 << 30,
             effort: 1.0,
         }
     }
 }
 
-impl Options {
-    /// The defaults, with redundant equations allowed to contradict one another by this share of
-    /// the mechanism's size.   \[-\]
-    pub fn closure(share: f64) -> Options {
-        Options { closure: share, ..Options::default() }
+impl SolverOptions {
+    /// Returns the defaults.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    setters! {
+        /// Sets [`SolverOptions::max_iterations`].
+        max_iterations: usize,
+        /// Sets [`SolverOptions::stop`].
+        stop: Stop,
+        /// Sets [`SolverOptions::predict`].
+        predict: bool,
+        /// Sets [`SolverOptions::rescue`].
+        rescue: bool,
+        /// Sets [`SolverOptions::halvings`].
+        halvings: u32,
+        /// Sets [`SolverOptions::search`].
+        search: SearchOptions,
+        /// Sets [`SolverOptions::assemblies`].
+        assemblies: AssemblyOptions,
+        /// Sets [`SolverOptions::jerk`].
+        jerk: bool,
+        /// Sets [`SolverOptions::allowed_misfit`].
+        allowed_misfit: f64,
+        /// Sets [`SolverOptions::follow`].
+        follow: Follow,
+        /// Sets [`SolverOptions::engine`].
+        engine: Engine,
+        /// Sets [`SolverOptions::sharing`].
+        sharing: LoadSharing,
+        /// Sets [`SolverOptions::memory`].
+        memory: usize,
+        /// Sets [`SolverOptions::effort`].
+        effort: f64,
     }
 
     /// An error if so many motions at once, each of so many times and coordinates, take more memory
@@ -212,10 +257,12 @@ impl Options {
         if let Err(reason) = limit() {
             return Err(Error::InvalidOptions { reason: reason.clone() });
         }
-        if !(0.0..=0.1).contains(&self.closure) {
-            let closure = self.closure;
+        if !(0.0..=0.1).contains(&self.allowed_misfit) {
+            let misfit = self.allowed_misfit;
             return Err(Error::InvalidOptions {
-                reason: format!("the closure is {closure}; give a share of the size from 0 to 0.1"),
+                reason: format!(
+                    "the allowed misfit is {misfit}; give a share of the size from 0 to 0.1"
+                ),
             });
         }
         if !(self.effort.is_finite() && self.effort > 0.0) {

@@ -3,7 +3,7 @@
 //!
 //! As many independent equations are solved as there are coordinates, and the others asked to be
 //! met ([`crate::linear::Independent`]); where they may contradict one another a little
-//! ([`Options::closure`]), all of them in the sense of least squares.
+//! ([`SolverOptions::allowed_misfit`]), all of them in the sense of least squares.
 
 mod begin;
 mod errors;
@@ -15,7 +15,7 @@ use super::advance::{Asked, Effort, Stepping, advance};
 use super::iterate;
 use super::law_breaks::LawBreaks;
 use super::predictor::{Last, Predictor};
-use super::{Options, Outcome, Report};
+use super::{Outcome, Report, SolverOptions};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
@@ -38,14 +38,18 @@ pub(crate) const ALLOWED: f64 = 30.0;
 /// A run of such a mechanism from time to time.
 pub(crate) struct Stepper<'a> {
     system: &'a System,
-    options: &'a Options,
+    options: &'a SolverOptions,
     explain: Option<Explain>,
     /// None before the first time.
     position: Option<Position<'a>>,
 }
 
 impl<'a> Stepper<'a> {
-    pub(crate) fn new(system: &'a System, options: &'a Options, explain: Option<Explain>) -> Self {
+    pub(crate) fn new(
+        system: &'a System,
+        options: &'a SolverOptions,
+        explain: Option<Explain>,
+    ) -> Self {
         Stepper { system, options, explain, position: None }
     }
 
@@ -97,7 +101,7 @@ pub(crate) fn at(
     system: &System,
     t: f64,
     start: Option<&[f64]>,
-    options: &Options,
+    options: &SolverOptions,
     explain: Explain,
 ) -> Result<Solution> {
     let (position, outcome) = match start {
@@ -125,7 +129,7 @@ pub(crate) fn at(
 struct Position<'a> {
     system: &'a System,
     model: Model<'a>,
-    options: &'a Options,
+    options: &'a SolverOptions,
     explain: Option<Explain>,
     measures: Measures,
     solver: Solver,
@@ -210,7 +214,7 @@ impl Position<'_> {
         let rows = self.point.c.iter().map(|c| c.abs()).enumerate();
         let (worst, residual) =
             rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
-        if self.options.closure > 0.0 {
+        if self.options.allowed_misfit > 0.0 {
             let share = self
                 .point
                 .c
@@ -273,7 +277,7 @@ impl Position<'_> {
         let terms = padded::largest(self.rhs.whole())
             .max(padded::largest_share(self.x.whole(), self.shares.whole()));
         self.solver.leave(&mut self.rhs);
-        let share = CONSISTENT.max(ALLOWED * self.options.closure);
+        let share = CONSISTENT.max(ALLOWED * self.options.allowed_misfit);
         (terms.is_finite() && padded::largest(self.rhs.whole()) <= share * terms).then_some(())
     }
 
@@ -339,7 +343,7 @@ impl Stepping for Position<'_> {
     }
 
     fn is_short(&mut self, h: f64, _: f64, asked: Asked, trouble: &Trouble) -> bool {
-        let Options { rescue, .. } = self.options;
+        let SolverOptions { rescue, .. } = self.options;
         match trouble {
             Trouble::Disagreed(_) => true,
             Trouble::Objected(_) => h.abs() <= asked.shortest(),

@@ -2,7 +2,7 @@
 
 use super::law_breaks::LawBreaks;
 use super::stepper::Stepper;
-use super::{Options, compiled, redundant};
+use super::{SolverOptions, compiled, redundant};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::solve::explain::Explain;
@@ -18,7 +18,7 @@ pub(crate) type Progress<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
 pub(crate) fn run<'a>(
     system: &'a System,
     times: &[f64],
-    options: &'a Options,
+    options: &'a SolverOptions,
     explain: Option<Explain>,
     progress: Option<Progress<'a>>,
 ) -> Result<Motion> {
@@ -32,7 +32,7 @@ pub(crate) fn run<'a>(
 pub(crate) fn run_by<'a>(
     system: &'a System,
     times: &[f64],
-    (options, explain): (&'a Options, Option<Explain>),
+    (options, explain): (&'a SolverOptions, Option<Explain>),
     progress: Option<Progress<'a>>,
     mut computing: compiled::Computing,
 ) -> Result<Motion> {
@@ -49,7 +49,7 @@ pub(crate) fn run_by<'a>(
 /// A run on its way from time to time.
 pub(crate) struct Run<'a> {
     system: &'a System,
-    options: &'a Options,
+    options: &'a SolverOptions,
     explain: Option<Explain>,
     stepper: AnyStepper<'a>,
     law_breaks: LawBreaks,
@@ -68,7 +68,7 @@ impl<'a> Run<'a> {
     /// A run that has not begun. Errors: options out of range, a jerk that is not known.
     pub(crate) fn new(
         system: &'a System,
-        options: &'a Options,
+        options: &'a SolverOptions,
         explain: Option<Explain>,
     ) -> Result<Self> {
         options.check()?;

@@ -5,7 +5,7 @@ mod resumed;
 
 use super::advance::{Asked, Effort, Stepping, advance};
 use super::predictor::{Last, Predictor};
-use super::{Failure, Follow, Newton, Options, Outcome, Steps, first_position, largest};
+use super::{Failure, Follow, Newton, Outcome, SolverOptions, Steps, first_position, largest};
 use crate::model::error::Result;
 use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
@@ -46,7 +46,7 @@ pub(in crate::solve::newton) enum Trouble {
 }
 
 impl<'a> Stepper<'a> {
-    pub fn new(system: &'a System, options: &'a Options) -> Self {
+    pub fn new(system: &'a System, options: &'a SolverOptions) -> Self {
         let n = system.n_coordinates();
         Stepper {
             newton: Newton::new(system, options),

@@ -8,10 +8,10 @@ use crate::linear::{Echelon, LeastSquares, Sparse, dense};
 use crate::system::scaled::{Measures, Model, Point};
 
 /// By so much of their norms, and of each of their terms, rows may be off at the singular position,
-/// beyond the closure error that is allowed: rounding.   \[-\]
+/// beyond the misfit that is allowed: rounding.   \[-\]
 const ROUNDING: f64 = 4e-15;
 
-/// Pivots below this are looked at, and below 30 times the root of the closure error that is
+/// Pivots below this are looked at, and below 30 times the root of the misfit that is
 /// allowed: a solution that is off by ε from a double one has a pivot of about √ε.   \[-\]
 const NEAR: f64 = 1e-5;
 
@@ -24,8 +24,8 @@ const LOOKED_AT: usize = 8;
 /// 0 are those of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then
 /// met again.
 pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measures) -> Vec<f64> {
-    let tolerance = ROUNDING.max(model.closure);
-    let near = NEAR.max(30.0 * model.closure.sqrt());
+    let tolerance = ROUNDING.max(model.misfit);
+    let near = NEAR.max(30.0 * model.misfit.sqrt());
     let Ok(point) = model.linearize(&q, t) else { return q };
     let echelon = |point: &Point, least: f64| {
         Echelon::new(model.scaled(&point.values, measures, &|_| true), model.n(), least)

@@ -1,8 +1,8 @@
 //! Which lengths do not fit where a mechanism cannot be closed: those of which another value lets
 //! it close and move, the likeliest first.
 
-use super::super::options::Search;
 use super::super::order;
+use super::super::search_under_way::Search;
 use super::dimension::{self, Dimension, Of};
 use super::fit::{self, Fitted};
 use crate::model::verdict::{Resize, Size};
@@ -54,7 +54,7 @@ pub(crate) fn that_fit(
         }
         let fitted = |dimension: &Dimension| {
             let fitted =
-                fit::fit(model, dimension, found, search.t, without, search.options.search.steps)?;
+                fit::fit(model, dimension, found, search.t, without, search.options.steps)?;
             Some((
                 !is_out(dimension),
                 unlikely(dimension, &fitted, scale),

@@ -2,14 +2,13 @@
 //! or for the wrong end. Each is looked for only where the numbers speak for it, and told only if
 //! the mechanism closes and moves without it.
 
-use super::super::options::Search;
+use super::super::search_under_way::Search;
 use super::dimension::{self, PointAt};
 use super::trial::{Trial, drivers};
 use crate::model::layout::Kind;
 use crate::model::state::{PlanarState, SpatialState};
 use crate::model::verdict::{Change, GlobalPoint};
 use crate::numbers::algebra::{Vec2, Vec3};
-use crate::solve::assembly::SearchOptions;
 use crate::solve::assembly::search;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::Model;
@@ -50,7 +49,7 @@ impl Looked<'_> {
             return false;
         }
         let model = Model { equations: &equations, ..*self.model() };
-        let options = SearchOptions { starts: STARTS, ..self.search.options.search.clone() };
+        let options = self.search.options.clone().starts(STARTS);
         let found = search::search(model, self.drawn, self.search.t, &|_| true, &options)
             .filter(|found| found.met && found.meant);
         let trial = Trial { model, t: self.search.t, without: &[], steps: options.steps };

@@ -4,6 +4,7 @@ use kin_graph::{Formula, Node, Number, evaluate};
 
 use crate::ask::proof::bounds::Bounds;
 use crate::ask::proof::bounds::Part;
+use crate::extend::RouteReason;
 use crate::model::constraint::{Entry, Facts, Parts, Written};
 use crate::model::formula::bounds::{Inputs, opaque, row, trusted};
 use crate::model::formula::time::{can_jump, over_time, signals, slopes};
@@ -13,7 +14,7 @@ use crate::model::state::{At, Rates};
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{ORDER, Series};
 use crate::numbers::real::Dual3_64;
-use crate::{Constraint, Mechanism, RouteReason, constraint};
+use crate::{Constraint, Mechanism, constraint};
 
 const FULL: usize = ORDER + 1;
 

@@ -5,7 +5,7 @@ mod around;
 
 use super::{Check, Objection, REACH};
 use crate::numbers::padded::Padded;
-use crate::solve::newton::{Newton, Options, Steps};
+use crate::solve::newton::{Newton, SolverOptions, Steps};
 use crate::{Law, Mechanism, System, constraint};
 
 #[constraint]
@@ -32,7 +32,7 @@ fn stand(newton: &mut Newton<'_>, x: f64) {
 /// misses by so much.
 fn is_missed(before: f64, to: f64, miss: f64) -> bool {
     let system = system();
-    let options = Options::default();
+    let options = SolverOptions::default();
     let mut newton = Newton::new(&system, &options);
     let mut check = Check::new(&system);
     stand(&mut newton, 1.0);
@@ -90,7 +90,7 @@ struct Led<'a> {
 }
 
 impl<'a> Led<'a> {
-    fn new(system: &'a System, options: &'a Options) -> Self {
+    fn new(system: &'a System, options: &'a SolverOptions) -> Self {
         Led { newton: Newton::new(system, options), check: Check::new(system) }
     }
 
@@ -135,7 +135,7 @@ fn product_system() -> System {
 #[test]
 fn the_pivot_at_the_other_end_counts() {
     let system = steep_system(100.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     let at = |x: f64| (100.0 * x * x, [x, -x]);
     let missed = |before: f64, open: bool, miss: f64| {
         let mut led = Led::new(&system, &options);
@@ -160,7 +160,7 @@ fn the_pivot_at_the_other_end_counts() {
 #[test]
 fn no_number_is_a_miss() {
     let system = product_system();
-    let options = Options::default();
+    let options = SolverOptions::default();
     for (rate, k) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (2, 1)] {
         let mut led = Led::new(&system, &options);
         led.accept(1.0, &[2.0, -2.0, 1.0]);
@@ -183,7 +183,7 @@ fn no_number_is_a_miss() {
 #[test]
 fn a_pivot_that_fades_is_a_warning() {
     let system = product_system();
-    let options = Options::default();
+    let options = SolverOptions::default();
     let near = (0.1, [2.0, -2.0, 0.1]);
     let far = (1.0, [2.0, -2.0, 1.0]);
     let miss = [0.0, 0.0, 0.15];
@@ -237,7 +237,7 @@ fn a_pivot_that_fades_is_a_warning() {
 #[test]
 fn the_larger_miss_counts() {
     let system = steep_system(1.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     let h = 0.1;
     let x = 0.5;
     let d = 0.01;
@@ -281,7 +281,7 @@ fn led_angle(a: Coord, law: Law, t: Time) -> f64 {
 /// far, or a body turns too far meanwhile.
 #[test]
 fn out_and_back_within_a_step() {
-    let options = Options::default();
+    let options = SolverOptions::default();
     let hill = |f0: f64, height: f64| Law::polynomial(&[f0, 4.0 * height, -4.0 * height]);
     let judge = |system: &System, q: &[f64]| {
         let mut led = Led::new(system, &options);
@@ -321,7 +321,7 @@ fn out_and_back_within_a_step() {
 #[test]
 fn a_block_that_turns_over() {
     let system = steep_system(1.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     let at = |led: &mut Led<'_>, x: f64| led.judge(x * x, &[x, -x], &[0.0; 2]);
     let mut led = Led::new(&system, &options);
     led.check.leave_open();
@@ -336,7 +336,7 @@ fn a_block_that_turns_over() {
 #[test]
 fn rates_are_no_miss() {
     let system = steep_system(1.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     for (share, missed) in [(0.2, false), (0.3, true), (-0.2, false), (-0.3, true)] {
         let h = 0.5;
         let x = 0.5;
@@ -362,7 +362,7 @@ fn no_body_turns_too_far_in_one_step() {
     let a = m.angle("a", 0.0).expect("a new name");
     m.add("c", angle(a)).expect("adds");
     let system = m.build().expect("builds");
-    let options = Options::default();
+    let options = SolverOptions::default();
     let step = |by: f64| {
         let mut led = Led::new(&system, &options);
         led.accept(0.0, &[0.0]);
@@ -389,7 +389,7 @@ fn each_objection_has_its_reason() {
 #[test]
 fn a_step_hands_its_pivot_on() {
     let system = steep_system(100.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     let at = |x: f64| (100.0 * x * x, [x, -x]);
     let missed = |first: f64, second: f64| {
         let mut led = Led::new(&system, &options);

@@ -6,7 +6,7 @@ mod together;
 use super::*;
 use crate::model::error::Error;
 use crate::model::mechanism::linspace;
-use crate::solve::newton::{Options, Steps};
+use crate::solve::newton::{SolverOptions, Steps};
 use crate::{Mechanism, System, constraint};
 
 /// x² = 1 − t²/4: a toggle at t = 2.
@@ -123,7 +123,7 @@ fn walking<R>(
     other: bool,
     f: impl FnOnce(Walk<'_, '_>) -> R,
 ) -> R {
-    let options = Options::default();
+    let options = SolverOptions::default();
     let mut newton = Newton::new(system, &options);
     newton.q.iter_mut().for_each(|q| *q = x);
     newton.solve(t, Steps::Full).expect("solves");

@@ -8,7 +8,7 @@ use crate::numbers::lanes::Lanes;
 use crate::program::{Differences, NO_LANES, Pose, Refusal, Tape, program_of_cases, schedule};
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
-use crate::solve::newton::{Engine, Options};
+use crate::solve::newton::{Engine, SolverOptions};
 use crate::system::System;
 use crate::system::parameters::CasePlace;
 
@@ -51,7 +51,7 @@ pub(super) enum By {
 impl Cases {
     /// As these options ask for it. Errors: options that a program does not know, or a mechanism
     /// that cannot be compiled, where a program is asked for.
-    pub(crate) fn new(varied: &Varied<'_>, options: &Options, lanes: Lanes) -> Result<Self> {
+    pub(crate) fn new(varied: &Varied<'_>, options: &SolverOptions, lanes: Lanes) -> Result<Self> {
         let Varied { system, count, times, .. } = *varied;
         let pays = times.len() >= FEWEST || options.engine == Engine::Compiled;
         let (wanted, plain) = wanted(system, count.saturating_mul(times.len()), options)?;
@@ -72,7 +72,7 @@ impl Cases {
         &self,
         system: &System,
         times: usize,
-        options: &Options,
+        options: &SolverOptions,
     ) -> Result<Computing> {
         let own = || Ok(Computing { lanes: self.lanes, ..Computing::new(system, times, options)? });
         match &self.by {
@@ -91,7 +91,11 @@ impl Varied<'_> {
     /// The tape of all cases, its elimination chosen at the first position of the system as it is,
     /// so that no case hangs on others; or of a case, where that has none. None where the first
     /// cases have none either.
-    fn tape(&self, options: &Options, lanes: Lanes) -> std::result::Result<Option<Tape>, Refusal> {
+    fn tape(
+        &self,
+        options: &SolverOptions,
+        lanes: Lanes,
+    ) -> std::result::Result<Option<Tape>, Refusal> {
         can_be(self.system)?;
         if !lanes.are_there() {
             return Err(Refusal { constraint: String::new(), reason: NO_LANES });
@@ -110,7 +114,7 @@ impl Varied<'_> {
     fn made_of(
         &self,
         typical: &System,
-        options: &Options,
+        options: &SolverOptions,
     ) -> Option<std::result::Result<Tape, Refusal>> {
         let first = *self.times.first()?;
         let mut run = Run::new(typical, options, None).ok()?;

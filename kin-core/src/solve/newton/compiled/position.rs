@@ -9,7 +9,7 @@ use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::Tape;
 use crate::program::alone::Alone;
 use crate::program::times::Limits;
-use crate::solve::newton::{DOUBTFUL, Engine, Newton, Options, Report, SIMILAR, Stop};
+use crate::solve::newton::{DOUBTFUL, Engine, Newton, Report, SIMILAR, SolverOptions, Stop};
 use crate::system::evaluate::Instant;
 use crate::system::{Solution, System, stop};
 
@@ -72,7 +72,7 @@ pub(crate) fn position(
     system: &System,
     t: f64,
     from: &[f64],
-    options: &Options,
+    options: &SolverOptions,
 ) -> Option<Solution> {
     let programs = system.cache().get::<super::programs::Programs>()?;
     programs.positions()?.position(system, t, from, options)
@@ -99,10 +99,10 @@ impl Positions {
         system: &System,
         t: f64,
         from: &[f64],
-        options: &Options,
+        options: &SolverOptions,
     ) -> Option<Solution> {
         let Stop::Converged { tolerance } = options.stop else { return None };
-        if options.engine == Engine::Plain || !options.predict || options.jerk {
+        if options.engine == Engine::StepByStep || !options.predict || options.jerk {
             return None;
         }
         // Rates are those of the position before the last correction, which has to be none.

@@ -17,8 +17,8 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    fn options(&self) -> Options {
-        Options { jerk: self.jerk, engine: Engine::Compiled, ..Options::default() }
+    fn options(&self) -> SolverOptions {
+        SolverOptions::new().jerk(self.jerk).engine(Engine::Compiled)
     }
 
     /// By plain steps.
@@ -312,7 +312,7 @@ fn a_machine_without_lanes_is_told_and_compiles_nothing() {
     let system = four_bar(1.0);
     let times = linspace(0.0, 1.0, 3001);
     let run = |engine: Engine| {
-        let options = Options { engine, ..Options::default() };
+        let options = SolverOptions::new().engine(engine);
         let mut computing = Computing::new(&system, times.len(), &options).expect("options");
         computing.lanes = Lanes::Off;
         let mut run = Run::new(&system, &options, None).expect("runs");
@@ -320,16 +320,16 @@ fn a_machine_without_lanes_is_told_and_compiles_nothing() {
         computing.run(&mut run, &times, &mut motion).map(|()| motion)
     };
     let auto = run(Engine::Auto).expect("runs");
-    let plain = run(Engine::Plain).expect("runs");
+    let plain = run(Engine::StepByStep).expect("runs");
     assert!(
-        auto.why_plain().is_some_and(|reason| reason.contains("no registers")),
+        auto.why_not_compiled().is_some_and(|reason| reason.contains("no registers")),
         "{:?}",
-        auto.why_plain()
+        auto.why_not_compiled()
     );
     assert!(
         auto.engine.compiled == 0
             && difference(&auto, &plain) == 0.0
-            && plain.why_plain().is_none()
+            && plain.why_not_compiled().is_none()
     );
     let error = run(Engine::Compiled).expect_err("refused").to_string();
     assert!(error.contains("no registers") && error.contains("Engine::Auto"), "{error}");

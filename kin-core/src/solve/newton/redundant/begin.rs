@@ -4,7 +4,7 @@ use super::super::Follow;
 use super::super::advance::Effort;
 use super::errors::unmet;
 use super::solver::{Solver, scales};
-use super::{Options, Outcome, Position};
+use super::{Outcome, Position, SolverOptions};
 use crate::model::error::Result;
 use crate::numbers::padded::Padded;
 use crate::solve::assembly::search::{self, Found};
@@ -17,11 +17,11 @@ use crate::system::scaled::{Measures, Point};
 impl<'a> Position<'a> {
     fn new(
         system: &'a System,
-        (options, explain): (&'a Options, Option<Explain>),
+        (options, explain): (&'a SolverOptions, Option<Explain>),
         t: f64,
         (q, measures): (Vec<f64>, Measures),
     ) -> Self {
-        let model = system.model_within(options.closure);
+        let model = system.model_within(options.allowed_misfit);
         let n = model.n();
         let equations = model.equations;
         let mut point =
@@ -66,11 +66,11 @@ impl<'a> Position<'a> {
     /// Assembled from the guess, into the preferred assembly.
     pub(super) fn assembled(
         system: &'a System,
-        options: &'a Options,
+        options: &'a SolverOptions,
         t: f64,
         explain: Option<Explain>,
     ) -> Result<(Self, Outcome)> {
-        let model = system.model_within(options.closure);
+        let model = system.model_within(options.allowed_misfit);
         let mut found = search::search(model, system.initial(), t, &|_| true, &options.search);
         if let Some(q) = system.nearer(
             found.as_ref().filter(|found| found.met).map(|found| &found.place.q[..]),
@@ -85,12 +85,12 @@ impl<'a> Position<'a> {
     /// Assembled from a start, nothing preferred.
     pub(super) fn from_start(
         system: &'a System,
-        options: &'a Options,
+        options: &'a SolverOptions,
         t: f64,
         (start, explain): (&[f64], Explain),
     ) -> Result<(Self, Outcome)> {
         let found = search::descend(
-            system.model_within(options.closure),
+            system.model_within(options.allowed_misfit),
             start,
             t,
             &|_| true,
@@ -103,11 +103,11 @@ impl<'a> Position<'a> {
     /// From a position that is known to be met at that time, or nearly.
     pub(super) fn near(
         system: &'a System,
-        options: &'a Options,
+        options: &'a SolverOptions,
         t: f64,
         start: &[f64],
     ) -> Result<(Self, Outcome)> {
-        let model = system.model_within(options.closure);
+        let model = system.model_within(options.allowed_misfit);
         let steps = options.search.steps;
         let found = search::descend(model, start, t, &|_| true, false, steps);
         Self::found(system, options, t, found, (start, None))
@@ -115,12 +115,12 @@ impl<'a> Position<'a> {
 
     fn found(
         system: &'a System,
-        options: &'a Options,
+        options: &'a SolverOptions,
         t: f64,
         found: Option<Found>,
         (start, explain): (&[f64], Option<Explain>),
     ) -> Result<(Self, Outcome)> {
-        let model = system.model_within(options.closure);
+        let model = system.model_within(options.allowed_misfit);
         let Some(found) = found.filter(|found| found.met) else {
             return Err(match explain {
                 Some(explain) => (explain.cannot_be_driven)(model, Start::Guess(start), t, options),

@@ -1,6 +1,6 @@
 //! More equations than coordinates, solved for as many of them or in the sense of least squares.
 
-use super::super::Options;
+use super::super::SolverOptions;
 use crate::linear::{Independent, LeastSquares};
 use crate::model::error::Result;
 use crate::solve::explain::{Explain, Start};
@@ -21,7 +21,7 @@ impl Solver {
         let m = model.m();
         let n = model.n();
         let places = &model.equations.entries;
-        if model.closure > 0.0 {
+        if model.misfit > 0.0 {
             Solver::LeastSquares(LeastSquares::new(m, n, places))
         } else {
             Solver::Independent(Independent::new(m, n, places))
@@ -84,7 +84,12 @@ pub(crate) fn solved(
         .zip(&point.values)
         .map(|(scale, value)| scale * value);
     if !least_squares.factor(scaled, 0.0) {
-        return Err((explain.cannot_be_driven)(model, Start::Pose(q), t, &Options::default()));
+        return Err((explain.cannot_be_driven)(
+            model,
+            Start::Pose(q),
+            t,
+            &SolverOptions::default(),
+        ));
     }
     let y = least_squares.solve(rhs.iter().zip(&measures.norms).map(|(rhs, norm)| rhs / norm));
     Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())

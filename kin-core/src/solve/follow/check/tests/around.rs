@@ -4,7 +4,7 @@
 use super::super::{Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
 use crate::numbers::padded::Padded;
-use crate::solve::newton::Options;
+use crate::solve::newton::SolverOptions;
 use crate::{Mechanism, constraint};
 
 /// √x + y = 1 + t, y = 0: nothing below x = 0.
@@ -17,7 +17,7 @@ fn above_zero(x: Coord, y: Coord, t: Time) -> [f64; 2] {
 /// the position in hand is as it was.
 #[test]
 fn a_look_around_leaves_nothing_behind() {
-    let options = Options::default();
+    let options = SolverOptions::default();
     let mut m = Mechanism::new("above zero");
     let [x, y] =
         [("x", 1.0), ("y", 0.0)].map(|(name, guess)| m.length(name, guess).expect("a new name"));
@@ -44,7 +44,7 @@ fn a_look_around_leaves_nothing_behind() {
 #[test]
 fn a_lever_moves_its_own_rows_alone() {
     let system = steep_system(1.0);
-    let options = Options::default();
+    let options = SolverOptions::default();
     let mut led = Led::new(&system, &options);
     led.accept(1.0, &[1.0, -1.0]);
     let mut v = led.newton.q.clone();

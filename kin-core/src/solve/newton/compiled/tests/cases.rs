@@ -6,8 +6,8 @@ use crate::constraint;
 use crate::joints::drivers::drive;
 use crate::solve::newton::run::run_by;
 
-fn compiled() -> Options {
-    Options { engine: Engine::Compiled, ..Options::default() }
+fn compiled() -> SolverOptions {
+    SolverOptions::new().engine(Engine::Compiled)
 }
 
 /// The means for cases that differ in these names.

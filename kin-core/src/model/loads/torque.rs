@@ -6,7 +6,7 @@ use crate::model::law::Law;
 use crate::numbers::algebra::{Vec2, Vec3};
 
 /// A vector of the plane or of space, and what turns there: a number or a vector.
-pub trait Turning: Vector {
+pub trait HasTorque: Vector {
     /// A number in the plane, a vector in space.
     type Torque: Copy;
 
@@ -24,7 +24,7 @@ pub trait Turning: Vector {
     const COMPONENTS: &'static [(&'static str, usize)];
 }
 
-impl Turning for Vec2 {
+impl HasTorque for Vec2 {
     type Torque = f64;
 
     fn vector(v: Vec3) -> Vec2 {
@@ -42,7 +42,7 @@ impl Turning for Vec2 {
     const COMPONENTS: &'static [(&'static str, usize)] = &[("F_x", 0), ("F_y", 1), ("T", 5)];
 }
 
-impl Turning for Vec3 {
+impl HasTorque for Vec3 {
     type Torque = Vec3;
 
     fn vector(v: Vec3) -> Vec3 {

@@ -1,0 +1,285 @@
+//! The solver of a system: every call with options.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::ask::diagnosis::explain::{EXPLAIN, explained};
+use crate::ask::diagnosis::{self, Diagnosis};
+use crate::model::error::{Error, Result};
+use crate::solve::assembly::{Assemblies, Assembly, Label, modes};
+use crate::solve::explain::Start;
+use crate::solve::motion::Motion;
+use crate::solve::newton::{self, Newton, SolverOptions, Steps, first_position, redundant};
+use crate::solve::sweep::Sweep;
+use crate::system::{Solution, System, time};
+
+/// A time, and the pose at which to begin there.
+///
+/// A time alone begins at the drawn position: `diagnose(0.0)`. A pair of a time and a pose q
+/// (length n, \[m, rad\]) begins at that pose: `diagnose((0.0, &q))`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct At<'q> {
+    pub(crate) t: f64,
+    pub(crate) q: Option<&'q [f64]>,
+}
+
+impl From<f64> for At<'_> {
+    fn from(t: f64) -> Self {
+        At { t, q: None }
+    }
+}
+
+impl<'q> From<(f64, &'q [f64])> for At<'q> {
+    fn from((t, q): (f64, &'q [f64])) -> Self {
+        At { t, q: Some(q) }
+    }
+}
+
+impl<'q> From<(f64, &'q Vec<f64>)> for At<'q> {
+    fn from((t, q): (f64, &'q Vec<f64>)) -> Self {
+        At { t, q: Some(q) }
+    }
+}
+
+/// The solver of a system: options, progress, and all calls that take them.
+///
+/// [`System::run`], [`System::position`] and their siblings are the calls of a solver with default
+/// options.
+///
+/// ```
+/// use kin::SolverOptions;
+/// use kin::prelude::*;
+///
+/// # fn main() -> kin::Result<()> {
+/// let mut m = Mechanism::new("crank");
+/// let crank = m.link("crank", 1.0)?;
+/// m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start()))?;
+/// m.add("motor", drive_angle(crank, Law::ramp(2.0)))?;
+/// let system = m.build()?;
+///
+/// let mut solver = system.solver().options(SolverOptions::new().jerk(true));
+/// let motion = solver.run(linspace(0.0, 1.0, 101))?;
+/// assert!(motion.has_jerk());
+/// # Ok(())
+/// # }
+/// ```
+#[must_use]
+pub struct Solver<'a> {
+    pub(crate) system: &'a System,
+    pub(crate) options: SolverOptions,
+    progress: Option<Progress<'a>>,
+    stop: Option<&'a AtomicBool>,
+}
+
+/// Receives how many times are done, of how many.
+type Progress<'a> = Box<dyn FnMut(usize, usize) + 'a>;
+
+impl System {
+    /// Returns the solver of this system, with default options.
+    pub fn solver(&self) -> Solver<'_> {
+        Solver { system: self, options: SolverOptions::default(), progress: None, stop: None }
+    }
+}
+
+impl<'a> Solver<'a> {
+    /// Sets the options.
+    pub fn options(mut self, options: SolverOptions) -> Self {
+        self.options = options;
+        self
+    }
+
+    /// Calls this with the number of times done and of all times: before each step of the
+    /// step-by-step solver, and once a block of times of the compiled program.
+    pub fn progress(mut self, progress: impl FnMut(usize, usize) + 'a) -> Self {
+        self.progress = Some(Box::new(progress));
+        self
+    }
+
+    /// Ends a run with [`Error::Stopped`], which carries the motion so far, soon after this has
+    /// become true.
+    pub fn stop_when(mut self, stop: &'a AtomicBool) -> Self {
+        self.stop = Some(stop);
+        self
+    }
+
+    /// Solves for position, velocity and acceleration at time t, from the guess to the preferred
+    /// assembly.
+    ///
+    /// Errors: no convergence, singular, not finite.
+    pub fn position(&self, t: f64) -> Result<Solution> {
+        let Solver { system, options, .. } = self;
+        options.check()?;
+        if system.is_redundant() {
+            return redundant::at(system, time(t)?, None, options, EXPLAIN);
+        }
+        let mut newton = Newton::new(system, options);
+        let outcome = first_position::assemble(&mut newton, time(t)?)
+            .map_err(|error| explained(error, system, options))?;
+        Ok(newton.solution(t, outcome))
+    }
+
+    /// Solves for position, velocity and acceleration at time t from q0 (length n), as
+    /// [`System::solve_at`] does.
+    ///
+    /// Errors: wrong length, no convergence, singular, not finite.
+    pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
+        let Solver { system, options, .. } = self;
+        system.check(q0, "start")?;
+        options.check()?;
+        if system.is_redundant() {
+            return redundant::at(system, time(t)?, Some(q0), options, EXPLAIN);
+        }
+        if let Some(found) = newton::compiled::position(system, time(t)?, q0, options) {
+            return Ok(found);
+        }
+        let mut newton = Newton::new(system, options);
+        newton.q.copy_from_slice(q0);
+        let outcome = first_position::from_start(&mut newton, time(t)?, Steps::Damped)?;
+        Ok(newton.solution(t, outcome))
+    }
+
+    /// Runs over the times, which must only increase or only decrease.   \[s\]
+    ///
+    /// Errors: no convergence, singular, not finite, stopped; each carries the motion up to it
+    /// ([`Error::motion`]).
+    pub fn run(&mut self, times: impl AsRef<[f64]>) -> Result<Motion> {
+        let times = times.as_ref();
+        let Solver { system, options, progress, stop } = self;
+        let is_watched = progress.is_some() || stop.is_some();
+        let mut watch = |done: usize| {
+            if let Some(progress) = progress {
+                progress(done, times.len());
+            }
+            !stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+        };
+        let watch = is_watched.then_some(&mut watch as &mut dyn FnMut(usize) -> bool);
+        system.noted(newton::run::run(system, times, options, Some(EXPLAIN), watch))
+    }
+
+    /// Runs in parts of so many times, for times without end. `keep` receives one part after the
+    /// other, each a motion like any other. Memory is that of one part. The times may come from any
+    /// iterator.
+    ///
+    /// By default the step-by-step solver computes all times, and all numbers equal those of
+    /// [`System::run`] with [`crate::Engine::StepByStep`] to the last digit. With
+    /// [`crate::Engine::Compiled`] the last digits depend on where a part ends.
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("crank");
+    /// let crank = m.link("crank", 1.0)?;
+    /// m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))?;
+    /// m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
+    /// let times = (0..10_000).map(|k| 0.001 * f64::from(k));
+    /// let mut highest = 0.0_f64;
+    /// m.build()?.solver().run_in_parts(times, 1000, |part| {
+    ///     let path = part.point(crank, crank.end())?;
+    ///     highest = path.r().iter().fold(highest, |highest, r| highest.max(r.y));
+    ///     Ok(())
+    /// })?;
+    /// assert!((highest - 1.0).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// A part of no times counts as one of one. Limits of joints are checked from the last time of
+    /// the part before on. Angles over many turns are counted from the beginning of each part.
+    ///
+    /// Errors: those of a run, which carry the part under way; those of `keep`, which end the run.
+    pub fn run_in_parts(
+        &self,
+        times: impl IntoIterator<Item = f64>,
+        size: usize,
+        mut keep: impl FnMut(&Motion) -> Result<()>,
+    ) -> Result<()> {
+        let Solver { system, options, .. } = self;
+        let size = size.max(1);
+        let mut times = times.into_iter().peekable();
+        options.check_memory(1, size, system.n_coordinates())?;
+        let mut run = newton::run::Run::new(system, options, Some(EXPLAIN))?;
+        let mut computing = newton::compiled::Computing::in_parts(system, options)?;
+        let mut order = newton::run::Order::default();
+        let mut before: Option<Motion> = None;
+        while times.peek().is_some() {
+            let mut part = Motion::new(system, size.min(times.size_hint().0.max(1)));
+            let mut own = Vec::with_capacity(part.times.capacity());
+            let mut ordered = Ok(());
+            for t in times.by_ref().take(size) {
+                ordered = order.check(t);
+                if ordered.is_err() {
+                    break;
+                }
+                own.push(t);
+            }
+            // Times before one that is out of order are computed all the same.
+            let done = computing.run(&mut run, &own, &mut part).and(ordered);
+            system.note_after(before.as_ref(), &mut part);
+            if let Err(error) = done {
+                return Err(run.failed(error, part));
+            }
+            keep(&part)?;
+            before = Some(part.last());
+        }
+        order.some()
+    }
+
+    /// Prepares many cases of the system, with the options of this solver. See [`Sweep`].
+    ///
+    /// Errors: a name that is neither a parameter nor a coordinate.
+    pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'a>> {
+        let sweep = Sweep::new(self.system, names, System::noted)?;
+        Ok(sweep.options(self.options.clone()))
+    }
+
+    /// Diagnoses the mechanism at a time, from the guess or from a pose: counts, rank, dependencies
+    /// between equations and freedoms by name.
+    ///
+    /// Errors: t not finite, a pose of the wrong length, nothing finite nearby.
+    pub fn diagnose<'q>(&self, at: impl Into<At<'q>>) -> Result<Diagnosis> {
+        let At { t, q } = at.into();
+        let system = self.system;
+        let search = &self.options.search;
+        if let Some(q) = q {
+            system.check(q, "pose")?;
+            return diagnosis::diagnose(system.model(), Start::Pose(q), time(t)?, search);
+        }
+        let t = time(t)?;
+        match system.nearer(None, t, search) {
+            Some(q) => diagnosis::diagnose(system.model(), Start::Pose(&q), t, search),
+            None => diagnosis::diagnose(system.model(), Start::Guess(system.initial()), t, search),
+        }
+    }
+
+    /// Searches for all assemblies at time t, as [`System::assemblies`] does.
+    ///
+    /// Errors: t not finite, a mechanism that is free to move.
+    pub fn assemblies(&self, t: f64) -> Result<Assemblies> {
+        let system = self.system;
+        modes::all(system.model(), system.initial(), time(t)?, &self.options.assemblies)
+    }
+
+    /// Returns the assembly of a label that [`System::assemblies`] gave out with the same options.
+    ///
+    /// Errors: those of [`System::assemblies`]; no assembly of that name.
+    pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
+        let all = self.assemblies(t)?;
+        let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
+        let found = all.iter().find(|assembly| assembly.label == *label).cloned();
+        found.ok_or_else(|| Error::UnknownName {
+            what: "assembly",
+            name: label.to_string(),
+            known: known(),
+        })
+    }
+}
+
+impl Sweep<'_> {
+    /// With `true`, the error of a case that fails says what is wrong with the mechanism there
+    /// ([`Error::diagnosis`]), as that of a run does; without this call it does not. To find that
+    /// out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
+    #[must_use]
+    pub fn diagnose(mut self, diagnose: bool) -> Self {
+        self.explain = diagnose.then_some(EXPLAIN);
+        self
+    }
+}
