@@ -9,7 +9,7 @@
 //! of the grid themselves show all of it, which a fine grid does, no pose is solved. A step is cut
 //! at a change point, where a motion may turn into another branch.
 
-mod clock;
+pub(super) mod clock;
 pub(super) mod quintic;
 
 use super::Measure;

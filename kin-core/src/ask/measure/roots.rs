@@ -4,6 +4,7 @@
 use super::Measure;
 use super::between::step_of;
 use super::fine::Fine;
+use super::fine::clock::breaks;
 use super::fine::quintic::{Quintic, derivative, is_simple, value, zeros};
 use crate::model::error::Result;
 use crate::solve::motion::{Motion, Quantity};
@@ -18,7 +19,7 @@ const NEAR: f64 = 1e-5;
 
 /// A zero at which a function rises by less than this share, over the steps beside it, is
 /// flat.   \[-\]
-const FLAT: f64 = 1e-9;
+const FLAT: f64 = 1e-4;
 
 /// Steps of one search: Newton takes a handful, halving at most about sixty.
 const STEPS: usize = 100;
@@ -97,10 +98,11 @@ impl<'a, M: Measure> Search<'a, M> {
                 Some((before, from))
                     if from.f.signum() != end.f.signum()
                         && (k - before > 2
-                            || k - before == 2 && self.is_flat(k - 1, from, end)) =>
+                            || k - before == 2 && is_flat(self.on_grid(k - 1), from, end)) =>
                 {
-                    let first = self.on_grid(before + 1).t;
-                    let x = self.grid.value.values()[before + 1];
+                    let first = (self.on_grid(before + 1).t, self.grid.value.values()[before + 1]);
+                    let next = self.on_grid((before + 2).min(k - 1)).t;
+                    let (first, x) = self.seam(from.t, next)?.unwrap_or(first);
                     roots.push(self.found_at(first, from, x));
                 }
                 // Also beside a time of the grid at which it is zero.
@@ -110,13 +112,6 @@ impl<'a, M: Measure> Search<'a, M> {
             last = Some((k, end));
         }
         Ok(roots)
-    }
-
-    /// True if a time of the grid at which f is zero is a flat zero: beside it f is lost in rounding,
-    /// so that no search comes nearer.
-    fn is_flat(&self, k: usize, from: End, to: End) -> bool {
-        let rise = self.on_grid(k).slope * (to.t - from.t);
-        rise.abs() <= FLAT * from.f.abs().max(to.f.abs())
     }
 
     fn on_grid(&self, k: usize) -> End {
@@ -194,17 +189,50 @@ impl<'a, M: Measure> Search<'a, M> {
             let inside = (newton - low) * (newton - high) <= 0.0;
             let next = if inside { newton } else { 0.5 * (low + high) };
             if here.f == 0.0 || (next - t).abs() <= near {
-                return Ok(self.found_at(t, from, x[0]));
+                break;
             }
             t = next;
         }
-        Ok(self.found_at(t, from, self.between(t)?[0]))
+        let found = self.between(t)?;
+        if is_flat(self.end(t, found), from, to)
+            && let Some((seam, x)) = self.seam(from.t, to.t)?
+        {
+            return Ok(self.found_at(seam, from, x));
+        }
+        Ok(self.found_at(t, from, found[0]))
+    }
+
+    /// The first seam of two laws, after one time and not after another, at which f is zero, with
+    /// the value of the measure: rounding hides a flat zero better than a millionth of a step.
+    fn seam(&self, from: f64, to: f64) -> Result<Option<(f64, f64)>> {
+        let motion = &self.fine.motion;
+        let last = motion.len().saturating_sub(2);
+        let [begin, end] = [from, to].map(|t| step_of(motion.times(), t).unwrap_or(0).min(last));
+        for step in begin..=end {
+            for (t, _) in breaks(self.system, motion, step) {
+                if (t - from) * (to - t) < 0.0 || t == from {
+                    continue;
+                }
+                let x = self.between(t)?;
+                if self.end(t, x).f.abs() <= self.small {
+                    return Ok(Some((t, x[0])));
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// A zero at time t, where `from` lies before it in the order of the motion.
     fn found_at(&self, t: f64, from: End, x: f64) -> Root {
         Root { t, x, rises: from.f.is_sign_negative() == (t - from.t).is_sign_positive() }
     }
+}
+
+/// True if a zero between two ends is flat: beside it f is lost in rounding, so that no search comes
+/// nearer.
+fn is_flat(zero: End, from: End, to: End) -> bool {
+    let rise = zero.slope * (to.t - from.t);
+    rise.abs() <= FLAT * from.f.abs().max(to.f.abs())
 }
 
 impl System {

@@ -98,7 +98,7 @@ impl<'a> Clock<'a> {
         let low = from.min(to);
         let high = from.max(to);
         let mut ends = vec![low, high];
-        for (t, order) in self.breaks(step) {
+        for (t, order) in breaks(self.system, self.motion, step) {
             let beside = (BESIDE * (high - low)).max(8.0 * f64::EPSILON * t.abs());
             // Second rates on either side are other ones.
             let sides = if order <= 2 { vec![t - beside, t, t + beside] } else { vec![t] };
@@ -178,29 +178,33 @@ impl<'a> Clock<'a> {
         }
         rows.iter().all(|row| is_smooth(row))
     }
+}
 
-    /// The breaks of laws of time within a step, with the derivative that jumps.
-    fn breaks(&self, step: usize) -> Vec<(f64, usize)> {
-        let equations = self.system.equations();
-        let from = self.motion.times()[step];
-        let to = self.motion.times()[step + 1];
-        let mut instant = equations.instant_at(from, self.motion.q(step));
-        let mut found = Vec::new();
-        for source in &self.sources {
-            let block = &equations.blocks[source.block];
-            let mut begins = Vec::new();
-            equations.set_time(from, &mut instant);
-            block.constraint.laws(&equations.at(block, &instant), &mut |_, _, x| begins.push(x));
-            equations.set_time(to, &mut instant);
-            let mut begins = begins.into_iter();
-            block.constraint.laws(&equations.at(block, &instant), &mut |_, law, end| {
-                let Some(begin) = begins.next().filter(|begin| *begin != end) else { return };
-                let at = |x: f64| from + (x - begin) / (end - begin) * (to - from);
-                found.extend(law.breaks(begin, end).iter().map(|b| (at(b.x), b.order)));
-            });
-        }
-        found
+/// The breaks of laws of time within a step of a motion, with the derivative that jumps.
+pub(in crate::ask::measure) fn breaks(
+    system: &System,
+    motion: &Motion,
+    step: usize,
+) -> Vec<(f64, usize)> {
+    let equations = system.equations();
+    let from = motion.times()[step];
+    let to = motion.times()[step + 1];
+    let mut instant = equations.instant_at(from, motion.q(step));
+    let mut found = Vec::new();
+    for number in equations.moved_by_time() {
+        let block = &equations.blocks[number];
+        let mut begins = Vec::new();
+        equations.set_time(from, &mut instant);
+        block.constraint.laws(&equations.at(block, &instant), &mut |_, _, x| begins.push(x));
+        equations.set_time(to, &mut instant);
+        let mut begins = begins.into_iter();
+        block.constraint.laws(&equations.at(block, &instant), &mut |_, law, end| {
+            let Some(begin) = begins.next().filter(|begin| *begin != end) else { return };
+            let at = |x: f64| from + (x - begin) / (end - begin) * (to - from);
+            found.extend(law.breaks(begin, end).iter().map(|b| (at(b.x), b.order)));
+        });
     }
+    found
 }
 
 /// True if a function of time with these bounds follows the quintic of a step of that length.
