@@ -50,6 +50,13 @@ impl Forces {
     }
 }
 
+impl Forces {
+    /// The forces themselves.
+    pub fn forces(&self) -> &kin::forces::Forces<'_> {
+        self.0.borrow_dependent()
+    }
+}
+
 #[pymethods]
 impl Forces {
     #[new]

@@ -79,6 +79,9 @@ pub fn series<'py>(py: Python<'py>, series: &Series) -> PyResult<Orders<'py>> {
     Ok((series.name().to_owned(), series.unit().to_owned(), lists))
 }
 
+/// A local position of the wrong length.
+pub const NOT_A_POINT: &str = "a point of a planar body has two numbers, of a spatial one three";
+
 #[pymethods]
 impl Motion {
     #[staticmethod]
@@ -245,9 +248,7 @@ impl Motion {
                 let point = or_raise(py, self.0.point(body, numbers::vec3([x, y, z])))?;
                 rows(py, [point.r(), point.v(), point.a(), point.jerk()], |v| v.to_array())
             }
-            _ => {
-                Err(wrong_type("a point of a planar body has two numbers, of a spatial one three"))
-            }
+            _ => Err(wrong_type(NOT_A_POINT)),
         }
     }
 
@@ -348,7 +349,7 @@ impl Motion {
     }
 }
 
-fn unknown(name: &str) -> PyErr {
+pub fn unknown(name: &str) -> PyErr {
     wrong_type(format!("there is no body `{name}` of that kind in this motion"))
 }
 

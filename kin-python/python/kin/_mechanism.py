@@ -9,7 +9,7 @@ from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _native
+from . import _mistakes, _native
 from ._constraint import Constraint, parameters_of
 from ._diagnosis import Diagnosis
 from ._dimension import Dimension, NumberLike, quoted, written
@@ -351,6 +351,10 @@ class Mechanism:
         return ("planar" if in_plane else "spatial", self._own(place, body)), in_plane
 
     # What it becomes.
+
+    def __getattr__(self, name: str) -> Any:
+        later = {System: "the system that `m.build()` returns", Motion: "the motion that `m.build().run(times)` returns"}
+        _mistakes.not_yet("mechanism", name, later)
 
     def build(self) -> System:
         """The system: order of coordinates and equations fixed, ready to be solved. Raises `kin.Error` by name."""

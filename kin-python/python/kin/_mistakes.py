@@ -242,3 +242,10 @@ def _parsed(place: Place) -> Optional[tuple[ast.AST, int]]:
         return ast.parse(text + ("    pass" if text.rstrip().endswith(":") else "")), 1
     except (SyntaxError, ValueError):
         return None
+
+
+def not_yet(what: str, name: str, later: "dict[type, str]") -> NoReturn:
+    """Raises the error of an attribute that an object does not have, and names the later object that has it."""
+    place = next((words for kind, words in later.items() if not name.startswith("_") and hasattr(kind, name)), None)
+    hint = f". It belongs to {place}" if place else ""
+    raise AttributeError(f"a {what} has no attribute `{name}`{hint}")

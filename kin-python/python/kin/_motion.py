@@ -313,11 +313,9 @@ class Motion:
         if isinstance(body, Ground):
             fixed = np.tile(np.array(flat(local if local is not None else (0.0, 0.0))), (len(self), 1))
             return Point(self.times, fixed, np.zeros_like(fixed), np.zeros_like(fixed))
-        if not isinstance(body, (PlanarBody, SpatialBody)):
-            raise TypeError(f"`point` takes a body, not {body!r}")
-        kind, n = ("spatial", 3) if isinstance(body, SpatialBody) else ("planar", 2)
-        found = self._native.point(kind, body.name, flat(local) if local is not None else [0.0] * n)
-        r, v, a, *jerk = (array(one, n) for one in found)
+        kind, name, u = place_of("point", body, local)
+        found = self._native.point(kind, name, u)
+        r, v, a, *jerk = (array(one, len(u)) for one in found)
         return Point(self.times, r, v, a, jerk[0] if jerk else None, self._native.unit_words()[0])
 
     def rotation(self, body: Union[SpatialBody, SpatialLink], *, in_body: bool = False) -> Rotation:
@@ -514,6 +512,14 @@ def orders_of(made: Any) -> tuple[str, str, list[list[float]]]:
         raise ValueError(text)
     rates = (made.value, made.velocity, made.acceleration, () if made.jerk is None else made.jerk)
     return made.name, made.unit, [np.asarray(one, dtype=float).ravel().tolist() for one in rates]
+
+
+def place_of(call: str, body: Any, local: Any) -> tuple[str, str, list[float]]:
+    """The kind and name of a body, and a local position on it: its origin where none is given."""
+    if not isinstance(body, (PlanarBody, SpatialBody)):
+        raise TypeError(f"`{call}` takes a body, not {body!r}")
+    kind, n = ("spatial", 3) if isinstance(body, SpatialBody) else ("planar", 2)
+    return kind, body.name, list(flat(local)) if local is not None else [0.0] * n
 
 
 def coordinate_name(names: Any, name: str) -> str:

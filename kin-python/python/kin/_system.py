@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import warnings
-from typing import Any, Callable, Iterable, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _native
+from . import _mistakes, _native
 from ._diagnosis import Diagnosis
 from ._errors import Error
 from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _of
@@ -16,7 +16,7 @@ from ._forces import Forces
 from ._handles import Coordinate
 from ._pictures import Page, Picture
 from ._results import Assemblies, Assembly, Compiled, Proof, Solution
-from ._motion import Motion, Quantity, array, coordinate_name, orders_of
+from ._motion import Motion, Quantity, array, coordinate_name, orders_of, place_of
 from ._values import flat
 
 Progress = Union[bool, Callable[[int, int], object], None]
@@ -31,6 +31,9 @@ class System:
 
     def __init__(self, native: "_native.System", mechanism: str, token: str) -> None:
         self._native, self._mechanism, self._token = native, mechanism, token
+
+    def __getattr__(self, name: str) -> Any:
+        _mistakes.not_yet("system", name, {Motion: "the motion that `system.run(times)` returns"})
 
     @property
     def name(self) -> str:
@@ -239,9 +242,36 @@ class System:
         """By interval bounds: that exactly one continuous motion leads through the computed positions."""
         return Proof._of(self._native.prove(motion._native))
 
-    def page(self, motion: Motion) -> Page:
-        """A page on which the mechanism moves: it shows itself in a notebook, and is saved as one file."""
-        return Page(self._native.page(motion._native))
+    def page(
+        self,
+        motion: Motion,
+        *,
+        title: Optional[str] = None,
+        traces: Optional[Mapping[str, Any]] = None,
+        forces: Optional[Forces] = None,
+        charts: Optional[Mapping[str, Any]] = None,
+    ) -> Page:
+        """Returns a page on which the mechanism moves. A notebook shows the page; `page.save("motion.html")` writes one file.
+
+        `traces` names points whose paths the page shows: `{"end": (link, link.end)}`, or a body for its origin. `forces` shows
+        arrows of these forces, and charts of drives and joints. `charts` are more charts over time by title: a measure
+        (a name, a coordinate, a function of a motion), a `Quantity`, or a mapping of names to these:
+        `{"Angles": {"crank": "crank.theta", "rod": rod.theta}}`. The unit of a chart is that of its first quantity.
+        """
+        pairs = {name: one if isinstance(one, tuple) else (one, None) for name, one in (traces or {}).items()}
+        points = [(name, *place_of("traces", body, local)) for name, (body, local) in pairs.items()]
+        drawn = [self._chart(motion, name, one) for name, one in (charts or {}).items()]
+        native = None if forces is None else forces._native
+        return Page(self._native.page(motion._native, title, points, native, drawn))
+
+    def _chart(self, motion: Motion, title: str, what: Any) -> tuple[str, str, list[tuple[str, list[float]]]]:
+        named = what if isinstance(what, Mapping) else {title: what}
+        found = {name: one if isinstance(one, Quantity) else self.measure(motion, one) for name, one in named.items()}
+        for name, one in found.items():
+            if len(one.value) != len(motion):
+                raise ValueError(f"chart {title!r}: {name!r} has {len(one.value)} numbers, the motion {len(motion)} times")
+        unit = next((one.unit for one in found.values()), "")
+        return title, unit, [(name, [float(x) for x in one.value]) for name, one in found.items()]
 
     def picture(self, motion: Motion, t: Optional[float] = None, *, poses: int = 12) -> Picture:
         """The mechanism at a time of the motion, or some poses of it on one another, as SVG."""

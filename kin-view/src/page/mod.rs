@@ -80,22 +80,27 @@ impl Page {
     /// A chart of quantities over time, each with a name; the unit is that of the first. Values
     /// that are not finite are gaps.
     pub fn chart<'a>(
-        mut self,
+        self,
         title: &str,
         series: impl IntoIterator<Item = (&'a str, &'a Series)>,
     ) -> Page {
         let series: Vec<(&str, &Series)> = series.into_iter().collect();
-        let unit =
-            series.first().map(|(_, series)| series.unit().replace("^2", "²")).unwrap_or_default();
-        let series = series
-            .into_iter()
-            .map(|(name, series)| (name.to_string(), series.values().to_vec()))
-            .collect();
-        self.charts.push(Chart {
-            title: title.to_string(),
-            unit: if unit == "-" { String::new() } else { unit },
-            series,
-        });
+        let unit = series.first().map(|(_, series)| series.unit().to_string()).unwrap_or_default();
+        let series = series.into_iter().map(|(name, series)| (name, series.values().to_vec()));
+        self.values(title, &unit, series)
+    }
+
+    /// A chart of numbers over time, in a unit: one list a name, with one number for each time of
+    /// the motion. Values that are not finite are gaps.
+    pub fn values<'a>(
+        mut self,
+        title: &str,
+        unit: &str,
+        series: impl IntoIterator<Item = (&'a str, Vec<f64>)>,
+    ) -> Page {
+        let unit = if unit == "-" { String::new() } else { unit.replace("^2", "²") };
+        let series = series.into_iter().map(|(name, values)| (name.to_string(), values)).collect();
+        self.charts.push(Chart { title: title.to_string(), unit, series });
         self
     }
 
