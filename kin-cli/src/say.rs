@@ -3,6 +3,8 @@
 use std::io::{IsTerminal, Write, stderr};
 
 use clap::ValueEnum;
+use kin::Motion;
+use kin::results::Warning;
 use serde_json::{Value, json};
 
 use crate::fault::Fault;
@@ -12,7 +14,7 @@ use crate::fault::Fault;
 pub enum Format {
     /// Sentences.
     Text,
-    /// One object of JSON a line: `{"note": …}`, and at the end
+    /// One object of JSON a line: `{"note": …}`, `{"warning": …}`, and at the end
     /// `{"error": {"code": …, "kind": …, …}}`.
     Json,
 }
@@ -28,6 +30,15 @@ impl Format {
             Format::Text
         }
     }
+}
+
+/// Where the warnings of a motion stand already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// In the summary, which has been written.
+    InSummary,
+    /// Nowhere.
+    Nowhere,
 }
 
 /// The one that says words.
@@ -50,6 +61,25 @@ impl Say {
         match self.format {
             Format::Text => line(&visible(text)),
             Format::Json => self.object(&json!({ "note": text })),
+        }
+    }
+
+    /// The warnings of a motion; in JSON an object each: `{"warning": {"kind": …, "names": …,
+    /// "text": …}}`. As text they are left out where the summary has them already.
+    pub fn warnings(&self, motion: &Motion, written: Written) {
+        self.each_warning(motion.warnings(), written, "");
+    }
+
+    /// The same warnings, with words before each of them as text.
+    pub fn each_warning(&self, warnings: &[Warning], written: Written, before: &str) {
+        for warning in warnings {
+            match (self.format, written) {
+                (Format::Json, _) => self.object(&json!({ "warning": warning })),
+                (Format::Text, Written::InSummary) => {}
+                (Format::Text, Written::Nowhere) => {
+                    line(&visible(&format!("{before}warning: {warning}")));
+                }
+            }
         }
     }
 

@@ -105,7 +105,7 @@ pub mod results {
     pub use crate::solve::follow::{Branch, SingularKind, SingularPosition};
     pub use crate::solve::motion::{
         Displacement, EngineCounts, Event, EventKind, Line, PointMotion, Quantity, QuantityValues,
-        RotationMotion, Series,
+        RotationMotion, Series, Warning, WarningKind,
     };
     pub use crate::solve::newton::{CrossedBreak, Report};
     pub use crate::system::Solution;

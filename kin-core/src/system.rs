@@ -15,7 +15,6 @@ mod states;
 pub(crate) mod stop;
 mod terms;
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::linear::Linear;
@@ -29,7 +28,7 @@ use crate::model::units::Units;
 use crate::system::scaled::Model;
 use cache::Cache;
 use dimensions::Dimensions;
-use evaluate::{Block, Equations};
+use evaluate::Equations;
 pub use solution::{Report, Solution};
 
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by
@@ -196,29 +195,6 @@ impl System {
     pub(crate) fn knows_jerk(&self) -> Result<()> {
         let still = vec![0.0; self.n_coordinates()];
         self.model().jerk_rhs(&self.initial, 0.0, &still, &still).map(|_| ())
-    }
-
-    /// Drivers of turns in space whose angle at time t is more than a turn.   \[rad\]
-    pub(crate) fn beyond_a_turn(&self, t: f64) -> Vec<(String, f64)> {
-        let mut found = Vec::new();
-        let turns = |block: &&Block| {
-            ["drive_turn", "drive_rotation", "drive_orientation"]
-                .contains(&block.constraint.facts().kind)
-        };
-        let mut all = self.equations.blocks.iter().filter(turns).peekable();
-        if all.peek().is_none() {
-            return found;
-        }
-        let instant = self.equations.instant_at(t, &self.initial);
-        for block in all {
-            block.constraint.laws(&self.equations.at(block, &instant), &mut |_, law, x| {
-                let angle = law.at(x);
-                if angle.is_finite() && angle.abs() > TAU {
-                    found.push((block.name.clone(), angle));
-                }
-            });
-        }
-        found
     }
 
     /// True if no law of its constraints has a break; a run has to look for those time by time.

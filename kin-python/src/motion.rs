@@ -204,10 +204,10 @@ impl Motion {
             .collect()
     }
 
-    /// Each event that is a warning, as a sentence with its time.
-    fn warnings(&self) -> Vec<String> {
-        let events = self.0.events().iter();
-        events.filter(|event| event.kind.is_warning()).map(ToString::to_string).collect()
+    /// Each warning: kind, names, sentences.
+    fn warnings(&self) -> Vec<(String, Vec<String>, String)> {
+        let all = self.0.warnings().iter();
+        all.map(|one| (one.kind.to_string(), one.names.clone(), one.text.clone())).collect()
     }
 
     /// Singular positions as JSON.

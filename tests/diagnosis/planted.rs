@@ -54,7 +54,7 @@ fn told(fault: Fault) -> String {
 #[test]
 fn right_six_bar_runs() {
     let motion = six_bar(Fault::None).build().unwrap().run_both(linspace(0.0, 1.0, 21)).unwrap();
-    assert!(!motion.summary().contains("hint"), "{}", motion.summary());
+    assert!(!motion.summary().contains("warning"), "{}", motion.summary());
 }
 
 #[test]
@@ -118,11 +118,18 @@ fn degrees_given_to_a_hinge_in_space() {
         m.add("luffing", drivers::drive_turn(jib, tower, y, y, Law::linear(angle, 0.1))).unwrap();
         m.build().unwrap().run_both(linspace(0.0, 1.0, 11)).unwrap().summary()
     };
-    assert!(!summary(-deg(30.0)).contains("hint"), "{}", summary(-deg(30.0)));
+    assert!(!summary(-deg(30.0)).contains("warning"), "{}", summary(-deg(30.0)));
     let text = summary(-30.0);
     assert!(
-        text.contains("hint: `luffing` begins at -30.0 rad, more than a turn")
+        text.contains("warning: The law of `luffing` has an angle of -30 rad (4.8 turns): ")
             && text.contains("`deg(-30.0)`"),
+        "{text}"
+    );
+    // A number that is not round is no degrees for certain, but more than a turn.
+    let text = summary(-31.4);
+    assert!(
+        text.contains("warning: `luffing` begins at -31.4 rad, more than a turn.")
+            && text.contains("`deg(-31.4)`"),
         "{text}"
     );
 }

@@ -88,7 +88,7 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     );
     let text = motion.summary();
     assert!(
-        text.contains("first position, from where it is drawn: `") && !text.contains("hint"),
+        text.contains("first position, from where it is drawn: `") && !text.contains("warning"),
         "{text}"
     );
     // Links by their lengths alone are drawn nowhere.
@@ -105,13 +105,17 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
 }
 
 #[test]
-fn degrees_for_radians_are_hinted_at() {
+fn degrees_for_radians_are_asked_about() {
     let mut m = Mechanism::new("crank");
     let crank = m.link("crank", 1.0).unwrap();
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("motor", drive_angle(crank, Law::linear(98.6, 1.0))).unwrap();
     let text = m.build().unwrap().run_both([0.0, 0.1]).unwrap().summary();
-    assert!(text.contains("hint: `crank` stands 98.6 rad") && text.contains("deg("), "{text}");
+    assert!(
+        text.contains("warning: `crank` begins 98.6 rad from its guess, more than a turn.")
+            && text.contains("98.6° is `deg(98.6)`."),
+        "{text}"
+    );
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod changed;
 mod coarse;
 #[path = "../data/engines.rs"]
 mod engines;
+mod first_run;
 mod happened;
 mod ranges;
 mod set_since;

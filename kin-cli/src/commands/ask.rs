@@ -9,7 +9,7 @@ use crate::arguments::{
 use crate::fault::Fault;
 use crate::model;
 use crate::output::{digits, put, table};
-use crate::say::Say;
+use crate::say::{Say, Written};
 
 /// Reads, builds and assembles.
 pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
@@ -95,6 +95,7 @@ pub fn assemblies(asked: &Assemblies, say: &Say) -> Result<(), Fault> {
 pub fn measure(asked: &Measure, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    say.warnings(&motion, Written::Nowhere);
     let mut header = vec![time_header(&motion)];
     let mut columns = vec![motion.times().to_vec()];
     for name in &asked.names {
@@ -141,6 +142,7 @@ fn columns_of(to: &str, header: &[String], columns: &[Vec<f64>]) -> Result<(), F
 pub fn prove(asked: &Prove, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    say.warnings(&motion, Written::Nowhere);
     let proof = system.prove(&motion)?;
     if let Some(to) = &asked.csv {
         let header = ["from", "to", "proved", "within", "doubt"].map(str::to_string);
@@ -171,6 +173,7 @@ pub fn sensitivities(asked: &Sensitivities, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
     say.note(&motion.summary());
+    say.warnings(&motion, Written::InSummary);
     let by = system.sensitivities(&motion, &asked.parameters).map_err(Fault::asked)?;
     let mut header = vec![time_header(&motion)];
     let mut columns = vec![motion.times().to_vec()];
@@ -190,6 +193,7 @@ pub fn sensitivities(asked: &Sensitivities, say: &Say) -> Result<(), Fault> {
 pub fn tolerance(asked: &Tolerance, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    say.warnings(&motion, Written::Nowhere);
     let name = asked.name.as_str();
     let found = match asked.of {
         None => system.tolerance(&motion, name),

@@ -9,12 +9,13 @@ use crate::arguments::Forces;
 use crate::fault::Fault;
 use crate::model;
 use crate::output::put;
-use crate::say::Say;
+use crate::say::{Say, Written};
 
 /// Efforts of drives, forces of joints and energies over time, and the balance of powers in words.
 pub fn forces(asked: &Forces, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let (motion, early) = model::motion(&system, &asked.motion, false)?;
+    say.warnings(&motion, Written::Nowhere);
     let sharing = if asked.least_norm { LoadSharing::LeastNorm } else { LoadSharing::NotGiven };
     let forces =
         system.solver().options(SolverOptions::new().sharing(sharing.clone())).forces(&motion)?;

@@ -9,7 +9,7 @@ use kin_view::Scene;
 use crate::arguments::Run;
 use crate::fault::Fault;
 use crate::points::NamedPoint;
-use crate::say::Say;
+use crate::say::{Say, Written};
 use crate::{model, output};
 
 /// How long a moving picture takes to show the motion once.   [s]
@@ -30,7 +30,7 @@ pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
         add_measure(&system, &mut motion, name).map_err(Fault::asked)?;
     }
     say.note(&motion.summary());
-    // The summary tells warnings.
+    say.warnings(&motion, Written::InSummary);
     let events = motion.events().iter().filter(|event| !event.kind.is_warning());
     events.for_each(|event| say.note(&event.to_string()));
     let why = early.as_ref().map(Fault::why_early).unwrap_or_default();

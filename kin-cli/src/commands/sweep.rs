@@ -3,6 +3,9 @@
 //! Each case is run by itself, as `kin run` with its numbers set does it, so that its row does not
 //! depend on other cases, on threads or on the part of the whole that is asked for.
 
+use std::sync::OnceLock;
+
+use kin::results::Warning;
 use kin::{SolverOptions, System};
 use rayon::prelude::*;
 
@@ -11,7 +14,7 @@ use crate::fault::Fault;
 use crate::model;
 use crate::output::{self, digits};
 use crate::points::Setting;
-use crate::say::Say;
+use crate::say::{Say, Written};
 
 /// Cases that are run before their rows are written.
 const BLOCK: usize = 256;
@@ -39,18 +42,31 @@ pub fn sweep(asked: &Sweep, say: &Say) -> Result<(), Fault> {
     let options = model::options(&asked.motion, false);
     known(&system, &names, &keep, times.first())?;
     let range = asked.shard.map_or(0..rows.len(), |shard| shard.cases(rows.len()));
-    let job = Job { system: &system, names: &names, keep: &keep, times, options: &options };
+    let job = Job {
+        system: &system,
+        names: &names,
+        keep: &keep,
+        times,
+        options: &options,
+        first: range.start,
+        warnings: OnceLock::new(),
+    };
     let mut table = csv::Writer::from_writer(output::open(&asked.out)?);
     let failed = |error: csv::Error| output::failed(&asked.out, &output::reason(error));
     table.write_record(job.header().iter().map(|name| output::as_text(name))).map_err(failed)?;
     let all = range.len();
     let mut done = 0;
+    let mut warnings = None;
     say.progress(done, all, "cases");
     for block in range.collect::<Vec<usize>>().chunks(BLOCK) {
         let run = |k: &usize| job.row(*k, &rows[*k]);
         let written: Vec<Vec<String>> = block.par_iter().map(run).collect();
         written.iter().try_for_each(|row| table.write_record(row)).map_err(failed)?;
         table.flush().map_err(|error| output::failed(&asked.out, &error))?;
+        if let (None, Some(found)) = (warnings, job.warnings.get()) {
+            say.each_warning(found, Written::Nowhere, &format!("case {}: ", job.first));
+            warnings = Some(found);
+        }
         done += block.len();
         say.progress(done, all, "cases");
     }
@@ -128,6 +144,9 @@ struct Job<'a> {
     keep: &'a [String],
     times: &'a [f64],
     options: &'a SolverOptions,
+    /// The first case, and the warnings of its motion: those of the others are the same as a rule.
+    first: usize,
+    warnings: OnceLock<Vec<Warning>>,
 }
 
 impl Job<'_> {
@@ -151,7 +170,7 @@ impl Job<'_> {
     fn row(&self, number: usize, case: &[(String, f64)]) -> Vec<String> {
         let mut row: Vec<String> = [number.to_string()].into_iter().collect();
         row.extend(case.iter().map(|(text, _)| text.clone()));
-        match self.extremes(case) {
+        match self.extremes(number, case) {
             Ok(all) => {
                 row.push("done".to_string());
                 row.extend(all.into_iter().map(digits));
@@ -165,12 +184,15 @@ impl Job<'_> {
     }
 
     /// Value and time of the least and the greatest value of each thing that is kept.
-    fn extremes(&self, case: &[(String, f64)]) -> kin::Result<Vec<f64>> {
+    fn extremes(&self, number: usize, case: &[(String, f64)]) -> kin::Result<Vec<f64>> {
         let mut system = self.system.clone();
         for (name, (_, value)) in self.names.iter().zip(case) {
             model::set(&mut system, &Setting { name: name.clone(), value: *value })?;
         }
         let motion = system.solver().options(self.options.clone()).run(self.times)?;
+        if number == self.first {
+            self.warnings.get_or_init(|| motion.warnings().to_vec());
+        }
         let of_motion = of_motion(&system);
         let has_forces = self.keep.iter().any(|name| !of_motion.contains(name));
         let forces = has_forces.then(|| system.forces(&motion)).transpose()?;

@@ -9,7 +9,7 @@ use crate::own;
 use crate::{SLOT, data, example, place};
 
 /// Examples of the library's constraints with the times, and the change points at which they turn.
-const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 24] = [
+pub(crate) const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 24] = [
     ("02_two_link_manipulator", [0.0, 24.0], 2401, &[]),
     ("04_four_bar", [0.0, 1.0], 361, &[]),
     ("05_quick_return", [0.0, 1.0], 721, &[]),
@@ -37,7 +37,7 @@ const EXAMPLES: [(&str, [f64; 2], usize, &[usize]); 24] = [
 ];
 
 /// Examples with constraints of the program's own, whose equations stand in the file.
-const OWN: [(&str, [f64; 2], usize); 3] = [
+pub(crate) const OWN: [(&str, [f64; 2], usize); 3] = [
     ("01_slider_crank", [0.0, 1.0], 361),
     ("03_custom_constraint", [0.0, 1.0], 1001),
     ("20_geneva_drive", [0.0, 6.0], 1201),

@@ -16,6 +16,7 @@ mod questions;
 mod shell;
 mod streams;
 mod sweep;
+mod warnings;
 mod watch;
 
 use std::io::Write;

@@ -1,5 +1,7 @@
 //! A motion as data.
 
+use std::sync::OnceLock;
+
 use serde::{Deserialize, Serialize};
 
 use super::format::BodyKind;
@@ -12,7 +14,7 @@ use crate::model::law::Break;
 use crate::model::layout::Layout;
 use crate::model::units::Units;
 use crate::solve::follow::SingularPosition;
-use crate::solve::motion::{EngineCounts, Event, Motion, Series};
+use crate::solve::motion::{EngineCounts, Event, Motion, Series, Warning};
 use crate::solve::newton::CrossedBreak;
 
 /// A motion as data, without loss.
@@ -57,12 +59,13 @@ pub struct MotionData {
     /// Singular positions that were met.
     #[serde(default)]
     pub singular_positions: Vec<SingularPosition>,
-    /// The guess that the first position was found from.   \[m, rad\]
+    /// Warnings about usual slips that the run saw.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
+    /// The guess that the first position was found from; empty if the motion does not begin a
+    /// run.   \[m, rad\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guess: Vec<f64>,
-    /// Drivers of turns in space that begin beyond a turn, with the angle.   \[rad\]
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub beyond_a_turn: Vec<(String, f64)>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     #[serde(default)]
     pub misfit: f64,
@@ -138,7 +141,7 @@ impl Motion {
             events: self.events.clone(),
             singular_positions: self.singular.clone(),
             guess: self.guess.clone(),
-            beyond_a_turn: self.beyond_a_turn.clone(),
+            warnings: self.warnings().to_vec(),
             misfit: self.misfit,
             engine: self.engine,
             why_not_compiled: self.plain.as_deref().map(str::to_string),
@@ -202,7 +205,9 @@ impl Motion {
             events: data.events.clone(),
             singular: data.singular_positions.clone(),
             guess: data.guess.clone(),
-            beyond_a_turn: data.beyond_a_turn.clone(),
+            begun: Vec::new(),
+            turned_before: false,
+            warnings: OnceLock::from(data.warnings.clone()),
             misfit: data.misfit,
             engine: data.engine,
             plain: data.why_not_compiled.as_deref().map(Into::into),
@@ -241,8 +246,7 @@ impl MotionData {
         let singular = self.singular_positions.iter().flat_map(SingularPosition::numbers);
         let alone =
             self.guess.iter().chain([&self.misfit]).chain(&self.times).chain(&self.residuals);
-        let begun = self.beyond_a_turn.iter().map(|(_, angle)| angle);
-        alone.chain(rows).chain(happened).chain(singular).chain(begun).copied()
+        alone.chain(rows).chain(happened).chain(singular).copied()
     }
 }
 

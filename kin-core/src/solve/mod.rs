@@ -7,6 +7,7 @@ mod setters;
 pub(crate) mod assembly;
 pub(crate) mod compile;
 pub(crate) mod explain;
+pub(crate) mod first_run;
 pub(crate) mod follow;
 pub mod motion;
 pub mod newton;

@@ -9,14 +9,19 @@ mod point;
 mod quantity;
 mod rotation;
 mod summary;
+mod warnings;
 
 pub use crate::model::body::{Body, Vector};
-pub use crate::model::motion::{EngineCounts, Event, EventKind, Motion, Series};
+pub use crate::model::motion::{
+    EngineCounts, Event, EventKind, Motion, Series, Warning, WarningKind,
+};
 pub use planar::Line;
 pub use point::PointMotion;
 pub use quantity::{Quantity, QuantityValues};
 pub use rotation::RotationMotion;
 pub use summary::Displacement;
+
+use std::sync::OnceLock;
 
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::error::{Error, Result};
@@ -44,8 +49,10 @@ impl Motion {
             breaks: Vec::new(),
             events: Vec::new(),
             singular: Vec::new(),
-            guess: system.initial().to_vec(),
-            beyond_a_turn: Vec::new(),
+            guess: Vec::new(),
+            begun: Vec::new(),
+            turned_before: false,
+            warnings: OnceLock::new(),
             misfit: 0.0,
             engine: EngineCounts::default(),
             plain: None,

@@ -268,7 +268,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
         let options = &self.sweep.options;
         let explain = self.sweep.explain;
         let computing = self.means.computing(system, self.times.len(), options)?;
-        let motion = newton::run::run_by(system, self.times, (options, explain), None, computing);
+        let motion = newton::run::run_by(system, self.times, (options, explain), computing);
         (self.sweep.noted)(system, motion)
     }
 

@@ -74,7 +74,7 @@ from ._joint import Joint
 from ._law import Law, LawRange
 from ._load import Force, Load, Potential, force, potential
 from ._mechanism import Mechanism, Terms
-from ._motion import Break, Displacement, Event, Motion, Peak, Point, Quantity, Rotation
+from ._motion import Break, Displacement, Event, Motion, MotionWarning, Peak, Point, Quantity, Rotation
 from ._scalars import Scalar
 from ._solid import Solid
 from ._states import Coord, Planar, Rate, Spatial, Time
@@ -128,6 +128,7 @@ __all__ = [
     "Mat3",
     "Mechanism",
     "Motion",
+    "MotionWarning",
     "NumberLike",
     "Page",
     "Peak",

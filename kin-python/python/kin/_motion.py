@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
+import warnings
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -227,6 +228,27 @@ class Event:
     text: str
 
 
+class MotionWarning(UserWarning):
+    """A usual slip that Kin sees in a run that succeeds: the numbers are right for the mechanism as it was described, but it may
+    not be the one that was meant. `kind` is "degrees", "far from drawn", "singular start" or "beyond range"; `names` are the
+    constraints, bodies and coordinates that the warning concerns.
+
+    A run passes each of its warnings to `warnings.warn`; `warnings.simplefilter("ignore", kin.MotionWarning)` hides them, and
+    "error" in place of "ignore" makes exceptions of them.
+    """
+
+    kind: str
+    names: list[str]
+
+    def __init__(self, kind: str, names: list[str], text: str) -> None:
+        super().__init__(text)
+        self.kind = kind
+        self.names = names
+
+    def __reduce__(self) -> Any:
+        return (MotionWarning, (self.kind, self.names, str(self)))
+
+
 class Motion:
     """Position, velocity and acceleration at each time. Arrays are made once and are read-only, a row a time:
     `times`, `q`, `qd`, `qdd`; `motion["crank.theta"]` is a coordinate with its rates."""
@@ -383,6 +405,17 @@ class Motion:
     def events(self) -> list[Event]:
         """What happened on the way: ends of slots, limits, toggles, change points, kinks, ends of tables that the run goes beyond."""
         return [Event(*one) for one in self._native.events()]
+
+    @property
+    def warnings(self) -> list[MotionWarning]:
+        """Usual slips that still give a motion: numbers that look like degrees, a first position far from the drawn one, a start near a
+        singular position, a table that ends before the run. At most four of a kind."""
+        return [MotionWarning(*one) for one in self._native.warnings()]
+
+    def _warn(self) -> None:
+        """Passes each warning to Python, at the line of whoever called the method that calls this."""
+        for one in self.warnings:
+            warnings.warn(one, stacklevel=3)
 
     @property
     def singular_positions(self) -> list[dict[str, Any]]:

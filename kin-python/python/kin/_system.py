@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import warnings
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -111,19 +110,26 @@ class System:
         (numbers of change points), `allowed_misfit`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
         `effort`, `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
 
-        Warns (`warnings.warn`) where the run goes beyond the table of a law, where that is a straight line; `motion.events` says so
-        too.
+        Warns (`kin.MotionWarning`) of usual slips: numbers that look like degrees, a first position far from the drawn one, a start near
+        a singular position, a table that ends before the run. `motion.warnings` lists them too.
 
-        Raises `kin.Error`; its `.motion` is what was computed before.
+        Raises `kin.Error`; its `.motion` is what was computed before, and is warned of as well.
         """
+        try:
+            motion = self._run(times, progress=progress, **options)
+        except Error as error:
+            if error.motion is not None:
+                error.motion._warn()
+            raise
+        motion._warn()
+        return motion
+
+    def _run(self, times: Any, *, progress: Progress = None, **options: Any) -> Motion:
+        """The same without warnings."""
         if progress is None:
-            native = self._native.run(as_bytes(times), options or None)
-        else:
-            with _Bar(progress, self.name) as told:
-                native = self._native.run(as_bytes(times), options or None, told)
-        for text in native.warnings():
-            warnings.warn(text, stacklevel=2)
-        return Motion(native)
+            return Motion(self._native.run(as_bytes(times), options or None))
+        with _Bar(progress, self.name) as told:
+            return Motion(self._native.run(as_bytes(times), options or None, told))
 
     def position(self, t: float, q: Any = None, **options: Any) -> Solution:
         """Position, velocity and acceleration at one time, assembled from the guess; from q, where it is given: after `compile()` by the
@@ -377,7 +383,8 @@ class System:
         def function(x: Any) -> tuple[float, Any]:
             for name, value in zip(order, np.asarray(x, dtype=float).ravel().tolist()):
                 system.set(name, value)
-            motion = system.run(times, **options)
+            # An optimiser runs the system a thousand times: nobody reads so many warnings.
+            motion = system._run(times, **options)
             value, weights = cost(system.measure(motion, what))
             return float(value), system.gradient(motion, order, what, weights)
 

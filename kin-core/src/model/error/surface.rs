@@ -34,6 +34,50 @@ impl Surface {
         }
     }
 
+    /// An angle in radians, of so many degrees, as a user writes it.
+    pub(crate) fn angle(self, degrees: f64) -> String {
+        let sign = if degrees < 0.0 { "-" } else { "" };
+        match (self, degrees.abs()) {
+            (Surface::Rust, 360.0) => format!("`{sign}TAU`"),
+            (Surface::Rust, 180.0) => format!("`{sign}PI`"),
+            (Surface::Rust, _) => format!("`deg({degrees:?})`"),
+            (Surface::Python, 360.0) => format!("`{sign}kin.tau`"),
+            (Surface::Python, 180.0) => format!("`{sign}kin.pi`"),
+            (Surface::Python, _) => format!("`kin.deg({degrees})`"),
+            (Surface::Command, _) => format!("{} ({degrees}°)", degrees.to_radians()),
+        }
+    }
+
+    /// A law with one number, as a program writes it; a file has no such form.
+    pub(crate) fn law(self, kind: &str, number: &str) -> Option<String> {
+        match self {
+            Surface::Rust => Some(format!("`Law::{kind}({number})`")),
+            Surface::Python => Some(format!("`Law.{kind}({number})`")),
+            Surface::Command => None,
+        }
+    }
+
+    /// A number as a program writes it.
+    pub(crate) fn number(self, x: f64) -> String {
+        match self {
+            Surface::Rust => format!("{x:?}"),
+            Surface::Python | Surface::Command => x.to_string(),
+        }
+    }
+
+    /// How a point or direction of a body is found from a global one: the name of the call, and the
+    /// body as a variable is likely to be called.
+    pub(crate) fn in_body(self, call: &str, body: &str, argument: &str) -> String {
+        match self {
+            Surface::Rust | Surface::Python => {
+                let variable: String =
+                    body.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+                format!("`m.{call}({variable}, {argument})` computes them from global ones")
+            }
+            Surface::Command => format!("write them as `{body}` sees them"),
+        }
+    }
+
     /// How a closure error is allowed.
     pub(crate) fn allowed_misfit(self, share: f64) -> String {
         match self {
@@ -175,6 +219,16 @@ mod tests {
                 "`--allowed-misfit 3e-8`"
             ]
         );
+    }
+
+    #[test]
+    fn an_angle_is_written_as_each_surface_writes_it() {
+        let all = |degrees: f64| {
+            [Surface::Rust, Surface::Python, Surface::Command].map(|surface| surface.angle(degrees))
+        };
+        assert_eq!(all(360.0), ["`TAU`", "`kin.tau`", "6.283185307179586 (360°)"]);
+        assert_eq!(all(-180.0), ["`-PI`", "`-kin.pi`", "-3.141592653589793 (-180°)"]);
+        assert_eq!(all(45.0), ["`deg(45.0)`", "`kin.deg(45)`", "0.7853981633974483 (45°)"]);
     }
 
     /// Nothing that is said to a user of the wheel or of the command names a path of Rust.

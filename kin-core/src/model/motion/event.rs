@@ -82,5 +82,6 @@ impl Motion {
         let later = |known: &Event| if backwards { known.t < event.t } else { known.t > event.t };
         let place = self.events.iter().position(later).unwrap_or(self.events.len());
         self.events.insert(place, event);
+        self.warnings.take();
     }
 }

@@ -5,8 +5,9 @@ mod crossed;
 mod event;
 mod series;
 mod singular;
+mod warning;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +17,7 @@ pub use crossed::CrossedBreak;
 pub use event::{Event, EventKind};
 pub use series::Series;
 pub use singular::{Branch, SingularKind, SingularPosition};
+pub use warning::{Warning, WarningKind};
 
 /// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they
 /// were found.
@@ -38,11 +40,15 @@ pub struct Motion {
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
     pub(crate) singular: Vec<SingularPosition>,
-    /// The guess that the first position was found from.
+    /// The guess that the first position was found from; empty if the motion does not begin a run.
     pub(crate) guess: Vec<f64>,
-    /// Drivers of turns in space that begin beyond a turn, with the angle: bodies there do not show
-    /// how often they have turned.   \[rad\]
-    pub(crate) beyond_a_turn: Vec<(String, f64)>,
+    /// Warnings about the mechanism and the first position, from the run that begins here.
+    pub(crate) begun: Vec<Warning>,
+    /// True if a driver has turned by more than a turn between t = 0 and the first time, as its law
+    /// says, or may have: angles that are far from their guesses are no slip then.
+    pub(crate) turned_before: bool,
+    /// All warnings, once somebody has read them; whatever adds an event empties the list.
+    pub(crate) warnings: OnceLock<Vec<Warning>>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     pub(crate) misfit: f64,
     /// How many times a program has computed, and how often it has handed the rest of a block to
@@ -110,8 +116,10 @@ impl Motion {
             qddd: of(&self.qddd),
             iterations: self.iterations[first..].to_vec(),
             residuals: self.residuals[first..].to_vec(),
-            guess: self.guess.clone(),
-            beyond_a_turn: self.beyond_a_turn.clone(),
+            guess: Vec::new(),
+            begun: Vec::new(),
+            turned_before: false,
+            warnings: OnceLock::new(),
             misfit: self.misfit,
             engine: self.engine,
             plain: self.plain.clone(),

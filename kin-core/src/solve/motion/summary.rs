@@ -4,9 +4,12 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Motion;
+use crate::model::error::surface::Surface;
 use crate::model::layout::{Item, Kind};
+use crate::model::motion::{Warning, WarningKind};
 use crate::model::words::count;
 use crate::numbers::algebra::{EulerParameters, Vec3};
+use crate::solve::first_run::{is_usual, shown};
 
 /// Bodies that are told at most.
 const SHOWN: usize = 4;
@@ -34,10 +37,9 @@ pub struct Displacement {
 impl Motion {
     /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the
     /// largest residual in one line; then the engine, where a program has computed times or there
-    /// could be none ([`Motion::engine`], [`Motion::why_not_compiled`]); then how far the first
-    /// position is from the drawn one, where it is, the worst first ([`Motion::displaced`]), with a
-    /// hint where a slip is likely; and warnings among the events
-    /// ([`crate::results::EventKind::is_warning`]).
+    /// could be none ([`Motion::engine`], [`Motion::why_not_compiled`]); then how far the first position
+    /// is from the drawn one, where it is, the worst first ([`Motion::displaced`]); and the
+    /// warnings ([`Motion::warnings`]).
     pub fn summary(&self) -> String {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
@@ -47,14 +49,8 @@ impl Motion {
         if !told.is_empty() {
             text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
         }
-        for warning in self.events().iter().filter(|event| event.kind.is_warning()).take(SHOWN) {
+        for warning in self.warnings() {
             text += &format!("\n  warning: {warning}");
-        }
-        let begun = self.beyond_a_turn.iter().map(|(driver, angle)| {
-            format!("`{driver}` begins at {angle:.1} rad, more than a turn: angles are radians, `deg({angle:.1})` makes them of degrees.")
-        });
-        for hint in begun.chain(displaced.into_iter().filter_map(|body| body.hint)).take(SHOWN) {
-            text += &format!("\n  hint: {hint}");
         }
         text
     }
@@ -115,8 +111,8 @@ impl Motion {
     }
 
     /// The largest |C| of a motion of redundant equations that were allowed to contradict one
-    /// another ([`crate::SolverOptions::allowed_misfit`]), of the norm of its row: of the
-    /// mechanism's size where the row is a length. 0 where all are met.   \[-\]
+    /// another ([`crate::SolverOptions::allowed_misfit`]), of the norm of its row: of the mechanism's size where
+    /// the row is a length. 0 where all are met.   \[-\]
     pub fn misfit(&self) -> f64 {
         self.misfit
     }
@@ -124,20 +120,36 @@ impl Motion {
     /// How far each body and bare angle is at the first time from its guess, by its share of the
     /// mechanism's size, or by radians, the worst first. Bodies that are there are left out.
     pub fn displaced(&self) -> Vec<Displacement> {
+        self.displacements().into_iter().map(|(body, _)| body).collect()
+    }
+
+    /// The warnings about bodies whose first position is far from the guess.
+    pub(super) fn far_from_drawn(&self) -> impl Iterator<Item = Warning> {
+        let all = self.displacements().into_iter();
+        all.filter_map(|(body, kind)| Some(Warning::new(kind?, &[&body.name], body.hint?)))
+    }
+
+    /// The same with the kind of the hint.
+    fn displacements(&self) -> Vec<(Displacement, Option<WarningKind>)> {
         let guess = &self.guess;
         let first = self.q(0);
         if guess.len() != first.len() {
             return Vec::new();
         }
         let size = self.drawn_size();
-        let mut all: Vec<(f64, Displacement)> =
+        let mut all: Vec<(f64, Displacement, Option<WarningKind>)> =
             self.layout.items.iter().filter_map(|item| self.displacement(item, size)).collect();
         all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.name.cmp(&b.1.name)));
-        all.into_iter().map(|(_, body)| body).collect()
+        all.into_iter().map(|(_, body, kind)| (body, kind)).collect()
     }
 
-    /// One body with its share of what assembly has to do; `None` where it is as it was guessed.
-    fn displacement(&self, item: &Item, size: f64) -> Option<(f64, Displacement)> {
+    /// One body with its share of what assembly has to do, and the kind of its hint; `None` where
+    /// it is as it was guessed.
+    fn displacement(
+        &self,
+        item: &Item,
+        size: f64,
+    ) -> Option<(f64, Displacement, Option<WarningKind>)> {
         let guess = &self.guess[..];
         let first = self.q(0);
         let drawn = is_drawn(item, guess);
@@ -167,8 +179,21 @@ impl Motion {
             return None;
         }
         let moved = moved.filter(|moved| *moved > THERE * size);
-        let hint = hint(item, moved, turned, (size, self.unit_words().length()));
-        Some((share, Displacement { name: item.name.clone(), moved, turned, hint }))
+        let odd = turned.filter(|turned| !(*turned > TAU && self.turn_is_meant(item, *turned)));
+        let hint = hint(item, moved, odd, (size, self.unit_words().length()));
+        let (kind, hint) = hint.unzip();
+        Some((share, Displacement { name: item.name.clone(), moved, turned, hint }, kind))
+    }
+
+    /// True if more than a turn from the guess is no slip: the angle is one that people write in
+    /// radians, or a driver has turned so far since t = 0.
+    fn turn_is_meant(&self, item: &Item, turned: f64) -> bool {
+        let angle = match item.kind {
+            Kind::Angle => self.q(0)[item.first],
+            Kind::Planar => self.q(0)[item.first + 2],
+            Kind::Spatial | Kind::Length => return true,
+        };
+        self.turned_before || is_usual(turned) || angle.abs() > TAU && is_usual(angle)
     }
 
     /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is
@@ -225,33 +250,41 @@ fn turn(a: &[f64], b: &[f64]) -> f64 {
     2.0 * vector.norm().atan2(relative.e0.abs())
 }
 
+/// The likely slip, and what to do about it.
 fn hint(
     item: &Item,
     moved: Option<f64>,
     turned: Option<f64>,
     (size, unit): (f64, &str),
-) -> Option<String> {
+) -> Option<(WarningKind, String)> {
     let name = &item.name;
+    let surface = Surface::chosen();
     match (moved, turned) {
-        (_, Some(turned)) if item.kind != Kind::Spatial && turned > TAU => Some(format!(
-            "`{name}` stands {turned:.1} rad from its guess, more than a turn: angles are radians, `deg(90.0)` makes them of degrees."
-        )),
-        (Some(moved), _) if size > 0.0 && moved > 0.5 * size => Some(format!(
-            "`{name}` is {moved:.3} {unit} from where it is drawn, more than half the mechanism's size: points of bodies are local ones, \
-             `m.local({}, point)` finds them.",
-            variable(name)
-        )),
+        (_, Some(turned)) if item.kind != Kind::Spatial && turned > TAU => {
+            let text = format!(
+                "`{name}` begins {turned:.1} rad from its guess, more than a turn. Angles are in \
+                 radians; if degrees are meant, {:.1}° is {}.",
+                shown(turned),
+                surface.angle(shown(turned))
+            );
+            Some((WarningKind::Degrees, text))
+        }
+        (Some(moved), _) if size > 0.0 && moved > 0.5 * size => {
+            let text = format!(
+                "The first position of `{name}` is {moved:.3} {unit} from the drawn one, more than \
+                 half the mechanism's size. Constraints take points in the frame of their body; {}.",
+                surface.in_body("local", name, "point")
+            );
+            Some((WarningKind::FarFromDrawn, text))
+        }
         (_, Some(turned)) if item.kind == Kind::Spatial && turned > FRAC_PI_2 - THERE => {
-            Some(format!(
-                "`{name}` is turned by {turned:.3} rad from how it is drawn: axes are seen from their bodies, `m.local_direction({}, h)` finds them.",
-                variable(name)
-            ))
+            let text = format!(
+                "`{name}` is turned by {turned:.3} rad from how it is drawn. Constraints take axes in \
+                 the frame of their body; {}.",
+                surface.in_body("local_direction", name, "h")
+            );
+            Some((WarningKind::FarFromDrawn, text))
         }
         _ => None,
     }
-}
-
-/// A name as a variable is likely to be called.
-fn variable(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
 }

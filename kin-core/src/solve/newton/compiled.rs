@@ -23,6 +23,7 @@ use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::{Case, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
+use crate::solve::first_run;
 use crate::solve::motion::Motion;
 use crate::system::System;
 use block::Block;
@@ -65,6 +66,8 @@ pub(crate) struct Computing {
     wanted: Wanted,
     lanes: Lanes,
     begun: bool,
+    /// True of a run in parts: the first one begins the run, and is checked as a first run is.
+    in_parts: bool,
     tape: Option<(Arc<Tape>, Case)>,
     /// Why there is no program, where one was looked for.
     plain: Option<Arc<str>>,
@@ -79,6 +82,7 @@ impl Computing {
             wanted,
             lanes: Lanes::Best,
             begun: false,
+            in_parts: false,
             tape: None,
             plain: plain.map(Into::into),
         })
@@ -86,14 +90,14 @@ impl Computing {
 
     /// By this tape, or plain for that reason.
     fn by(tape: Option<(Arc<Tape>, Case)>, plain: Option<Arc<str>>, lanes: Lanes) -> Self {
-        Computing { wanted: Wanted::Plain, lanes, begun: false, tape, plain }
+        Computing { wanted: Wanted::Plain, lanes, begun: false, in_parts: false, tape, plain }
     }
 
     /// The same of a run in parts: numbers must not hang on where parts end, so that a program
     /// computes them only where it is asked for by name.
     pub(crate) fn in_parts(system: &System, options: &SolverOptions) -> Result<Self> {
         let times = if options.engine == Engine::Compiled { usize::MAX } else { 0 };
-        Self::new(system, times, options)
+        Ok(Computing { in_parts: true, ..Self::new(system, times, options)? })
     }
 
     /// Position, velocity and acceleration at each of the times, the next ones of the run, into a
@@ -104,16 +108,20 @@ impl Computing {
         times: &[f64],
         motion: &mut Motion,
     ) -> Result<()> {
-        if let (Some(first), false) =
-            (times.first(), std::mem::replace(&mut self.begun, !times.is_empty()))
-        {
+        let begins = !self.begun && !times.is_empty();
+        self.begun |= begins;
+        if let (Some(first), true) = (times.first(), begins) {
             self.begin(run, *first, motion)?;
         }
         motion.plain.clone_from(&self.plain);
-        match &self.tape {
+        let done = match &self.tape {
             Some((tape, case)) => replay(run, times, motion, (tape, case), self.lanes),
             None => run.reach_all(&times[motion.len()..], motion),
+        };
+        if begins && self.in_parts {
+            first_run::note(run.system(), motion, run.first_pivot());
         }
+        done
     }
 
     /// Makes the program, at the first position.

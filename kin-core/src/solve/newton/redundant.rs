@@ -42,6 +42,8 @@ pub(crate) struct Stepper<'a> {
     explain: Option<Explain>,
     /// None before the first time.
     position: Option<Position<'a>>,
+    /// The smallest pivot of the equations that are solved, at the first time.   \[-\]
+    pub(super) first_pivot: Option<f64>,
 }
 
 impl<'a> Stepper<'a> {
@@ -50,7 +52,7 @@ impl<'a> Stepper<'a> {
         options: &'a SolverOptions,
         explain: Option<Explain>,
     ) -> Self {
-        Stepper { system, options, explain, position: None }
+        Stepper { system, options, explain, position: None, first_pivot: None }
     }
 
     /// Solves at the next time and appends it to the motion.
@@ -68,6 +70,7 @@ impl<'a> Stepper<'a> {
             None => {
                 let (position, outcome) =
                     Position::assembled(self.system, self.options, t, self.explain)?;
+                self.first_pivot = Some(position.solver.smallest_pivot());
                 (self.position.insert(position), outcome)
             }
         };

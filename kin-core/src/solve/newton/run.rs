@@ -6,6 +6,7 @@ use super::{SolverOptions, compiled, redundant};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::solve::explain::Explain;
+use crate::solve::first_run;
 use crate::solve::motion::Motion;
 use crate::system::System;
 use crate::system::evaluate::Instant;
@@ -25,25 +26,28 @@ pub(crate) fn run<'a>(
     check(times)?;
     options.check_memory(1, times.len(), system.n_coordinates())?;
     let computing = compiled::Computing::new(system, times.len(), options)?;
-    run_by(system, times, (options, explain), progress, computing)
+    let mut run = Run::new(system, options, explain)?;
+    run.progress = progress.map(|progress| (progress, times.len()));
+    let mut found = run.whole(times, computing);
+    first_run::note_result(system, &mut found, run.first_pivot());
+    found
 }
 
-/// The same by given means, of times that were looked at.
+/// The same by given means, of times that were looked at, without the checks of a first run: a case
+/// of a sweep.
 pub(crate) fn run_by<'a>(
     system: &'a System,
     times: &[f64],
     (options, explain): (&'a SolverOptions, Option<Explain>),
-    progress: Option<Progress<'a>>,
-    mut computing: compiled::Computing,
+    computing: compiled::Computing,
 ) -> Result<Motion> {
-    let mut run = Run::new(system, options, explain)?;
-    let mut motion = Motion::new(system, times.len());
-    run.progress = progress.map(|progress| (progress, times.len()));
-    if let Err(error) = computing.run(&mut run, times, &mut motion) {
-        return Err(run.failed(error, motion));
+    let mut found = Run::new(system, options, explain)?.whole(times, computing);
+    if let Ok(motion) = &mut found {
+        motion.guess = system.initial().to_vec();
+        // Nobody has looked: an angle far from its guess may have been turned to.
+        motion.turned_before = true;
     }
-    motion.beyond_a_turn = times.first().map(|&t| system.beyond_a_turn(t)).unwrap_or_default();
-    Ok(motion)
+    found
 }
 
 /// A run on its way from time to time.
@@ -88,6 +92,23 @@ impl<'a> Run<'a> {
             law_breaks: LawBreaks::default(),
             progress: None,
         })
+    }
+
+    /// The motion at all of these times.
+    fn whole(&mut self, times: &[f64], mut computing: compiled::Computing) -> Result<Motion> {
+        let mut motion = Motion::new(self.system, times.len());
+        match computing.run(self, times, &mut motion) {
+            Ok(()) => Ok(motion),
+            Err(error) => Err(self.failed(error, motion)),
+        }
+    }
+
+    /// The smallest pivot of C_q at the first position; `None` before it is found.
+    pub(super) fn first_pivot(&self) -> Option<f64> {
+        match &self.stepper {
+            AnyStepper::Plain(stepper) => stepper.first_pivot,
+            AnyStepper::Redundant(stepper) => stepper.first_pivot,
+        }
     }
 
     /// The same at each of the times, one by one.

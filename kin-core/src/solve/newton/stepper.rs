@@ -28,6 +28,8 @@ pub(super) struct Stepper<'a> {
     /// Where the last failure was.
     failed: Padded,
     predictor: Predictor,
+    /// The smallest pivot of C_q at the first time.   \[-\]
+    pub first_pivot: Option<f64>,
     /// True if all present numbers are still those of the last solution.
     untouched: bool,
     /// The check of each step, if one is asked for.
@@ -54,6 +56,7 @@ impl<'a> Stepper<'a> {
             q: Padded::new(n, 0.0),
             failed: Padded::new(n, 0.0),
             predictor: Predictor::new(n),
+            first_pivot: None,
             untouched: false,
             check: (options.follow != Follow::Unchecked).then(|| Check::new(system)),
             passed: Vec::new(),
@@ -68,6 +71,7 @@ impl<'a> Stepper<'a> {
         let outcome = match self.last {
             None => {
                 let outcome = first_position::assemble(&mut self.newton, t)?;
+                self.first_pivot = Some(self.newton.linear.smallest_pivot());
                 self.check.iter_mut().for_each(|check| check.accept(&self.newton));
                 outcome
             }

@@ -1,0 +1,49 @@
+//! The warnings of a motion, from all that knows some.
+
+use super::Motion;
+use crate::model::motion::{Warning, WarningKind};
+use crate::solve::first_run::MOST;
+
+impl Motion {
+    /// Slips that people make in their first run, and that still give a motion: numbers that look
+    /// like degrees, a first position far from the drawn one, a start near a singular position, a
+    /// table that ends before the run. Each warning has a kind, the names that it concerns, and its
+    /// sentences. At most four of a kind.
+    ///
+    /// The list is made when it is first read. A case of a sweep has warnings of the drawn position
+    /// and of tables alone. Motions that were measured, poses between two times, and the later
+    /// parts of a run in parts begin no run: they have those of tables alone.
+    ///
+    /// ```
+    /// # use kin::prelude::*;
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("crank");
+    /// let crank = m.link("crank", 1.0)?;
+    /// m.add("O", revolute(crank, Ground, crank.start(), vec2(0.0, 0.0)))?;
+    /// m.add("motor", drive_angle(crank, Law::ramp(360.0)))?; // intended: TAU
+    /// let motion = m.build()?.run(linspace(0.0, 1.0, 11))?;
+    /// assert_eq!(
+    ///     motion.warnings()[0].to_string(),
+    ///     "`motor` turns `crank` at 360 rad/s (57 turns/s): its law is `Law::ramp(360.0)`. \
+    ///      Angles are in radians; did you mean `Law::ramp(TAU)`?"
+    /// );
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn warnings(&self) -> &[Warning] {
+        self.warnings.get_or_init(|| {
+            let mut all = self.begun.clone();
+            // Where a number is named, the angle to which it leads says nothing more.
+            let named = all.iter().any(|warning| warning.kind == WarningKind::Degrees);
+            let far = self.far_from_drawn();
+            all.extend(
+                far.filter(|found| !(named && found.kind == WarningKind::Degrees)).take(MOST),
+            );
+            let events = self.events().iter().filter(|event| event.kind.is_warning());
+            all.extend(events.take(MOST).map(|event| {
+                Warning::new(WarningKind::BeyondRange, &[&event.name], format!("{event}."))
+            }));
+            all
+        })
+    }
+}
